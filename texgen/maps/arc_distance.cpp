@@ -4,8 +4,7 @@
 
 #include "core/parallel/parallel_for.h"
 #include "texgen/maps/grid_positions.h"
-#include "texgen/raster/distance/arc_lanes.h"
-#include "texgen/raster/distance/boundary.h"
+#include "texgen/raster/distance/region.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,8 +128,8 @@ void limit(ArcDistances& distances, double reach) {
 NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point) {
     // The nearest point is an inner point of the arc if the given point is between the normals at
     // both ends, which is a test of two half-planes. The test is valid only for arcs that turn by a
-    // small angle (ArcLanes::kMinCosine), so other arcs are halved first.
-    if (arc.cosine < ArcLanes::kMinCosine) {
+    // small angle (DistanceArc::kMinCosine), so other arcs are halved first.
+    if (arc.cosine < DistanceArc::kMinCosine) {
         const auto [first, second] = halves(arc);
         const NearestOnArc on_first = nearest_on_arc(first, point);
         const NearestOnArc on_second = nearest_on_arc(second, point - first.chord);

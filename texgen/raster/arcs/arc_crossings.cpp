@@ -8,23 +8,19 @@ namespace foam::texgen {
 
 namespace {
 
-// Computes the results of a query. crossing(arc, at) must return the crossing of the arc with the
-// line at `at`.
+// Computes the results of a query. crossing(arc, at) returns the crossing of the arc, whose
+// coordinates are of type Real, with the line at `at`.
 template <class Real, class Crossing>
-inline void find_of(const CrossingSolver<Real>& equation,
-                    const ArcCrossings& crossings,
+inline void find_of(const CrossingSolver<Real> arc,
+                    const ArcCrossings query,
                     const Crossing& crossing,
                     std::int32_t* to) {
-    const CrossingSolver<Real> arc = equation;  // a copy, which the stores below cannot change
-    const std::int32_t step = crossings.step;
-    const std::int32_t offset = crossings.offset;
-    const std::int32_t sign = crossings.sign;
-    for (std::size_t from = 0; from < crossings.count; from += ArcCrossings::kLanes) {
-        const std::int32_t first = crossings.first + static_cast<std::int32_t>(from) * step;
-        std::int32_t* found = to + from;
+    for (std::size_t from = 0; from < query.count; from += ArcCrossings::kLanes) {
+        const std::int32_t first = query.first + static_cast<std::int32_t>(from) * query.step;
         for (std::size_t k = 0; k < ArcCrossings::kLanes; ++k) {
-            const std::int32_t at = first + static_cast<std::int32_t>(k) * step;
-            found[k] = sign * (offset + rounded(crossing(arc, static_cast<Real>(at))));
+            const std::int32_t at = first + static_cast<std::int32_t>(k) * query.step;
+            to[query.position + from + k] =
+                query.sign * (query.offset + rounded(crossing(arc, static_cast<Real>(at))));
         }
     }
 }
@@ -33,11 +29,11 @@ inline void find_of(const CrossingSolver<Real>& equation,
 template <class Crossing>
 void find(std::span<const ArcCrossings> arcs, const Crossing& crossing, std::int32_t* to) {
     at_simd_level([=] {
-        for (const ArcCrossings& crossings : arcs) {
-            if (crossings.arc.is_short()) [[likely]] {
-                find_of(crossings.arc.in_floats(), crossings, crossing, to + crossings.position);
+        for (const ArcCrossings& query : arcs) {
+            if (query.arc.is_short()) [[likely]] {
+                find_of(query.arc.in_floats(), query, crossing, to);
             } else {
-                find_of(crossings.arc.in_doubles(), crossings, crossing, to + crossings.position);
+                find_of(query.arc.in_doubles(), query, crossing, to);
             }
         }
     });

@@ -7,7 +7,6 @@
 
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -41,62 +40,46 @@ inline std::int32_t rounded(float x) {
 template <class Real>
 class CrossingSolver {
   public:
-    // The coefficients of the equation, with the symbols of the class comment.
-    struct Coefficients {
-        Real half_x = 0;  // (half_x, half_y) = d / 2
-        Real half_y = 0;
-        Real sine = 0;    // sin alpha
-        Real bulge = 0;   // sin alpha d² / 4
-        Real across = 0;  // (across, up) = cos alpha d
-        Real up = 0;
-    };
-
     CrossingSolver() = default;
-    explicit CrossingSolver(const Coefficients& c) : c_(c) {}
-
-    /// Create a solver for the arc from the origin to `head`, or to (x, y). `cosine` and `sine` are
-    /// the cosine and the sine of half the angle by which the arc turns left; without `cosine`, the
-    /// cosine is assumed to be positive. Precondition: head.y() > 0, or y > 0.
+    /// Create a solver for the arc from the origin to `head`. `cosine` and `sine` are the cosine
+    /// and the sine of half the angle by which the arc turns left; without `cosine`, the cosine is
+    /// assumed to be positive. Precondition: head.y() > 0.
     CrossingSolver(const Vec2& head, double sine)
         : CrossingSolver(head, std::sqrt(1.0 - sine * sine), sine) {}
     CrossingSolver(const Vec2& head, double cosine, double sine)
-        : CrossingSolver(head.x(), head.y(), cosine, sine) {}
-    CrossingSolver(double x, double y, double cosine, double sine)
-        : c_{static_cast<Real>(0.5 * x),
-             static_cast<Real>(0.5 * y),
-             static_cast<Real>(sine),
-             static_cast<Real>(0.25 * sine * (x * x + y * y)),
-             static_cast<Real>(cosine * x),
-             static_cast<Real>(cosine * y)} {}
-
-    const Coefficients& coefficients() const { return c_; }
+        : half_x_(static_cast<Real>(0.5 * head.x())),
+          half_y_(static_cast<Real>(0.5 * head.y())),
+          sine_(static_cast<Real>(sine)),
+          bulge_(static_cast<Real>(0.25 * sine * head.squaredNorm())),
+          across_(static_cast<Real>(cosine * head.x())),
+          up_(static_cast<Real>(cosine * head.y())) {}
 
     /// Returns the x at which the arc crosses the height y, clamped to the range between the x of
     /// the tail and the x of the head. Precondition: 0 <= y <= head.y().
-    Real x_at(Real y) const { return c_.half_x + clamped(from_middle(y), std::abs(c_.half_x)); }
+    Real x_at(Real y) const { return half_x_ + clamped(from_middle(y), std::abs(half_x_)); }
 
     /// Returns the x at which the arc crosses the height y, not clamped. The arc need not be
     /// monotone in x. Precondition: 0 <= y <= head.y().
-    Real unbounded_x_at(Real y) const { return c_.half_x + from_middle(y); }
+    Real unbounded_x_at(Real y) const { return half_x_ + from_middle(y); }
 
     /// Returns the y at which the arc crosses a vertical line, clamped to the range between the y
     /// of the tail and the y of the head. An arc that turns left bulges to the right of its chord.
     /// The right side of the chord is its lower side if head.x() >= 0, and otherwise its upper
     /// side. This determines the sign of the root. Precondition: x is between 0 and head.x().
     Real y_at(Real x) const {
-        const Real q = x - c_.half_x;
-        const Real c = c_.bulge - q * (c_.up + c_.sine * q);
-        const Real y = Real(2) * c /
-                       (std::abs(c_.across) + root(c_.across * c_.across + Real(4) * c_.sine * c));
-        return c_.half_y + clamped(c_.half_x < Real(0) ? y : -y, c_.half_y);
+        const Real q = x - half_x_;
+        const Real c = bulge_ - q * (up_ + sine_ * q);
+        const Real y =
+            Real(2) * c / (std::abs(across_) + root(across_ * across_ + Real(4) * sine_ * c));
+        return half_y_ + clamped(half_x_ < Real(0) ? y : -y, half_y_);
     }
 
   private:
     // Returns the x at which the arc crosses the height y, relative to the middle of the chord.
     Real from_middle(Real y) const {
-        const Real q = y - c_.half_y;
-        const Real c = c_.bulge + q * (c_.across - c_.sine * q);
-        return Real(2) * c / (c_.up + root(c_.up * c_.up + Real(4) * c_.sine * c));
+        const Real q = y - half_y_;
+        const Real c = bulge_ + q * (across_ - sine_ * q);
+        return Real(2) * c / (up_ + root(up_ * up_ + Real(4) * sine_ * c));
     }
     // Returns the square root of a number, or 0 if rounding made the number negative.
     static Real root(Real squared) { return std::sqrt(squared > Real(0) ? squared : Real(0)); }
@@ -106,13 +89,18 @@ class CrossingSolver {
         return raised < limit ? raised : limit;
     }
 
-    Coefficients c_;
+    // The coefficients of the equation, with the symbols of the class comment.
+    Real half_x_ = 0;  // (half_x_, half_y_) = d / 2
+    Real half_y_ = 0;
+    Real sine_ = 0;    // sin alpha
+    Real bulge_ = 0;   // sin alpha d² / 4
+    Real across_ = 0;  // (across_, up_) = cos alpha d
+    Real up_ = 0;
 };
 
-/// A rising arc, in subpixels, whose crossings with horizontal and vertical lines are rounded to
-/// the nearest subpixel. If the arc is at most 256 pixels wide and high, its crossings are computed
-/// in floats, with errors of up to 1/10 subpixel before rounding. Otherwise they are computed in
-/// doubles.
+/// A rising arc, in subpixels, whose crossings are rounded to the nearest subpixel. If the arc is
+/// at most 256 pixels wide and high, its crossings are computed in floats, with errors of up to
+/// 1/10 subpixel before rounding, otherwise in doubles.
 class RoundedCrossings {
   public:
     RoundedCrossings() = default;
@@ -159,10 +147,9 @@ struct ArcCrossings {
     std::size_t end() const { return position + (count + kLanes - 1) / kLanes * kLanes; }
 };
 
-/// Compute the crossings of several arcs. find_xs stores the x of crossings with horizontal lines,
-/// find_ys the y of crossings with vertical lines. Result k of a query is stored at the index
-/// position + k. All arcs are processed in one loop, so that the processor computes square roots of
-/// different arcs at the same time. Precondition: the array has room for arcs.back().end() results.
+/// Compute the crossings of several arcs: find_xs the x of crossings with horizontal lines, find_ys
+/// the y of crossings with vertical lines. Result k of a query is stored at the index position + k.
+/// Precondition: the array has room for arcs.back().end() results.
 void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs);
 void find_ys(std::span<const ArcCrossings> arcs, std::int32_t* ys);
 

@@ -2,8 +2,6 @@
 
 #include "texgen/raster/arcs/monotone_arc.h"
 
-#include "texgen/raster/arcs/pixel_arc.h"
-
 namespace foam::texgen {
 
 void append_arc(const PixelArc& arc,
@@ -11,10 +9,6 @@ void append_arc(const PixelArc& arc,
                 SubpixelPoint head,
                 const ArcSides& sides,
                 std::vector<MonotoneArc>& to) {
-    if (is_monotone(arc)) [[likely]] {
-        append_piece(tail, head, arc.sine, sides, to);
-        return;
-    }
     const auto inner = [&](const Vec2& at) { return tail + to_subpixel(at); };
     for_each_piece(arc, tail, head, inner, [&](SubpixelPoint from, SubpixelPoint end, double sine) {
         append_piece(from, end, sine, sides, to);

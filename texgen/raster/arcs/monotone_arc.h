@@ -7,7 +7,6 @@
 #include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/coords/raster_grid.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -17,16 +16,14 @@
 
 namespace foam::texgen {
 
-/// The value of ArcSides::left or ArcSides::right if there is a film on that side of the arc. In a
-/// patch, this includes films of width 0: such a film is represented by two arcs, one for each
-/// bubble beside it.
+/// The value of ArcSides::left or ArcSides::right if there is a film on that side of the arc, in a
+/// patch even a film of width 0, which has one arc for each bubble beside it.
 inline constexpr std::uint32_t kFilmSide = std::numeric_limits<std::uint32_t>::max();
 
-/// The two sides of an arc: the index of the bubble on each side, or kFilmSide. On a torus, the
-/// outline of a bubble may cross the border. It is closed only if it is unwrapped, that is,
-/// continued beyond the border. In the unwrapped outline of the bubble on the left, the arc is
-/// `left_periods` periods further right than its coordinates say. In the unwrapped outline of the
-/// bubble on the right, the arc is `right_periods` periods further right.
+/// The two sides of an arc: the index of the bubble on each side, or kFilmSide. On a torus, an
+/// outline that crosses the border is closed only if it is unwrapped, that is, continued beyond the
+/// border. In the unwrapped outline of the bubble on the left (right), the arc is `left_periods`
+/// (`right_periods`) periods further right than its coordinates say.
 struct ArcSides {
     std::uint32_t left = kFilmSide;
     std::uint32_t right = kFilmSide;
@@ -63,8 +60,7 @@ struct CellArcs {
     RasterGrid grid;
     std::int32_t shear = 0;                         // shear_in_subpixels on a torus; 0 in the plane
     std::vector<std::vector<MonotoneArc>> batches;  // one batch per task of make_arcs
-    int unclosed_loops = 0;  // number of boundary loops that did not close; 0 for a valid
-                             // foam, unless a raft overlaps itself
+    int unclosed_loops = 0;              // 0 for a valid foam, unless a raft overlaps itself
     std::optional<BubbleId> ghost = {};  // the ghost bubble of a patch
 };
 
@@ -74,17 +70,17 @@ struct ArcBatch {
     int unclosed_loops = 0;
 };
 
-/// Appends the monotone pieces of an arc to `to`. `tail` and `head` are the rounded ends of the
-/// arc. The left and right side in `sides` refer to the direction from tail to head. A piece whose
-/// rounded ends have the same y is left out, because it does not affect any pixel.
+/// Appends the monotone pieces of an arc with the rounded ends `tail` and `head`. `sides` refers to
+/// the direction from tail to head. A piece whose rounded ends have the same y is left out, because
+/// it does not affect any pixel.
 void append_arc(const PixelArc& arc,
                 SubpixelPoint tail,
                 SubpixelPoint head,
                 const ArcSides& sides,
                 std::vector<MonotoneArc>& to);
 
-/// Appends an arc that is monotone in x and in y to `to`, unless its ends have the same y. `sine`
-/// is the sine of half the angle by which the arc turns left from tail to head.
+/// Appends a monotone piece, unless its ends have the same y. `sine` is the sine of half the angle
+/// by which it turns left from tail to head.
 void append_piece(SubpixelPoint tail,
                   SubpixelPoint head,
                   double sine,
@@ -98,21 +94,21 @@ double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
 /// The recommended number of bubbles per task of make_arcs.
 inline constexpr std::size_t kBubblesPerTask = 256;
 
-/// Calls maker.make(k, batch) for each k in [0, count). Each call appends arcs to batch.arcs, and
-/// adds to batch.unclosed_loops. Returns all arcs; the caller sets `shear` and `ghost`.
-/// Tasks run in parallel. Each task processes up to `per_task` values of k with its own maker,
-/// which new_maker() returns.
-template <class NewMaker>
+/// Calls append(k, batch) for each k in [0, count), which appends arcs to batch.arcs and adds to
+/// batch.unclosed_loops. Returns all arcs; the caller sets `shear` and `ghost`. Tasks run in
+/// parallel. Each task processes up to `per_task` values of k with its own `append`, which
+/// new_append() returns.
+template <class NewAppend>
 CellArcs make_arcs(const RasterGrid& grid,
                    std::size_t count,
                    std::size_t per_task,
-                   const NewMaker& new_maker,
+                   const NewAppend& new_append,
                    int threads) {
     const auto make = [&](std::size_t first, std::size_t last) {
-        auto maker = new_maker();
+        auto append = new_append();
         ArcBatch batch;
         for (std::size_t k = first; k < last; ++k) {
-            maker.make(k, batch);
+            append(k, batch);
         }
         return batch;
     };

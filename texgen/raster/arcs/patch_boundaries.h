@@ -6,7 +6,6 @@
 #include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/coords/raster_grid.h"
 
-#include <cstddef>
 #include <span>
 
 namespace foam::texgen {
@@ -32,13 +31,12 @@ struct PixelPatch {
 /// Regions are numbered in this order.
 std::size_t region_count(const Frame& frame);
 
-/// The width in pixels of a margin around the image. Parts of arcs beyond this margin are cut off,
-/// so that the coordinates of the other parts fit in 32 bits in subpixels. No pixel depends on
-/// the shape of the parts that are cut off.
+/// The width in pixels of a margin around the image. Parts of arcs beyond this margin, on which no
+/// pixel depends, are cut off, so that coordinates fit in 32 bits in subpixels.
 inline constexpr double kClipMargin = kLargestSide;
 
-/// Returns true if a part of a loop may be visible in the image. The test is conservative: it
-/// assumes that an arc may extend from its tail by its length in any direction.
+/// Returns false only if no part of a loop is visible in the image. The test assumes that an arc
+/// may extend from its tail by its length in any direction.
 bool may_be_visible(const RasterGrid& grid, std::span<const ArcLoops::Side> loop);
 
 /// Returns the boundary loops of a region in pixels, with the region on their left. `bubble` is the

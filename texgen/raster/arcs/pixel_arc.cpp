@@ -31,20 +31,19 @@ Vec2 axis(int quadrant) {
 
 }  // namespace
 
-MonotonePieces::MonotonePieces(const PixelArc& arc) {
-    if (is_monotone(arc)) {
-        append(arc.chord, arc.sine);
-    } else {
-        split(arc);
-    }
-}
-
 // Splits the arc at the points where its tangent is parallel to an axis. If an arc turns right, its
 // y is negated, so that all arcs turn left; the y of the results is negated again. Let a and b be
 // the unit tangents at two points of an arc that turns left. The vector from the first point to the
 // second is radius * (b - a), rotated by 90 degrees to the right. The sine of half the angle
 // between a and b is |b - a| / 2.
-void MonotonePieces::split(const PixelArc& arc) {
+boost::container::static_vector<MonotonePiece, 5> monotone_pieces(const PixelArc& arc) {
+    if (is_monotone(arc)) {
+        return {MonotonePiece{Vec2::Zero(), arc.chord, arc.sine}};
+    }
+    boost::container::static_vector<MonotonePiece, 5> pieces;
+    const auto append = [&](const Vec2& head, double sine) {
+        pieces.push_back({pieces.empty() ? Vec2(0.0, 0.0) : pieces.back().head, head, sine});
+    };
     const double side = arc.sine < 0.0 ? -1.0 : 1.0;
     const Vec2 mirror(1.0, side);
     const double length = arc.chord.norm();
@@ -66,11 +65,7 @@ void MonotonePieces::split(const PixelArc& arc) {
         from = to;
     }
     append(arc.chord, 0.5 * side * (last - from).norm());
-}
-
-void MonotonePieces::append(const Vec2& head, double sine) {
-    const Vec2 tail = count_ == 0 ? Vec2(0.0, 0.0) : pieces_[count_ - 1].head;
-    pieces_[count_++] = {tail, head, sine};
+    return pieces;
 }
 
 }  // namespace foam::texgen

@@ -5,7 +5,8 @@
 #include "core/geometry/elementary.h"
 #include "core/geometry/film_arc.h"
 
-#include <array>
+#include <boost/container/static_vector.hpp>
+
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -57,55 +58,44 @@ inline bool is_monotone(const PixelArc& arc) {
     return arc.cosine > 0.0 && first.x() * last.x() >= 0.0 && first.y() * last.y() >= 0.0;
 }
 
-/// Splits an arc that turns by less than 360 degrees into monotone pieces. Positions are relative
-/// to the tail of the arc.
-class MonotonePieces {
-  public:
-    /// A piece that is monotone in x and in y, in pixels.
-    struct Piece {
-        Vec2 tail{0.0, 0.0};
-        Vec2 head{0.0, 0.0};
-        double sine = 0.0;  // sine of half the angle by which the piece turns left; the half angle
-                            // is from -45 to 45 degrees
-    };
-
-    explicit MonotonePieces(const PixelArc& arc);
-
-    /// Returns the pieces in order, starting at the tail of the arc.
-    std::span<const Piece> pieces() const { return std::span(pieces_).first(count_); }
-
-  private:
-    void split(const PixelArc& arc);
-    void append(const Vec2& head, double sine);
-
-    std::array<Piece, 5> pieces_;
-    std::size_t count_ = 0;
+/// A piece of an arc that is monotone in x and in y, in pixels.
+struct MonotonePiece {
+    Vec2 tail{0.0, 0.0};
+    Vec2 head{0.0, 0.0};
+    double sine = 0.0;  // of half the angle by which the piece turns left; the half angle is from
+                        // -45 to 45 degrees
 };
 
-/// Calls visit(from, to, sine) for each monotone piece of an arc, in order from tail to head.
-/// `tail` and `head` are the ends of the arc, as points of any type. inner(position) must convert
-/// the position of the point between two pieces to this type; `position` is in pixels, relative to
-/// the tail. `sine` is MonotonePieces::Piece::sine.
+/// Splits an arc that turns by less than 360 degrees into monotone pieces, in order from tail to
+/// head. Positions are relative to the tail of the arc.
+boost::container::static_vector<MonotonePiece, 5> monotone_pieces(const PixelArc& arc);
+
+/// Calls visit(from, to, sine) for each monotone piece of an arc, in order. `tail` and `head` are
+/// the ends of the arc, as points of any type. inner(position) converts the position of the point
+/// between two pieces, in pixels relative to the tail, to this type.
 template <class Point, class Inner, class Visit>
 void for_each_piece(const PixelArc& arc,
                     const Point& tail,
                     const Point& head,
                     const Inner& inner,
                     const Visit& visit) {
-    const MonotonePieces all(arc);
+    if (is_monotone(arc)) [[likely]] {
+        visit(tail, head, arc.sine);
+        return;
+    }
+    const auto pieces = monotone_pieces(arc);
     Point from = tail;
-    for (const MonotonePieces::Piece& piece : all.pieces()) {
-        const Point to = &piece == &all.pieces().back() ? head : inner(piece.head);
+    for (const MonotonePiece& piece : pieces) {
+        const Point to = &piece == &pieces.back() ? head : inner(piece.head);
         visit(from, to, piece.sine);
         from = to;
     }
 }
 
-/// Returns twice the area between an arc and its chord, with the sign of `sine`. `squared_chord` is
-/// the squared length of the chord, and `sine` the sine of half the angle by which the arc turns
-/// left. The formula is a truncated power series of the segment area in E1 (core/README.md). Its
-/// relative error is 2.5e-3 for an arc that turns by 90 degrees, 6e-5 for 60 degrees and 6e-9 for
-/// 23 degrees. Precondition: the arc turns by at most 90 degrees.
+/// Returns twice the area between an arc and its chord, with the sign of `sine`, the sine of half the
+/// angle by which the arc turns left. The formula is a truncated power series of the segment area in
+/// E1 (core/README.md). Its relative error is 2.5e-3 for an arc that turns by 90 degrees, 6e-5 for
+/// 60 degrees and 6e-9 for 23 degrees. Precondition: the arc turns by at most 90 degrees.
 template <class Real>
 Real twice_segment(Real squared_chord, Real sine) {
     const Real z = sine * sine;
@@ -122,10 +112,16 @@ struct ArcLoops {
     };
     std::vector<Side> sides;
     std::vector<std::size_t> loop_ends;  // one past the last side of each loop
-    int unclosed_loops =
-        0;  // number of loops left out because they did not close; 0 for a valid bubble, but
-            // may be positive for the ghost bubble of a patch in which rafts overlap
+    // The number of loops left out because they did not close; 0 for a valid bubble, but may be
+    // positive for the ghost bubble of a patch in which rafts overlap.
+    int unclosed_loops = 0;
 
+    /// Removes all loops, and keeps the memory.
+    void clear() {
+        sides.clear();
+        loop_ends.clear();
+        unclosed_loops = 0;
+    }
     /// Returns the sides of loop k.
     std::span<const Side> loop(std::size_t k) const {
         const std::size_t begin = k == 0 ? 0 : loop_ends[k - 1];

@@ -8,12 +8,9 @@
 
 namespace foam::texgen {
 
-/// The binary logarithm of kSubpixel.
+/// The number of subpixels per pixel, and its binary logarithm. A subpixel is the unit of the
+/// rasterizer's integer coordinates. A shift by whole pixels moves every point exactly.
 inline constexpr int kSubpixelBits = 10;
-
-/// The number of subpixels per pixel. A subpixel is the unit of the rasterizer's integer
-/// coordinates. Sums of integers do not depend on the order of their terms, and a shift by whole
-/// pixels moves every point exactly.
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
 
 /// A point or a vector in subpixels. x points right, y up.

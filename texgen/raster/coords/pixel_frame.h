@@ -3,11 +3,7 @@
 #pragma once
 
 #include "core/foam/frame.h"
-#include "core/parallel/parallel_for.h"
 #include "texgen/raster/coords/raster_grid.h"
-
-#include <cstddef>
-#include <vector>
 
 namespace foam::texgen {
 
@@ -24,17 +20,6 @@ struct PixelFrame {
     /// Returns the position of a junction, rounded to subpixels.
     SubpixelPoint rounded_position(JunctionId junction) const {
         return snap(frame.positions[junction]);
-    }
-    /// Returns the rounded positions of all junctions, indexed by JunctionId.
-    std::vector<SubpixelPoint> rounded_positions(int threads) const {
-        constexpr std::size_t kPerTask = 8192;
-        std::vector<SubpixelPoint> points(frame.positions.size());
-        parallel_for(points.size(), kPerTask, threads, [&](std::size_t first, std::size_t last) {
-            for (std::size_t k = first; k < last; ++k) {
-                points[k] = rounded_position(id_at<JunctionId>(k));
-            }
-        });
-        return points;
     }
     /// Returns the position of a junction in pixels, not rounded.
     Vec2 exact_position(JunctionId junction) const { return scale * frame.positions[junction]; }

@@ -2,40 +2,29 @@
 
 #include "texgen/raster/coords/raster_grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 namespace foam::texgen {
 
-namespace {
-
-// The largest allowed relative difference between the pixels per foam unit in x and in y.
-constexpr double kLargestAnisotropy = 1e-6;
-
-void check_side(int side) {
-    if (side < 1 || side > kLargestSide) {
+double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
+    if (std::min(grid.width, grid.height) < 1 || std::max(grid.width, grid.height) > kLargestSide) {
         throw std::invalid_argument("image width and height must be from 1 to " +
                                     std::to_string(kLargestSide));
     }
-}
-
-}  // namespace
-
-double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
-    check_side(grid.width);
-    check_side(grid.height);
     if (domain.is_plane() != grid.view.has_value()) {
         throw std::invalid_argument(
             "a grid needs a view if the foam is in the plane, and must not have a view if the foam "
-            "is "
-            "on a torus");
+            "is on a torus");
     }
     if (grid.view) {
         return grid.view->pixels_per_unit;
     }
     const double across = grid.width / domain.width;
     const double up = grid.height / domain.height;
+    constexpr double kLargestAnisotropy = 1e-6;
     if (!(std::abs(across / up - 1.0) <= kLargestAnisotropy)) {
         throw std::invalid_argument(
             "image and torus must have the same aspect ratio, because pixels are square");

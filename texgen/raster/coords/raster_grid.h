@@ -24,9 +24,8 @@ struct View {
 ///
 /// On a torus, a grid may be shifted: pixel (x, y) of an image on the shifted grid has the same
 /// bits as pixel (x + shift_x, y + shift_y) of the image on the unshifted grid, wrapped around the
-/// torus. On a sheared torus there is an exception: a row that is wrapped in y is also displaced by
-/// the shear, which need not be a whole number of pixels. Precondition on a sheared torus: 0 <=
-/// shift_y < height, because shift_of ignores the shear when it wraps shift_y.
+/// torus. Exception on a sheared torus: a row that is wrapped in y is also displaced by the shear,
+/// which need not be a whole number of pixels. Precondition there: 0 <= shift_y < height.
 struct RasterGrid {
     int width = 0;  // this and the other lengths are in pixels
     int height = 0;
@@ -35,22 +34,21 @@ struct RasterGrid {
     std::optional<View> view = {};  // set in the plane, where nothing is shifted or wrapped
 };
 
-/// The largest allowed width and height of a grid in pixels. With this limit, the coordinates of
-/// points that are a few periods away from the grid fit in 32 bits.
+/// The largest width and height of a grid in pixels, so that the coordinates of points that are a
+/// few periods away from the grid fit in 32 bits.
 inline constexpr int kLargestSide = 1 << 14;
 
 /// Insets and distance fields ignore sides of bubbles whose chord is at most this long, in pixels,
 /// because the direction of such a short chord is not reliable.
 inline constexpr double kShortestSide = 1e-9;
 
-/// Returns the number of pixels per foam unit. Throws std::invalid_argument in three cases: the
-/// width or the height of the grid is not in [1, kLargestSide]; the domain is the plane and the
-/// grid has no view, or the domain is a torus and the grid has a view; the pixels on a torus are
-/// not square, with a tolerance of one part in a million.
+/// Returns the number of pixels per foam unit. Throws std::invalid_argument if the width or the
+/// height of the grid is not in [1, kLargestSide], unless the grid has a view if and only if the
+/// domain is the plane, or if the pixels on a torus are not square (within one part in a million).
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
-/// Returns the translation, in subpixels, from the coordinates of a point on the unshifted grid to
-/// the coordinates of the same point on the shifted grid.
+/// Returns the translation, in subpixels, from coordinates on the unshifted grid to coordinates on
+/// the shifted grid.
 inline SubpixelPoint shift_of(const RasterGrid& grid) {
     return {-wrap(grid.shift_x, grid.width) * kSubpixel,
             -wrap(grid.shift_y, grid.height) * kSubpixel};
@@ -81,8 +79,8 @@ inline Vec2 pixel_in_view(const RasterGrid& grid, const Vec2& position) {
            0.5 * Vec2(grid.width, grid.height);
 }
 
-/// Returns the shear of a torus in subpixels. The plane is covered by rows of copies of the torus;
-/// each row is displaced by the shear, to the right, relative to the row below it.
+/// Returns the shear of a torus in subpixels: the displacement, to the right, of each row of copies
+/// of the torus relative to the row below it.
 std::int32_t shear_in_subpixels(const RasterGrid& grid, const Domain& domain);
 
 }  // namespace foam::texgen

@@ -24,13 +24,11 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 //   left of the arc;
 //   t = cos a e - sin a h is 0 on the circle that crosses the arc's circle at right angles at both
 //   ends, has slope 1 there, and is positive on the arc.
-//
-// The distance to the circle of the arc is 2 |f| / (1 + |grad f|), for any curvature. A point
-// beyond an end of the arc is at least as far from the arc as from the line that is normal to the
-// arc at this end. Therefore the distance to this line is a lower bound.
+// The distance to the circle of the arc is 2 |f| / (1 + |grad f|) (README.md). The distance from
+// the normal of the arc at an end is a lower bound for points beyond this end.
 [[gnu::always_inline]] inline void ArcView::evaluate(double x,
                                                      double y,
-                                                     const ArcLanes::Block& arcs,
+                                                     const ArcBlock& arcs,
                                                      Block& b) {
     const double far = kFar;
     for (std::size_t k = 0; k < kLanes; ++k) {
@@ -78,16 +76,23 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
     }
 }
 
-void ArcView::evaluate(const ArcLanes& arcs, const Vec2& point) {
+// Copies the arcs to lanes, eight at a time. Lanes beyond the last arc get copies of it.
+void ArcView::evaluate(std::span<const DistanceArc> arcs, const Vec2& point) {
     size_ = arcs.size();
-    grow(blocks_, arcs.block_count());
-    at_simd_level([arcs = arcs.blocks(),
-                   count = arcs.block_count(),
-                   x = point.x(),
-                   y = point.y(),
-                   to = blocks_.data()] {
-        for (std::size_t k = 0; k < count; ++k) {
-            evaluate(x, y, arcs[k], to[k]);
+    grow(blocks_, (size_ + kLanes - 1) / kLanes);
+    at_simd_level([arcs, x = point.x(), y = point.y(), to = blocks_.data()] {
+        ArcBlock lanes;
+        for (std::size_t first = 0; first < arcs.size(); first += kLanes) {
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                const DistanceArc& arc = arcs[min_value(first + k, arcs.size() - 1)];
+                lanes.tail_x[k] = arc.tail.x();
+                lanes.tail_y[k] = arc.tail.y();
+                lanes.chord_x[k] = arc.shape.chord.x();
+                lanes.chord_y[k] = arc.shape.chord.y();
+                lanes.cosine[k] = arc.shape.cosine;
+                lanes.sine[k] = arc.shape.sine;
+            }
+            evaluate(x, y, lanes, to[first / kLanes]);
         }
     });
 }

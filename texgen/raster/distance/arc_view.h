@@ -2,10 +2,11 @@
 
 #pragma once
 
-#include "texgen/raster/distance/arc_lanes.h"
 #include "texgen/raster/distance/pixel_batch.h"
+#include "texgen/raster/distance/region.h"
 
-#include <cstddef>
+#include <array>
+#include <span>
 #include <vector>
 
 namespace foam::texgen {
@@ -13,17 +14,17 @@ namespace foam::texgen {
 /// Evaluates the functions of arcs (ArcFunctions and FilmFunctions) at one point. PixelBatch uses
 /// the results to compute the distances between the arcs and the pixels near this point. Also
 /// computes lower bounds of the distances between the arcs and the point itself. Positions and
-/// distances are in pixels. Eight arcs are processed at once.
+/// distances are in pixels.
 class ArcView {
   public:
     /// Computes the functions and bounds of all arcs at a point. The other members refer to this
     /// point and these arcs.
-    void evaluate(const ArcLanes& arcs, const Vec2& point);
+    void evaluate(std::span<const DistanceArc> arcs, const Vec2& point);
 
     /// Returns a distance, the horizon: an arc that is farther from the point than the horizon is
     /// not the nearest arc of any pixel within a distance of `reach` from the point. The horizon is
-    /// the distance to the nearest arc that the point faces (ArcLanes::kMinCosine), plus twice the
-    /// reach and a margin. It is infinite if the point faces no arc.
+    /// the distance to the nearest arc that the point faces (DistanceArc::kMinCosine), plus twice
+    /// the reach and a margin. It is infinite if the point faces no arc.
     double horizon(double reach) const;
     /// Returns false only if the arc k is certainly farther from the point than the horizon.
     bool is_within(std::size_t k, double horizon) const {
@@ -34,11 +35,13 @@ class ArcView {
     FilmFunctions film_functions(std::size_t k) const;
 
   private:
-    static constexpr std::size_t kLanes = ArcLanes::kLanes;
-    using Lanes = ArcLanes::Lanes<double>;
+    static constexpr std::size_t kLanes = 8;  // number of arcs that are processed at once
+    using Lanes = std::array<double, kLanes>;
+    using FloatLanes = std::array<float, kLanes>;
 
-    using FloatLanes = ArcLanes::Lanes<float>;
-
+    struct ArcBlock {
+        Lanes tail_x, tail_y, chord_x, chord_y, cosine, sine;
+    };
     // The results for eight arcs.
     struct alignas(64) Block {
         FloatLanes twice_value, slope_x, slope_y, curvature;               // ArcFunctions::across
@@ -48,7 +51,7 @@ class ArcView {
         Lanes facing;       // the distance itself, or infinity if the point does not face the arc
     };
 
-    static void evaluate(double x, double y, const ArcLanes::Block& arcs, Block& block);
+    static void evaluate(double x, double y, const ArcBlock& arcs, Block& block);
 
     std::size_t size_ = 0;
     std::vector<Block> blocks_;

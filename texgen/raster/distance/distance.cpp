@@ -7,51 +7,37 @@
 #include "texgen/raster/distance/frame_regions.h"
 #include "texgen/raster/distance/region_field.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace foam::texgen {
 
 namespace {
 
-// Gives an image the size of the grid if it is needed, and empties it otherwise.
-template <class Sample>
-void allocate(bool needed, const RasterGrid& grid, int channels, Image<Sample>& image) {
-    const bool fits = image.width() == grid.width && image.height() == grid.height;
-    if (!needed) {
-        image = {};
-    } else if (!fits) {
-        image = Image<Sample>(grid.width, grid.height, channels);
-    }
-}
-
+// Gives the images that are needed the size of the grid, and empties the others.
 void allocate(DistanceNeeds needs, const RasterGrid& grid, DistanceField& field) {
-    allocate(true, grid, 1, field.ids);
-    allocate(true, grid, 1, field.distance);
-    allocate(needs.gradient, grid, 2, field.gradient);
-    allocate(needs.smooth, grid, 1, field.smooth);
-    allocate(needs.smooth, grid, 2, field.smooth_gradient);
+    const auto allocate_image = [&](bool needed, int channels, auto& image) {
+        if (!needed) {
+            image = {};
+        } else if (image.width() != grid.width || image.height() != grid.height) {
+            image = {grid.width, grid.height, channels};
+        }
+    };
+    allocate_image(true, 1, field.ids);
+    allocate_image(true, 1, field.distance);
+    allocate_image(needs.gradient, 2, field.gradient);
+    allocate_image(needs.smooth, 1, field.smooth);
+    allocate_image(needs.smooth, 2, field.smooth_gradient);
 }
 
-// The field is painted region by region. paint_regions distributes the bubbles and the surroundings
-// of a patch over threads. For each region, RegionPixels finds the pixels whose centers are inside,
-// RegionField computes their distances in batches, and FieldWriter stores the results. The formulas
-// are in arc_view.cpp (distances) and pixel_batch.cpp (smooth distances).
-
-// Paints regions on one thread, one after the other. Buffers are reused between regions.
+// Paints regions on one thread, one after the other. Buffers are reused between regions. The
+// formulas are in arc_view.cpp (distances) and pixel_batch.cpp (smooth distances).
 class RegionPainter {
   public:
     RegionPainter(DistanceNeeds needs, DistanceField& field)
         : needs_(needs), writer_(needs, field) {}
 
-    // Paints the pixels of a region, moved by a translation, in some rows of the images. If the
-    // region has few columns, its pixels in the images are prefetched while the mask is computed.
+    // Paints the pixels of a region, moved by a translation, in some rows of the images.
     void paint(const Region& region, SubpixelPoint translation, PixelRows rows) {
-        constexpr int kMaxColumns = 64;
-        const PixelBox box = box_around(region, translation);
-        if (box.columns() <= kMaxColumns) {
-            writer_.prefetch(box, rows);
-        }
         pixels_.rasterize(region, translation, rows);
         field_.measure(region, pixels_, needs_, [&](const PixelBatch& batch) {
             writer_.write(batch, pixels_.box(), region.id);

@@ -12,11 +12,9 @@ namespace foam::texgen {
 /// images in `needs`. The distance of a pixel is measured from the arcs of its own bubble only,
 /// because the shortest path to a film crosses no other film.
 ///
-/// The result has the same bits for any number of threads. If the grid is shifted, the
-/// images are shifted cyclically, and no bit of a sample changes (exception: a sheared torus, see
-/// RasterGrid). Throws std::invalid_argument if
-/// pixels_per_unit throws it. `threads` is the number of threads; 0 or less means as many as the
-/// hardware runs at once.
+/// The result has the same bits for any number of threads. If the grid is shifted, the images are
+/// shifted cyclically (RasterGrid). Throws std::invalid_argument if pixels_per_unit throws it. With
+/// `threads` <= 0, as many threads are used as the hardware runs at once.
 DistanceField distance_field(const Frame& frame,
                              const RasterGrid& grid,
                              DistanceNeeds needs,

@@ -31,12 +31,10 @@ struct DistanceField {
     /// The unit vector that points away from the nearest point of a film. It is zero at the center
     /// of a circle and where there is no film.
     Image<float> gradient;
-    /// The smooth distance s in pixels, never negative. Like the distance, s is 0 and has slope 1
-    /// on a film, but s has no creases within a bubble. 1/s² is the sum of 1/phi² over the films of
-    /// the bubble. Here phi is an approximate distance to a film, as defined by Biswas and Shapiro,
-    /// "Approximate distance fields with non-vanishing gradients" (2004). In the middle of a bubble
-    /// s is smaller than the distance. In a lone bubble of radius R, s = (R² - r²) / (2 R) at a
-    /// distance r from its center. In the surroundings of a patch s is the distance.
+    /// The smooth distance s in pixels, never negative (README.md). Like the distance, s is 0 and
+    /// has slope 1 on a film, but s has no creases within a bubble. In the middle of a bubble s is
+    /// smaller than the distance. In a lone bubble of radius R, s = (R² - r²) / (2 R) at a distance
+    /// r from its center. In the surroundings of a patch s is the distance.
     Image<float> smooth;
     /// The gradient of the smooth distance, per pixel. Its length is 1 on films and 0 at the maxima
     /// of the smooth distance.

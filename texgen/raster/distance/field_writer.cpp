@@ -2,7 +2,6 @@
 
 #include "texgen/raster/distance/field_writer.h"
 
-#include "texgen/image/cache_line.h"
 #include "texgen/raster/simd/kernel.h"
 
 #include <algorithm>
@@ -49,8 +48,11 @@ inline void copy_pairs(const float* xs, const float* ys, std::size_t count, floa
 
 }  // namespace
 
-inline void FieldWriter::write_span(const PixelBatch& batch, const Span& span, std::uint32_t id) {
-    const auto pixel = [&](auto& image) { return image.pixel(span.x, span.row).data(); };
+// Writes a span, whose column and row are those of the image.
+inline void FieldWriter::write_span(const PixelBatch& batch,
+                                    const PixelBatch::Span& span,
+                                    std::uint32_t id) {
+    const auto pixel = [&](auto& image) { return image.pixel(span.column, span.row).data(); };
     const auto values = [&](const PixelBatch::Values& of) { return &of[span.first]; };
     std::uint32_t* ids = pixel(field_.ids);
     in_pieces(span.count, [&](std::size_t k, auto size) { std::fill_n(ids + k, size(), id); });
@@ -74,33 +76,20 @@ void FieldWriter::write(const PixelBatch& batch, const PixelBox& box, std::uint3
     const int width = field_.ids.width();
     const int left = wrap(box.left, width);
     at_simd_level([this, &batch, bottom = box.bottom, left, width, id] {
-        for (const PixelBatch::Span& pixels : batch.spans()) {
-            int x = left + pixels.column;
-            while (x >= width) {
-                x -= width;
+        for (PixelBatch::Span span : batch.spans()) {
+            span.row += bottom;
+            span.column += left;
+            while (span.column >= width) {
+                span.column -= width;
             }
-            Span span{bottom + pixels.row, x, pixels.first, 0};
-            for (std::size_t rest = pixels.count; rest > 0; rest -= span.count) {
-                span.count = std::min(rest, static_cast<std::size_t>(width - span.x));
+            for (std::uint32_t rest = span.count; rest > 0; rest -= span.count) {
+                span.count = std::min(rest, static_cast<std::uint32_t>(width - span.column));
                 write_span(batch, span, id);
                 span.first += span.count;
-                span.x = 0;
+                span.column = 0;
             }
         }
     });
-}
-
-void FieldWriter::prefetch(const PixelBox& box, PixelRows rows) const {
-    constexpr int kPixelsPerLine = kLineBytes / sizeof(float);
-    const int width = field_.ids.width();
-    const int left = wrap(box.left, width);
-    const int right = std::min(left + box.columns(), width);
-    for (int row = std::max(box.bottom, rows.begin); row < std::min(box.top, rows.end); ++row) {
-        for (int x = left; x < right; x += kPixelsPerLine) {
-            __builtin_prefetch(field_.ids.pixel(x, row).data(), 1);
-            __builtin_prefetch(field_.distance.pixel(x, row).data(), 1);
-        }
-    }
 }
 
 }  // namespace foam::texgen

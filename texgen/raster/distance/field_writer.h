@@ -22,20 +22,8 @@ class FieldWriter {
     /// around.
     void write(const PixelBatch& batch, const PixelBox& box, std::uint32_t id);
 
-    /// Prefetches the ids and distances of the pixels of a box in some rows of the image. Rows are
-    /// far apart in memory, so that hardware prefetchers do not predict them.
-    void prefetch(const PixelBox& box, PixelRows rows) const;
-
   private:
-    // Adjacent pixels in a row of the image.
-    struct Span {
-        int row;
-        int x;              // column of the first pixel
-        std::size_t first;  // index of the first pixel in the values of the batch
-        std::size_t count;
-    };
-
-    void write_span(const PixelBatch& batch, const Span& span, std::uint32_t id);
+    void write_span(const PixelBatch& batch, const PixelBatch::Span& span, std::uint32_t id);
 
     DistanceNeeds needs_;
     DistanceField& field_;

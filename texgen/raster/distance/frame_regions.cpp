@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
@@ -22,11 +21,9 @@ namespace foam::texgen {
 namespace {
 
 // On a torus, a bubble that is within one band of rows of the unshifted grid is painted immediately
-// after it is traced, so that its boundary is not stored. Bands are painted in parallel. All other
-// regions, and all regions of a patch, are stored and sorted by the bands of the image that they
-// overlap. They are then painted band by band, each band on one thread. No two threads write the
-// same rows, and the order in which overlapping regions are painted depends neither on threads nor
-// on shifts.
+// after it is traced, so that its boundary is not stored. All other regions, and all regions of a
+// patch, are stored and sorted by the bands of the image that they overlap. They are then painted
+// band by band, each band on one thread.
 
 // The number of rows of a band, a multiple of RegionField::kTileRows and TorusRegions::kSquare.
 constexpr int kBandRows = 128;
@@ -45,11 +42,16 @@ PixelRows band_rows(const RasterGrid& grid, int band) {
     return {band * kBandRows, std::min((band + 1) * kBandRows, grid.height)};
 }
 
+std::vector<int> worker_indices(int workers) {
+    std::vector<int> indices(static_cast<std::size_t>(workers));
+    std::iota(indices.begin(), indices.end(), 0);
+    return indices;
+}
+
 // Calls visit(translation) for the copies of a region that overlap the rows of an image. In the
 // plane, the only copy is the region itself. On a torus, copies are moved by whole periods so that
-// Region::first is within the columns of the image. The copies further left and right are left out,
-// because painting wraps columns around. A copy one period up is also moved to the right by `shear`
-// subpixels.
+// Region::first is within the columns of the image; painting wraps columns around. A copy one
+// period up is also moved to the right by `shear` subpixels.
 template <class Visit>
 void for_each_copy(const Region& of,
                    const RasterGrid& grid,
@@ -100,69 +102,37 @@ Buckets<RegionCopy> copies_by_band(std::span<const Region> regions,
     });
 }
 
-// Traces the bubbles of a torus that begin (torus_regions.h) in a band of rows of the unshifted
-// grid. Bubbles that are within the band are painted immediately. No other worker paints the same
-// rows, because a shift of the grid moves all bands by the same distance. The other bubbles are
-// appended to `rest`.
-class TorusPainter {
-  public:
-    TorusPainter(const TorusRegions& regions,
-                 const RasterGrid& grid,
-                 int worker,
-                 const PaintRegion& paint)
-        : grid_(grid), worker_(worker), regions_(regions), paint_(paint) {}
+// Returns true if a region is within a band of rows of the unshifted grid. A region that begins on
+// the upper border of the grid belongs to the first band, which contains its periodic copy.
+bool is_within(const Region& region, const RasterGrid& grid, int band) {
+    const std::int32_t height = grid.height * kSubpixel;
+    const std::int32_t down = region.first.y < height ? 0 : height;
+    const PixelBox box = box_around(region, {0, -down});
+    const PixelRows rows = band_rows(grid, band);
+    return box.bottom >= rows.begin && box.top <= rows.end;
+}
 
-    void paint(int band, std::vector<Region>& rest) {
-        std::span<const TorusRegions::Start> starts = regions_.starts(band * kBandRows, kBandRows);
-        while (!starts.empty()) {
-            const std::size_t count = std::min(starts.size(), group_.size());
-            regions_.trace(starts.first(count), group_);
-            starts = starts.subspan(count);
-            for (const Region& region : std::span(group_).first(count)) {
-                if (is_within(region, band)) {
-                    paint(region);
-                } else {
-                    rest.push_back(region);
-                }
-            }
-        }
-    }
-
-  private:
-    // Returns true if a region is within a band. A region that begins on the upper border of the
-    // grid belongs to the first band, which contains its periodic copy.
-    bool is_within(const Region& region, int band) const {
-        const std::int32_t height = grid_.height * kSubpixel;
-        const std::int32_t down = region.first.y < height ? 0 : height;
-        return box_around(region, {0, -down}).is_within(band_rows(grid_, band));
-    }
-
-    void paint(const Region& region) const {
-        for_each_copy(region, grid_, regions_.shear(), [&](SubpixelPoint translation) {
-            paint_(worker_, region, translation, {0, grid_.height});
-        });
-    }
-
-    const RasterGrid& grid_;
-    int worker_;
-    const TorusRegions& regions_;
-    const PaintRegion& paint_;
-    std::array<Region, TorusRegions::kGroupSize> group_;
-};
-
-// Paints the bubbles that are within one band, and returns the regions of all others.
+// Traces the bubbles of a torus by the bands of rows of the unshifted grid in which they begin, and
+// paints those that are within one band. No other worker paints the same rows, because a shift of
+// the grid moves all bands by the same distance. Returns the regions of all other bubbles.
 std::vector<Region> paint_within_bands(const TorusRegions& regions,
                                        const RasterGrid& grid,
                                        int workers,
                                        const PaintRegion& paint) {
-    std::vector<TorusPainter> painters;
-    painters.reserve(static_cast<std::size_t>(workers));
-    for (int worker = 0; worker < workers; ++worker) {
-        painters.emplace_back(regions, grid, worker, paint);
-    }
     std::vector<std::vector<Region>> rest(static_cast<std::size_t>(bands_of(grid)));
-    parallel_for(bands_of(grid), painters, [&](TorusPainter& own, int band) {
-        own.paint(band, rest[static_cast<std::size_t>(band)]);
+    std::vector<int> indices = worker_indices(workers);
+    parallel_for(bands_of(grid), indices, [&](int worker, int band) {
+        Region region;
+        for (const auto& start : regions.starts(band * kBandRows, kBandRows)) {
+            regions.trace(start, region);
+            if (!is_within(region, grid, band)) {
+                rest[static_cast<std::size_t>(band)].push_back(region);
+                continue;
+            }
+            for_each_copy(region, grid, regions.shear(), [&](SubpixelPoint translation) {
+                paint(worker, region, translation, {0, grid.height});
+            });
+        }
     });
     std::vector<Region> all;
     for (std::vector<Region>& of_band : rest) {
@@ -173,8 +143,6 @@ std::vector<Region> paint_within_bands(const TorusRegions& regions,
 
 }  // namespace
 
-// A stored region that overlaps several bands is painted in one part per band, so that no two
-// threads write the same rows.
 void paint_regions(const Frame& frame,
                    const RasterGrid& grid,
                    int workers,
@@ -189,9 +157,8 @@ void paint_regions(const Frame& frame,
         rest = paint_within_bands(regions, grid, workers, paint);
     }
     const Buckets<RegionCopy> copies = copies_by_band(rest, grid, shear, workers);
-    std::vector<int> all(static_cast<std::size_t>(workers));
-    std::iota(all.begin(), all.end(), 0);
-    parallel_for(bands_of(grid), all, [&](int worker, int band) {
+    std::vector<int> indices = worker_indices(workers);
+    parallel_for(bands_of(grid), indices, [&](int worker, int band) {
         const auto k = static_cast<std::size_t>(band);
         for (const RegionCopy& copy : copies.items_of(k, k + 1)) {
             paint(worker, *copy.region, copy.translation, band_rows(grid, band));

@@ -11,20 +11,17 @@
 
 namespace foam::texgen {
 
-/// A function that paints a region, moved by a translation, in some rows of an image. `worker` is
-/// the index of the calling worker. No two calls with the same index run at the same time. On a
-/// torus the moved region may extend beyond the left and right borders of the image; the function
-/// must wrap the columns around.
+/// A function that paints a region, moved by a translation, in some rows of an image. On a torus it
+/// must wrap columns around. No two calls with the same index of a worker run at the same time.
 using PaintRegion = std::function<void(
     int worker, const Region& region, SubpixelPoint translation, PixelRows rows)>;
 
 /// Calls `paint` for all regions that may contain pixels of an image: the bubbles of a frame and
-/// the surroundings of a patch. The workers 0 to `workers` - 1 paint in parallel. No two of them
-/// paint the same rows at the same time.
-///
-/// Where regions overlap, the order in which they are painted does not depend on the number of
-/// workers or on the shift of the grid. In a patch the surroundings are painted first, and then the
-/// bubbles in the order of their ids. Throws std::invalid_argument if pixels_per_unit throws it.
+/// the surroundings of a patch. The workers 0 to `workers` - 1 paint in parallel, no two of them
+/// the same rows at the same time. Where regions overlap, their order does not depend on the number
+/// of workers or on the shift of the grid. In a patch the surroundings are painted first, and then
+/// the bubbles in the order of their ids. Throws std::invalid_argument if pixels_per_unit throws
+/// it.
 void paint_regions(const Frame& frame,
                    const RasterGrid& grid,
                    int workers,
@@ -41,11 +38,8 @@ class RegionPixels {
     /// Returns the box of the region in the coordinates of the image. On a torus the box is
     /// unwrapped: it may extend beyond the first and the last column.
     const PixelBox& box() const { return box_; }
-    /// Returns the pixels of the region. Columns and rows count from the lower left corner of the
-    /// box.
     const PixelMask& mask() const { return mask_; }
-    /// Returns the translation, in pixels, from the coordinates of the region to the coordinates of
-    /// the box, whose origin is the lower left corner of the box.
+    /// Returns the translation, in pixels, from the coordinates of the region to those of the box.
     const Vec2& offset() const { return offset_; }
 
   private:

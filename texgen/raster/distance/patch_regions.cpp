@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <numbers>
@@ -79,9 +78,9 @@ SubpixelPoint clamped(const Vec2& subpixels, const RasterGrid& grid) {
     return {static_cast<std::int32_t>(within.x()), static_cast<std::int32_t>(within.y())};
 }
 
-// Adds to the outline the edges of a chain that approximates a side. `head` is the head of the
-// side. The chain is computed from the end with the smaller x, or with the smaller y if both have
-// the same x, so that both sides of a film have the same edges.
+// Adds to the outline the edges of a chain that approximates a side with the given head. The chain
+// is computed from the end with the smaller x, or with the smaller y if both have the same x, so
+// that both sides of a film have the same edges.
 void add_chain(const ArcLoops::Side& side, const Vec2& head, Boundary& boundary) {
     const bool tail_first = std::pair(side.tail.x(), side.tail.y()) < std::pair(head.x(), head.y());
     std::vector<Vec2> points;
@@ -95,7 +94,7 @@ void add_chain(const ArcLoops::Side& side, const Vec2& head, Boundary& boundary)
     Vec2 from = rounded_to_subpixels(side.tail);
     for (const Vec2& point : points) {
         const Vec2 to = rounded_to_subpixels(point);
-        boundary.add_edge(from, to, 1.0, 0.0);
+        boundary.add_edge({from, to});
         from = to;
     }
 }

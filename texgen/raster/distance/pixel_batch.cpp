@@ -16,11 +16,9 @@ namespace foam::texgen {
 namespace {
 
 // Distances to arcs are kept as fractions 2 |f| / (1 + |grad f|) (arc_view.cpp) and compared by
-// cross-multiplication, which avoids a division per arc. Only the smallest fraction of each pixel
-// is evaluated by a division. Smooth distances follow Biswas and Shapiro, "Approximate distance
-// fields with non-vanishing gradients" (2004): 1/s² is the sum of 1/phi² over the films of a
-// bubble. The innermost loops are over pixels and have no branches, so that compilers vectorize
-// them.
+// cross-multiplication, which avoids a division per arc. Smooth distances follow Biswas and Shapiro
+// (README.md). The innermost loops are over pixels and have no branches, so that compilers
+// vectorize them.
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // A pixel that is at most this many pixels beyond the normal at an end of an arc still faces the
@@ -121,24 +119,22 @@ template <bool kGradient>
     }
 }
 
-// The arrays into which distances and their gradients are written. Until `divide` is called,
-// `distance` contains the numerators of the distances. Until `normalize_gradients` is called,
-// gradients have arbitrary lengths. For smooth distances, the arrays contain the values of
-// SmoothSums until `finish_sums` is called, and `denominator` is null.
+// The arrays into which values and their gradients are written.
 struct BatchArrays {
-    float* distance;
-    float* denominator;
-    float* gradient_x;
-    float* gradient_y;
+    float* value;
+    float* x;
+    float* y;
 };
 
+// Measures the distances of `count` pixels. Returns true if all distances are finite.
 template <bool kGradient>
-[[gnu::always_inline]] inline void find_nearest(std::span<const ArcFunctions> arcs,
+[[gnu::always_inline]] inline bool find_nearest(std::span<const ArcFunctions> arcs,
                                                 std::span<const Vec2> points,
                                                 std::size_t count,
                                                 const float* xs,
                                                 const float* ys,
                                                 const BatchArrays& to) {
+    std::uint32_t any_far = 0;
     for (std::size_t from = 0; from < count; from += PixelBatch::kLanes) {
         Nearest nearest;
         nearest.numerator.fill(kInfinity);
@@ -149,34 +145,22 @@ template <bool kGradient>
         for (const Vec2& point : points) {
             take_point<kGradient>(point, xs + from, ys + from, nearest);
         }
-        std::memcpy(to.distance + from, nearest.numerator.data(), sizeof(Lanes));
-        std::memcpy(to.denominator + from, nearest.denominator.data(), sizeof(Lanes));
-        if constexpr (kGradient) {
-            std::memcpy(to.gradient_x + from, nearest.gradient_x.data(), sizeof(Lanes));
-            std::memcpy(to.gradient_y + from, nearest.gradient_y.data(), sizeof(Lanes));
+#pragma GCC unroll 1  // GCC would not vectorize the unrolled loops
+        for (std::size_t k = 0; k < PixelBatch::kLanes; ++k) {
+            any_far |= mask_if(nearest.numerator[k] == kInfinity);
+            to.value[from + k] = nearest.numerator[k] / nearest.denominator[k];
+        }
+#pragma GCC unroll 1
+        for (std::size_t k = 0; k < (kGradient ? PixelBatch::kLanes : 0); ++k) {
+            const float x = nearest.gradient_x[k];
+            const float y = nearest.gradient_y[k];
+            const float length = std::sqrt(x * x + y * y);
+            const float scale = length > 0.0F ? 1.0F / length : 0.0F;
+            to.x[from + k] = scale * x;
+            to.y[from + k] = scale * y;
         }
     }
-}
-
-// Divides the numerators by the denominators. Returns true if all distances are finite.
-[[gnu::always_inline]] inline bool divide(std::size_t count, const BatchArrays& to) {
-    std::uint32_t any_far = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-        any_far |= mask_if(to.distance[k] == kInfinity);
-        to.distance[k] /= to.denominator[k];
-    }
     return any_far == 0;
-}
-
-[[gnu::always_inline]] inline void normalize_gradients(std::size_t count, const BatchArrays& to) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const float x = to.gradient_x[k];
-        const float y = to.gradient_y[k];
-        const float length = std::sqrt(x * x + y * y);
-        const float scale = length > 0.0F ? 1.0F / length : 0.0F;
-        to.gradient_x[k] = scale * x;
-        to.gradient_y[k] = scale * y;
-    }
 }
 
 // The sums over films from which smooth distances and their gradients are computed.
@@ -215,36 +199,29 @@ struct SmoothSums {
     }
 }
 
-[[gnu::always_inline]] inline void add_films(std::span<const FilmFunctions> films,
+// Measures smooth distances: s = S^-1/2, where S is the sum of 1/phi². The gradient of s is s³
+// times the sum of phi^-4 (f grad f + r grad r). If S is at most kMinSum, or NaN, the plain
+// distance and its gradient replace s and its gradient.
+[[gnu::always_inline]] inline void sum_films(std::span<const FilmFunctions> films,
                                              std::size_t count,
                                              const float* xs,
                                              const float* ys,
+                                             const BatchArrays& plain,
                                              const BatchArrays& to) {
     for (std::size_t from = 0; from < count; from += PixelBatch::kLanes) {
         SmoothSums sums;
         for (const FilmFunctions& film : films) {
             add_film(film, xs + from, ys + from, sums);
         }
-        std::memcpy(to.distance + from, sums.sum.data(), sizeof(Lanes));
-        std::memcpy(to.gradient_x + from, sums.x.data(), sizeof(Lanes));
-        std::memcpy(to.gradient_y + from, sums.y.data(), sizeof(Lanes));
-    }
-}
-
-// Computes s = S^-1/2 from S, the sum of 1/phi². The gradient of s is s³ times the sum of phi^-4 (f
-// grad f + r grad r). If S is at most kMinSum, or NaN, the plain distance and its gradient replace
-// s and its gradient.
-[[gnu::always_inline]] inline void finish_sums(std::size_t count,
-                                               const BatchArrays& plain,
-                                               const BatchArrays& to) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const float sum = to.distance[k];
-        const float s = 1.0F / std::sqrt(sum);
-        const float scale = s * s * s;
-        const std::uint32_t is_lost = mask_if(!(sum > kMinSum));
-        to.distance[k] = chosen(is_lost, plain.distance[k], s);
-        to.gradient_x[k] = chosen(is_lost, plain.gradient_x[k], scale * to.gradient_x[k]);
-        to.gradient_y[k] = chosen(is_lost, plain.gradient_y[k], scale * to.gradient_y[k]);
+#pragma GCC unroll 1
+        for (std::size_t k = 0; k < PixelBatch::kLanes; ++k) {
+            const float s = 1.0F / std::sqrt(sums.sum[k]);
+            const float scale = s * s * s;
+            const std::uint32_t is_lost = mask_if(!(sums.sum[k] > kMinSum));
+            to.value[from + k] = chosen(is_lost, plain.value[from + k], s);
+            to.x[from + k] = chosen(is_lost, plain.x[from + k], scale * sums.x[k]);
+            to.y[from + k] = chosen(is_lost, plain.y[from + k], scale * sums.y[k]);
+        }
     }
 }
 
@@ -258,42 +235,26 @@ void PixelBatch::clear(const Vec2& middle) {
     span_count_ = 0;
 }
 
-// Fills the lanes after the last pixel with copies of the first pixel.
-void PixelBatch::pad() {
-    std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count_), PixelBatch::kLanes, x_[0]);
-    std::fill_n(y_.begin() + static_cast<std::ptrdiff_t>(count_), PixelBatch::kLanes, y_[0]);
-}
-
+// The lanes after the last pixel get copies of the first pixel.
 bool PixelBatch::measure(std::span<const ArcFunctions> arcs,
                          std::span<const Vec2> points,
                          bool gradient) {
-    pad();
-    const std::size_t count = padded_count();
-    const float* const xs = x_.data();
-    const float* const ys = y_.data();
-    const BatchArrays to{
-        distance_.data(), denominator_.data(), gradient_x_.data(), gradient_y_.data()};
-    const auto measure_with = [=](auto with_gradient) {
-        return at_simd_level([=] {
-            find_nearest<with_gradient>(arcs, points, count, xs, ys, to);
-            if constexpr (with_gradient) {
-                normalize_gradients(count, to);
-            }
-            return divide(count, to);
-        });
-    };
+    std::fill_n(&x_[count_], kLanes, x_[0]);
+    std::fill_n(&y_[count_], kLanes, y_[0]);
+    const BatchArrays to{distance_.data(), gradient_x_.data(), gradient_y_.data()};
+    const auto measure_with =
+        [=, count = padded_count(), xs = x_.data(), ys = y_.data()](auto with_gradient) {
+            return at_simd_level(
+                [=] { return find_nearest<with_gradient>(arcs, points, count, xs, ys, to); });
+        };
     return gradient ? measure_with(std::true_type{}) : measure_with(std::false_type{});
 }
 
 void PixelBatch::measure_smooth(std::span<const FilmFunctions> films) {
-    const std::size_t count = padded_count();
-    const float* const xs = x_.data();
-    const float* const ys = y_.data();
-    const BatchArrays plain{distance_.data(), nullptr, gradient_x_.data(), gradient_y_.data()};
-    const BatchArrays to{smooth_.data(), nullptr, smooth_x_.data(), smooth_y_.data()};
-    at_simd_level([=] {
-        add_films(films, count, xs, ys, to);
-        finish_sums(count, plain, to);
+    const BatchArrays plain{distance_.data(), gradient_x_.data(), gradient_y_.data()};
+    const BatchArrays to{smooth_.data(), smooth_x_.data(), smooth_y_.data()};
+    at_simd_level([=, count = padded_count(), xs = x_.data(), ys = y_.data()] {
+        sum_films(films, count, xs, ys, plain, to);
     });
 }
 

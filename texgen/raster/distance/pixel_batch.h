@@ -5,33 +5,31 @@
 #include "core/geometry/vec2.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace foam::texgen {
 
-/// A quadratic function of a position in the plane. At a position d relative to the middle of a
-/// batch of pixels (PixelBatch), the function has the value twice_value / 2 + (x, y) · d -
-/// curvature / 2 · d².
+/// A quadratic function of a position d relative to the middle of a batch of pixels (PixelBatch):
+/// twice_value / 2 + (x, y) · d - curvature / 2 · d².
 struct FloatQuadratic {
-    float twice_value = 0.0F;  // at the middle of a batch
-    float x = 0.0F;            // the gradient at the middle of a batch
+    float twice_value = 0.0F;
+    float x = 0.0F;
     float y = 0.0F;
     float curvature = 0.0F;
 };
 
-/// The signed distance from a line, as a function of a position relative to the middle of a batch.
+/// The signed distance from a line at a position d relative to the middle of a batch: value + (x,
+/// y) · d.
 struct FloatLine {
-    float value = 0.0F;  // at the middle of a batch
-    float x = 0.0F;      // the gradient
+    float value = 0.0F;
+    float x = 0.0F;
     float y = 0.0F;
 };
 
 /// The functions of an arc that determine distances. `across` is 0 on the circle of the arc and has
-/// slope 1 there. `past_tail` and `before_head` are the signed distances from the two lines that
-/// are normal to the arc at its tail and at its head. They are positive on the side of the line on
-/// which the arc is.
+/// slope 1 there. `past_tail` and `before_head` are the signed distances from the normals of the
+/// arc at its tail and at its head, positive on the side of the arc.
 struct ArcFunctions {
     FloatQuadratic across;
     FloatLine past_tail;
@@ -48,10 +46,9 @@ struct FilmFunctions {
 };
 
 /// Up to 1600 pixels of a region that are close together, with their distances, gradients and
-/// smooth distances. Positions are in pixels, in the coordinates of the box of the region. The
-/// functions of the arcs are evaluated in doubles at the middle of the batch; all further
-/// arithmetic is in floats relative to the middle. This avoids cancellation, however large the arcs
-/// are. The result of a pixel does not depend on the other pixels of its batch.
+/// smooth distances. Positions are in pixels, in the coordinates of the box of the region.
+/// Functions of arcs are evaluated in doubles at the middle of the batch; all further arithmetic is
+/// in floats relative to the middle, which avoids cancellation, however large the arcs are.
 class PixelBatch {
   public:
     static constexpr std::size_t kCapacity = 1600;
@@ -77,17 +74,15 @@ class PixelBatch {
     std::span<const Span> spans() const { return std::span(spans_).first(span_count_); }
     bool is_empty() const { return count_ == 0; }
 
-    /// Computes the distance of each pixel to the nearest point or arc. Only arcs that the pixel
-    /// faces count: the pixel must be between the normals at both ends of the arc. Arcs and points
-    /// are relative to the middle. Gradients are computed if `gradient` is true. Returns false if
-    /// the distance of any pixel is infinite, because the pixel faces no arc and there are no
-    /// points.
+    /// Computes the distance of each pixel to the nearest point or arc, and its gradient if
+    /// `gradient` is true. Only arcs that the pixel faces count: the pixel must be between the
+    /// normals at both ends of the arc. Arcs and points are relative to the middle. Returns false
+    /// if any distance is infinite, because a pixel faces no arc and there are no points.
     bool measure(std::span<const ArcFunctions> arcs, std::span<const Vec2> points, bool gradient);
 
-    /// Computes smooth distances and their gradients. Films are relative to the middle. If there
-    /// are no films, or if the smooth distance would be 1e6 pixels or more, the smooth distance and
-    /// its gradient equal the distance and its gradient. Precondition: measure() has computed
-    /// gradients.
+    /// Computes smooth distances and their gradients. If there are no films, or if the smooth
+    /// distance would be 1e6 pixels or more, they equal the distance and its gradient.
+    /// Precondition: measure() has computed gradients.
     void measure_smooth(std::span<const FilmFunctions> films);
 
     const Values& distance() const { return distance_; }
@@ -98,7 +93,6 @@ class PixelBatch {
     const Values& smooth_y() const { return smooth_y_; }
 
   private:
-    void pad();
     std::size_t padded_count() const { return (count_ + kLanes - 1) / kLanes * kLanes; }
 
     Vec2 middle_{0.0, 0.0};
@@ -110,7 +104,6 @@ class PixelBatch {
     alignas(64) Values x_{};  // positions relative to the middle
     alignas(64) Values y_{};
     alignas(64) Values distance_{};
-    alignas(64) Values denominator_{};  // of distances, until measure() has divided by it
     alignas(64) Values gradient_x_{};
     alignas(64) Values gradient_y_{};
     alignas(64) Values smooth_{};

@@ -5,7 +5,6 @@
 #include "texgen/raster/distance/region.h"
 
 #include <bit>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,12 +25,11 @@ void for_each_span_of_bits(std::uint64_t bits, const Visit& visit) {
     }
 }
 
-/// A bit mask of the pixels of a rectangle whose centers are within a region. Each pixel along the
-/// common side of two regions is in exactly one of them.
-///
-/// The region is filled by the even-odd rule: a mask starts empty, or full for an unbounded region,
-/// and each arc of the boundary flips all pixels to the right of it, row by row. A center exactly
-/// on an arc counts as being to the right of it.
+/// A bit mask of the pixels of a rectangle whose centers are within a region, filled by the
+/// even-odd rule: a mask starts empty, or full for an unbounded region, and each arc of the
+/// boundary flips all pixels to the right of it, row by row. A center on an arc counts as being to
+/// the right of it, so that each pixel along the common side of two regions is in exactly one of
+/// them.
 class PixelMask {
   public:
     static constexpr int kWordColumns = 64;
@@ -48,9 +46,7 @@ class PixelMask {
     /// whole subpixels, from the coordinates of the outline to those of the box. The point at which
     /// an arc crosses the middle of a row is rounded to the nearest subpixel. If `is_chain` is
     /// true, the edges of the outline are straight, and the exact crossings are used instead.
-    void flip_right_of(std::span<const Boundary::Outline> outline,
-                       const Vec2& offset,
-                       bool is_chain);
+    void flip_right_of(std::span<const OutlineArc> outline, const Vec2& offset, bool is_chain);
 
     /// Returns the 64 pixels of a row from column 64 k on. The lowest bit is the leftmost pixel.
     std::uint64_t word(int k, int row) const {
@@ -74,8 +70,6 @@ class PixelMask {
     PixelRows rows_;
     std::size_t stride_ = 0;            // number of words in a column of words
     std::vector<std::uint64_t> words_;  // one column of words after the other, a word per row
-    std::vector<std::uint32_t> non_monotone_;  // for each block of an outline, a bit mask of the
-                                               // arcs that are not monotone in y
 };
 
 }  // namespace foam::texgen

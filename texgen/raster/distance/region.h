@@ -2,12 +2,89 @@
 
 #pragma once
 
+#include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/coords/fixed_point.h"
-#include "texgen/raster/distance/boundary.h"
 
+#include <array>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace foam::texgen {
+
+/// An arc from which distances are measured, in pixels.
+struct DistanceArc {
+    /// The smallest cosine of the half angle: the arc turns by at most 120 degrees. The class
+    /// Boundary cuts wider arcs in half until they fit. A point faces an arc if it is between the
+    /// normals at both ends of the arc. This is tested with two half-planes, and the test fails for
+    /// arcs that turn by more than 180 degrees.
+    static constexpr double kMinCosine = 0.5;
+
+    Vec2 tail{0.0, 0.0};
+    PixelArc shape;
+    /// True if the region on the left has an inner angle of more than 180 degrees at the tail, so
+    /// that the tail itself may be the nearest point of the boundary.
+    bool corner = false;
+
+    Vec2 head() const { return tail + shape.chord; }
+};
+
+/// An arc or a straight edge that decides ids. Its ends are whole numbers of subpixels. `cosine`
+/// and `sine` are those of half the angle by which it turns left.
+struct OutlineArc {
+    Vec2 from{0.0, 0.0};
+    Vec2 to{0.0, 0.0};
+    double cosine = 1.0;
+    double sine = 0.0;
+};
+
+/// A box around a region, in subpixels: its lower left and its upper right corner.
+struct Extent {
+    Vec2 lowest{0.0, 0.0};
+    Vec2 highest{0.0, 0.0};
+};
+
+/// The boundary of a region: closed loops of arcs with the region on their left. Distances are
+/// measured from the exact arcs. Ids are decided by an outline, whose arcs end at whole subpixels.
+/// Two neighboring regions round the ends of a shared arc to the same subpixels, so that no pixel
+/// between them is left out or counted twice.
+class Boundary {
+  public:
+    /// Removes all arcs, and keeps the memory.
+    void clear();
+
+    /// Adds an exact arc that begins at `tail`, in pixels. An arc whose chord is at most
+    /// kShortestSide is ignored. Precondition: the tail is the head of the preceding arc of the
+    /// loop.
+    void add_arc(const PixelArc& shape, const Vec2& tail);
+    /// Ends a loop of exact arcs. The next exact arc begins a new loop.
+    void close_loop();
+    /// Adds an arc to the outline.
+    void add_edge(const OutlineArc& edge) { outline_.push_back(edge); }
+
+    /// Returns a box that encloses the outline, with a margin for rounding errors. Precondition:
+    /// the outline is not empty.
+    Extent extent() const;
+
+    /// Returns the exact arcs for measuring distances, wide arcs in halves (kMinCosine).
+    std::span<const DistanceArc> arcs() const { return arcs_; }
+    /// Returns the exact arcs without halving: one per film.
+    std::span<const DistanceArc> films() const { return films_; }
+    std::span<const OutlineArc> outline() const { return outline_; }
+
+  private:
+    void add_halves(const DistanceArc& arc);
+
+    std::vector<DistanceArc> arcs_;
+    std::vector<DistanceArc> films_;
+    std::vector<OutlineArc> outline_;
+    std::size_t loop_ = 0;         // index of the first arc of the current loop
+    Vec2 loop_tangent_{0.0, 0.0};  // tangent at the start of the current loop
+    Vec2 head_tangent_{0.0, 0.0};  // tangent at the end of the last arc
+};
+
+/// Returns the two halves of an arc, the half at its tail first.
+std::array<PixelArc, 2> halves(const PixelArc& arc);
 
 enum class RegionKind {
     Bubble,
@@ -46,7 +123,6 @@ struct PixelBox {
     int columns() const { return right - left; }
     int rows() const { return top - bottom; }
     SubpixelPoint corner() const { return {left * kSubpixel, bottom * kSubpixel}; }
-    bool is_within(PixelRows rows) const { return bottom >= rows.begin && top <= rows.end; }
 };
 
 /// Returns a box that contains all pixels of a region that is moved by a translation.

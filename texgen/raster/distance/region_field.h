@@ -2,14 +2,11 @@
 
 #pragma once
 
-#include "texgen/raster/distance/arc_lanes.h"
 #include "texgen/raster/distance/arc_view.h"
 #include "texgen/raster/distance/distance_field.h"
 #include "texgen/raster/distance/frame_regions.h"
 #include "texgen/raster/distance/pixel_batch.h"
 
-#include <array>
-#include <cstddef>
 #include <deque>
 #include <functional>
 #include <span>
@@ -36,25 +33,19 @@ class RegionField {
                  const Visit& visit);
 
   private:
-    // A square block of tiles: it has as many rows as columns of tiles.
-    struct Block {
-        int x;  // column and row of its lower left tile, counted in tiles
-        int y;
-        int tiles;  // number of rows and of columns, a power of two
-    };
+    using Arcs = std::span<const DistanceArc>;
 
-    void measure_at_once(const PixelMask& mask, int rows);
-    void subdivide(const PixelMask& mask, const ArcLanes& arcs, Block block, std::size_t level);
-    void measure_tiles(const PixelMask& mask, const ArcLanes& arcs, Block block);
-    void take_tile(const PixelMask& mask, int x, int y);
-    void measure_batch(const ArcLanes& arcs, double reach);
+    void subdivide(const PixelMask& mask, Arcs arcs, const PixelBox& block, std::size_t level);
+    void measure_box(const PixelMask& mask, Arcs arcs, const PixelBox& box);
+    void measure_distances(Arcs arcs, double reach);
     void measure_smooth(double reach);
 
     DistanceNeeds needs_;
     const Visit* visit_ = nullptr;
     const Region* region_ = nullptr;
-    Vec2 offset_{0.0, 0.0};      // RegionPixels::offset
-    std::deque<ArcLanes> near_;  // the remaining arcs at each level of the recursion
+    Vec2 offset_{0.0, 0.0};  // RegionPixels::offset
+    std::deque<std::vector<DistanceArc>>
+        near_;  // the remaining arcs at each level of the recursion
     ArcView view_;
     std::vector<ArcFunctions> functions_;
     std::vector<Vec2> points_;

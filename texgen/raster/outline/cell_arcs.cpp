@@ -5,7 +5,7 @@
 #include "texgen/raster/arcs/film_arcs.h"
 #include "texgen/raster/arcs/monotone_arc.h"
 #include "texgen/raster/coords/pixel_frame.h"
-#include "texgen/raster/outline/full_insets.h"
+#include "texgen/raster/outline/full_inset.h"
 #include "texgen/raster/outline/inset.h"
 
 #include <fmt/core.h>
@@ -20,12 +20,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kGroupsPerTask = 256;  // groups of films
-
-// Returns a number of periods per half-edge, indexed by half-edge. For the arc of a film, the
-// number of the forward side is ArcSides::left_periods, and the number of its twin is
-// ArcSides::right_periods. The number of a half-edge is 0 unless a side of the bubble on its left
-// crosses the left or right border of the torus.
+// Returns ArcSides::left_periods for the forward side of each film, and ArcSides::right_periods for
+// its twin, indexed by half-edge. The number of a half-edge is 0 unless a side of the bubble on its
+// left crosses the left or right border of the torus.
 std::vector<std::int16_t> periods_of_sides(const Network& network) {
     std::vector<std::int16_t> periods(2 * network.film_slots());
     const auto circulate = [&](BubbleId bubble) {
@@ -50,100 +47,48 @@ std::vector<std::int16_t> periods_of_sides(const Network& network) {
     return periods;
 }
 
-// Makes the arcs of films whose width is 0. make() processes one group of kFilmsPerGroup films.
-class FilmArcs {
-  public:
-    FilmArcs(const PixelFrame& pixels, const std::vector<std::int16_t>& periods)
-        : pixels_(pixels), periods_(periods) {}
-
-    void make(std::size_t group, ArcBatch& batch) const {
-        const Network& network = pixels_.frame.network;
-        const auto append = [&](std::size_t film, const PixelArc& arc) {
-            const HalfEdgeId h = forward_side(id_at<FilmId>(film));
-            append_arc(
-                arc,
-                pixels_.rounded_position(network.tail(h)),
-                pixels_.rounded_position(network.head(h)) + pixels_.translation(network.offset(h)),
-                {arc_side(network.left(h)),
-                 arc_side(network.right(h)),
-                 periods_[index_of(h)],
-                 periods_[index_of(twin(h))]},
-                batch.arcs);
-        };
-        for_each_arc_in_group(pixels_.frame, pixels_.scale, group * kFilmsPerGroup, append);
-    }
-
-  private:
-    const PixelFrame& pixels_;
-    const std::vector<std::int16_t>& periods_;
-};
-
 // Makes the arcs that bound the insets of bubbles, that is, the parts that films do not cover.
-// `inset` is half the film width in pixels. make() processes one group of kBubblesPerGroup bubbles.
+// `inset` is half the film width in pixels.
 class InsetArcs {
   public:
-    static constexpr std::size_t kBubblesPerGroup = 16;
-
     InsetArcs(const PixelFrame& pixels, const std::vector<PixelArc>& arcs, double inset)
         : pixels_(pixels), arcs_(arcs), inset_(inset) {}
 
-    void make(std::size_t group, ArcBatch& batch) {
-        const std::size_t first = group * kBubblesPerGroup;
-        const std::size_t end = std::min(first + kBubblesPerGroup, network().bubble_slots());
-        outlines_.sides.clear();
-        outlines_.loop_ends.clear();
-        for (std::size_t k = first; k < end; ++k) {
-            add_outline(id_at<BubbleId>(k));
+    // Appends the arcs of bubble k.
+    void operator()(std::size_t k, ArcBatch& batch) {
+        const auto bubble = id_at<BubbleId>(k);
+        find_outline(bubble);
+        const ArcLoops* full = full_.trace(outline_.sides, inset_);
+        const ArcLoops& loops = full != nullptr ? *full : tracer_.trace(outline_, inset_);
+        for (std::size_t loop = 0; loop < loops.loop_ends.size(); ++loop) {
+            append_loop(loops.loop(loop), bubble, batch);
         }
-        full_.trace(outlines_, inset_);
-        for (std::size_t k = first; k < end; ++k) {
-            append_inset(id_at<BubbleId>(k), k - first, batch);
-        }
+        batch.unclosed_loops += loops.unclosed_loops;
     }
 
   private:
     const Network& network() const { return pixels_.frame.network; }
 
-    // Appends the outline of a bubble to outlines_. The coordinates are relative to the tail of the
-    // bubble's first side.
-    void add_outline(BubbleId bubble) {
+    // Stores the outline of a bubble, relative to the tail of the bubble's first side.
+    void find_outline(BubbleId bubble) {
+        outline_.clear();
         Vec2 tail = Vec2::Zero();
         const HalfEdgeId first = network().first(bubble);
         HalfEdgeId h = first;
         do {
             const PixelArc arc = arc_along(arcs_, h);
-            outlines_.sides.push_back({tail, arc});
+            outline_.sides.push_back({tail, arc});
             tail += arc.chord;
             h = network().next(h);
         } while (h != first);
-        outlines_.loop_ends.push_back(outlines_.sides.size());
-    }
-
-    // Appends the arcs of the inset of a bubble. `outline` is the index of the bubble's outline in
-    // outlines_.
-    void append_inset(BubbleId bubble, std::size_t outline, ArcBatch& batch) {
-        const SubpixelPoint origin =
-            pixels_.rounded_position(network().tail(network().first(bubble)));
-        if (full_.shows_every_side(outline)) {
-            inset_loop_.sides.clear();
-            inset_loop_.loop_ends.clear();
-            full_.append_inset(outline, inset_loop_);
-            append_loop(inset_loop_.sides, origin, bubble, batch);
-            return;
-        }
-        const ArcLoops& loops = tracer_.trace_loop(outlines_, outline, inset_);
-        for (std::size_t k = 0; k < loops.loop_ends.size(); ++k) {
-            append_loop(loops.loop(k), origin, bubble, batch);
-        }
-        batch.unclosed_loops += loops.unclosed_loops;
+        outline_.loop_ends.push_back(outline_.sides.size());
     }
 
     // Appends the arcs of a loop, unless the area within the rounded arcs is 0 or negative: such a
     // loop is too small to be visible, or its bubble is invalid.
-    static void append_loop(std::span<const ArcLoops::Side> sides,
-                            SubpixelPoint origin,
-                            BubbleId bubble,
-                            ArcBatch& batch) {
+    void append_loop(std::span<const ArcLoops::Side> sides, BubbleId bubble, ArcBatch& batch) {
+        const SubpixelPoint origin =
+            pixels_.rounded_position(network().tail(network().first(bubble)));
         const std::size_t begin = batch.arcs.size();
         SubpixelPoint tail = origin + to_subpixel(sides.front().tail);
         for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -161,26 +106,34 @@ class InsetArcs {
     const PixelFrame& pixels_;
     const std::vector<PixelArc>& arcs_;  // indexed by film
     double inset_;
-    ArcLoops outlines_;
-    FullInsets full_;
-    ArcLoops inset_loop_;
+    ArcLoops outline_;
+    FullInset full_;
     InsetTracer tracer_;
 };
 
 CellArcs torus_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads) {
+    constexpr std::size_t kFilmsPerTask = 2048;
     const PixelFrame pixels(frame, grid);
     const Network& network = frame.network;
-    if (film_width == 0.0) {
-        const std::vector<std::int16_t> periods = periods_of_sides(network);
-        const std::size_t groups = (network.film_slots() + kFilmsPerGroup - 1) / kFilmsPerGroup;
-        const auto films = [&] { return FilmArcs(pixels, periods); };
-        return make_arcs(grid, groups, kGroupsPerTask, films, threads);
-    }
     const std::vector<PixelArc> arcs = film_arcs(frame, pixels.scale, threads);
-    const auto insets = [&] { return InsetArcs(pixels, arcs, 0.5 * film_width); };
-    constexpr std::size_t kGroupSize = InsetArcs::kBubblesPerGroup;
-    const std::size_t groups = (network.bubble_slots() + kGroupSize - 1) / kGroupSize;
-    return make_arcs(grid, groups, kBubblesPerTask / kGroupSize, insets, threads);
+    if (film_width > 0.0) {
+        const auto insets = [&] { return InsetArcs(pixels, arcs, 0.5 * film_width); };
+        return make_arcs(grid, network.bubble_slots(), kBubblesPerTask, insets, threads);
+    }
+    const std::vector<std::int16_t> periods = periods_of_sides(network);
+    const auto append = [&](std::size_t film, ArcBatch& batch) {
+        const HalfEdgeId h = forward_side(id_at<FilmId>(film));
+        append_arc(arcs[film],
+                   pixels.rounded_position(network.tail(h)),
+                   pixels.rounded_position(network.head(h)) + pixels.translation(network.offset(h)),
+                   {arc_side(network.left(h)),
+                    arc_side(network.right(h)),
+                    periods[index_of(h)],
+                    periods[index_of(twin(h))]},
+                   batch.arcs);
+    };
+    return make_arcs(
+        grid, arcs.size(), kFilmsPerTask, [&] { return append; }, threads);
 }
 
 }  // namespace

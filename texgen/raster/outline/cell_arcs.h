@@ -12,18 +12,14 @@ namespace foam::texgen {
 ///
 /// If the width is 0, bubbles meet at their films. On a torus, each film is then in the result
 /// once, divided into monotone pieces, with a bubble on either side. In a patch it is there twice,
-/// once per bubble. If the width is
-/// positive, each visible part of a bubble other than the ghost bubble is bounded by one closed
-/// chain of arcs, with films on the other side. Most bubbles have one visible part; a bubble that
-/// films cover completely has none.
+/// once per bubble. If the width is positive, each visible part of a bubble other than the ghost
+/// bubble is bounded by one closed chain of arcs, with films on the other side.
 ///
-/// In a patch, arcs also bound the ghost bubble and the lone bubbles. In ArcSides, the indices
-/// of lone bubbles follow the index of the ghost bubble. On a torus and in a patch, some arcs that
-/// do not affect any pixel are left out.
+/// In a patch, arcs also bound the ghost bubble and the lone bubbles, whose indices in ArcSides
+/// follow the index of the ghost bubble. Some arcs that do not affect any pixel are left out.
 ///
-/// Apart from CellArcs::grid, the result depends neither on the number of threads nor on the shift
-/// of the grid. Throws std::invalid_argument if the width is negative or not finite, and under the
-/// same conditions as pixels_per_unit.
+/// Apart from CellArcs::grid, the result depends neither on threads nor on the shift of the grid.
+/// Throws std::invalid_argument if the width is negative or not finite, or if pixels_per_unit does.
 CellArcs cell_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads);
 
 /// Implements cell_arcs for a frame in the plane. Precondition: the width is finite and not

@@ -3,7 +3,7 @@
 #include "texgen/raster/outline/inset.h"
 
 #include "texgen/raster/coords/raster_grid.h"
-#include "texgen/raster/outline/full_insets.h"
+#include "texgen/raster/outline/full_inset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,48 +25,23 @@ constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 constexpr double kDistanceTolerance = 1e-7;
 constexpr double kLargestGap = 1e-3;
 
-// Returns true unless two arcs are certainly farther apart than `distance`. The test compares the
-// distance of their middles with the sum of their extents and `distance`.
+// Returns false only if two arcs are certainly farther apart than `distance`.
 bool may_be_within(const OffsetArc& a, const OffsetArc& b, double distance) {
     const double reach = extent(a) + extent(b) + distance;
-    return (a.middle - b.middle).squared_norm() <= reach * reach;
+    return (a.middle - b.middle).squaredNorm() <= reach * reach;
 }
 
 }  // namespace
 
 const ArcLoops& InsetTracer::trace(const ArcLoops& region, double distance) {
-    begin(distance);
-    for (std::size_t k = 0; k < region.loop_ends.size(); ++k) {
-        add_loop(region.loop(k));
-    }
-    return trace_pieces();
-}
-
-const ArcLoops& InsetTracer::trace_loop(const ArcLoops& region, std::size_t loop, double distance) {
-    begin(distance);
-    add_loop(region.loop(loop));
-    return trace_pieces();
-}
-
-void InsetTracer::begin(double distance) {
     distance_ = distance;
     sides_.clear();
     offsets_.clear();
     pieces_.clear();
-    loops_ = {};
-}
-
-void InsetTracer::add_loop(std::span<const ArcLoops::Side> loop) {
-    const std::size_t first = sides_.size();
-    for (const ArcLoops::Side& side : loop) {
-        if (side.arc.chord.norm() > kShortestSide) {
-            sides_.push_back(offset_arc_from(side.arc, side.tail));
-        }
+    loops_.clear();
+    for (std::size_t k = 0; k < region.loop_ends.size(); ++k) {
+        add_loop(region.loop(k));
     }
-    collect_offsets(first, sides_.size());
-}
-
-const ArcLoops& InsetTracer::trace_pieces() {
     for (std::size_t k = 0; k < offsets_.size(); ++k) {
         collect_pieces(k);
     }
@@ -78,10 +53,22 @@ const ArcLoops& InsetTracer::trace_pieces() {
     return loops_;
 }
 
-void InsetTracer::collect_offsets(std::size_t first, std::size_t end) {
-    for (std::size_t k = first; k < end; ++k) {
+const ArcLoops& InsetTracer::trace_loop(const ArcLoops& region, std::size_t loop, double distance) {
+    const std::span<const ArcLoops::Side> sides = region.loop(loop);
+    return trace({{sides.begin(), sides.end()}, {sides.size()}}, distance);
+}
+
+// Stores the sides of a loop and their offsets.
+void InsetTracer::add_loop(std::span<const ArcLoops::Side> loop) {
+    const std::size_t first = sides_.size();
+    for (const ArcLoops::Side& side : loop) {
+        if (side.arc.chord.norm() > kShortestSide) {
+            sides_.push_back(offset_arc_from(side.arc, side.tail));
+        }
+    }
+    for (std::size_t k = first; k < sides_.size(); ++k) {
         const OffsetArc& side = sides_[k];
-        const OffsetArc& next = sides_[k + 1 < end ? k + 1 : first];
+        const OffsetArc& next = sides_[k + 1 < sides_.size() ? k + 1 : first];
         if (shrinkage(side, distance_) >= kSmallestShrinkage) {
             offsets_.push_back({offset_left(side, distance_), k});
         }
@@ -117,7 +104,7 @@ void InsetTracer::collect_nearby(const Offset& offset) {
     }
 }
 
-bool InsetTracer::keeps_distance(Point point) const {
+bool InsetTracer::keeps_distance(const Vec2& point) const {
     return std::all_of(nearby_.begin(), nearby_.end(), [&](std::size_t k) {
         return texgen::distance(sides_[k], point) >= distance_ - kDistanceTolerance;
     });
@@ -145,14 +132,13 @@ void InsetTracer::collect_pieces(std::size_t index) {
     }
 }
 
-// Returns the piece whose tail is nearest to the head of `piece`. Candidates are the pieces that
-// are not linked yet and the first piece of the loop. Returns null if no tail of a candidate is
-// within kLargestGap.
+// Returns the piece whose tail is nearest to the head of `piece`, among those that are not linked
+// yet and the first piece of the loop, or null if none is within kLargestGap.
 InsetTracer::Piece* InsetTracer::successor(const Piece& piece, const Piece& first) {
     Piece* nearest = nullptr;
     double min_gap = kLargestGap * kLargestGap;
     for (Piece& candidate : pieces_) {
-        const double gap = (candidate.tail - piece.head).squared_norm();
+        const double gap = (candidate.tail - piece.head).squaredNorm();
         if (gap < min_gap && (!candidate.linked || &candidate == &first)) {
             min_gap = gap;
             nearest = &candidate;

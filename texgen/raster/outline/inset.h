@@ -5,34 +5,27 @@
 #include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/outline/offset_arc.h"
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace foam::texgen {
 
 /// Finds the inset of a region: all points of the region whose distance from every side of the
-/// region is at least a given distance. The boundary of the inset consists of pieces of offsets.
-/// The offset of a side is the arc at the given distance on the left of the side. The offset of a
-/// corner with an inner angle of more than 180 degrees is a circular arc around the corner.
-///
-/// Each offset is cut at its crossings with all other offsets. A piece between two cuts belongs to
-/// the boundary if and only if the middle of the piece has at least the given distance from all
-/// sides. Sides without a piece in the boundary, insets of several parts and empty insets need no
-/// special cases. If FullInsets also finds the inset of a loop, both results have the same bits.
-///
-/// Buffers are reused between regions.
+/// region is at least a given distance. The offset of a side is the arc at this distance on its
+/// left. The offset of a corner with an inner angle of more than 180 degrees is a circular arc
+/// around the corner. Each offset is cut at its crossings with all other offsets. A piece between
+/// two cuts belongs to the boundary of the inset if and only if its middle has at least the given
+/// distance from all sides. If FullInset also finds the inset of a loop, both results have the same
+/// bits. Buffers are reused between regions.
 class InsetTracer {
   public:
     /// Returns the boundary loops of the inset of a region. The region is on the left of its loops:
-    /// outer loops are counter-clockwise, and loops around holes are clockwise. (All loops of the
-    /// ghost bubble are clockwise, except those of holes of a raft.) Sides with a chord of at most
-    /// kShortestSide are ignored. `distance` is in pixels. The result is valid until the next call.
-    /// ArcLoops::unclosed_loops is the number of loops that did not close and were dropped.
-    /// Precondition: distance > 0.
+    /// outer loops are counter-clockwise, and loops around holes are clockwise. Sides with a chord
+    /// of at most kShortestSide are ignored. `distance` is in pixels. The result is valid until the
+    /// next call. Precondition: distance > 0.
     const ArcLoops& trace(const ArcLoops& region, double distance);
 
-    /// Does the same for a single loop, as if it were the only loop of the region.
+    /// Does the same for a single loop of the region.
     const ArcLoops& trace_loop(const ArcLoops& region, std::size_t loop, double distance);
 
   private:
@@ -44,19 +37,16 @@ class InsetTracer {
         std::size_t offset = 0;  // index of the offset
         double from = 0.0;       // parameter of the tail on the offset (see OffsetArc)
         double to = 0.0;         // parameter of the head on the offset
-        Point tail;
-        Point head;
+        Vec2 tail{0.0, 0.0};
+        Vec2 head{0.0, 0.0};
         bool linked = false;  // true if the piece is part of a loop, even of a dropped one
     };
 
-    void begin(double distance);
     void add_loop(std::span<const ArcLoops::Side> loop);
-    const ArcLoops& trace_pieces();
-    void collect_offsets(std::size_t first, std::size_t end);
     void collect_cuts(const Offset& offset);
     void collect_nearby(const Offset& offset);
     void collect_pieces(std::size_t index);
-    bool keeps_distance(Point point) const;
+    bool keeps_distance(const Vec2& point) const;
     Piece* successor(const Piece& piece, const Piece& first);
     void link_loop(Piece& first);
 

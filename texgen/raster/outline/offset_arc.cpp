@@ -8,11 +8,12 @@
 namespace foam::texgen {
 
 OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double distance) {
-    const Point from = head_tangent(before);
-    const Point to = tail_tangent(after);
-    const Point bisector = from + to;
+    const Vec2 from = head_tangent(before);
+    const Vec2 to = tail_tangent(after);
+    const Vec2 bisector = from + to;
     OffsetArc cap;
-    cap.direction = bisector.norm() > 0.0 ? bisector / bisector.norm() : -1.0 * turned_left(from);
+    cap.direction =
+        bisector.norm() > 0.0 ? Vec2(bisector / bisector.norm()) : Vec2(-1.0 * turned_left(from));
     cap.middle = point_at(before, before.reach) + distance * turned_left(cap.direction);
     cap.curvature = -1.0 / distance;
     cap.cosine = 0.5 * bisector.norm();
@@ -21,20 +22,20 @@ OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double dis
     return cap;
 }
 
-// The nearest point of the circle has the parameter 2 u / (2 - k v - k d). Here k is the curvature,
-// u and v are the coordinates of the given point along the tangent and the normal at the middle of
-// the arc, and d is the signed distance of the given point from the circle. If this parameter is
-// not on the arc, the nearest point of the arc is one of its ends.
-double distance(const OffsetArc& arc, Point point) {
-    const Point y = point - arc.middle;
+// The nearest point of the circle has the parameter 2 u / (2 - k v - k d), where k is the
+// curvature, u and v are the coordinates of the given point along the tangent and the normal at the
+// middle of the arc, and d is its signed distance from the circle. If the parameter is not on the
+// arc, one of the ends is nearest.
+double distance(const OffsetArc& arc, const Vec2& point) {
+    const Vec2 y = point - arc.middle;
     const double u = arc.direction.dot(y);
     const double v = cross(arc.direction, y);
     const double left = distance_left(arc, point);
     if (2.0 * std::abs(u) < arc.reach * (2.0 - arc.curvature * (v + left))) {
         return std::abs(left);
     }
-    return std::sqrt(std::min((point - point_at(arc, -arc.reach)).squared_norm(),
-                              (point - point_at(arc, arc.reach)).squared_norm()));
+    return std::sqrt(std::min((point - point_at(arc, -arc.reach)).squaredNorm(),
+                              (point - point_at(arc, arc.reach)).squaredNorm()));
 }
 
 double extent(const OffsetArc& arc) {

@@ -8,45 +8,19 @@
 
 namespace foam::texgen {
 
-/// A point or a vector of the plane, as two numbers. Vec2 is not used here, because Eigen computes
-/// both coordinates of a Vec2 in one SIMD register. This prevents compilers from vectorizing a loop
-/// over many points.
-struct Point {
-    double x = 0.0;
-    double y = 0.0;
-
-    Point() = default;
-    Point(double of_x, double of_y) : x(of_x), y(of_y) {}
-    Point(const Vec2& v) : x(v.x()), y(v.y()) {}  // NOLINT: implicit
-    operator Vec2() const { return {x, y}; }      // NOLINT
-
-    double dot(Point b) const { return x * b.x + y * b.y; }
-    double squared_norm() const { return dot(*this); }
-    double norm() const { return std::sqrt(squared_norm()); }
-
-    friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-    friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-    friend Point operator*(double factor, Point a) { return {factor * a.x, factor * a.y}; }
-    friend Point operator/(Point a, double divisor) { return {a.x / divisor, a.y / divisor}; }
-    friend double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-    friend Point turned_left(Point v) { return {-v.y, v.x}; }
-};
-
 /// A side of a bubble, or the offset of a side or of a corner, in pixels. The bubble is on the left
 /// of the arc.
 ///
 /// The position of a point on the arc is given by the parameter s = 2 r tan(phi / 2), where r is
 /// the signed radius (positive if the arc turns left) and phi the angle by which the arc turns left
-/// from its middle to the point. The parameter is finite on every arc. If the arc is straight, the
-/// parameter is the signed distance from the middle. Coordinates are rational functions of the
-/// parameter and the curvature, so that no formula divides by the curvature.
-///
-/// FullInsets calls the inline functions below in vectorized loops over many arcs.
+/// from its middle to the point. On a straight arc, it is the signed distance from the middle.
+/// Coordinates are rational functions of the parameter and the curvature, so that no formula
+/// divides by the curvature.
 struct OffsetArc {
-    Point middle;
-    Point direction;         // unit tangent at the middle, in the direction from tail to head
-    double curvature = 0.0;  // in 1 / pixels; positive if the arc turns left
-    double cosine = 1.0;     // of half the angle by which the arc turns left
+    Vec2 middle{0.0, 0.0};
+    Vec2 direction{1.0, 0.0};  // unit tangent at the middle, in the direction from tail to head
+    double curvature = 0.0;    // in 1 / pixels; positive if the arc turns left
+    double cosine = 1.0;       // of half the angle by which the arc turns left
     double sine = 0.0;
     double reach = 0.0;  // parameter of the head; the parameter of the tail is -reach
 };
@@ -55,25 +29,20 @@ struct OffsetArc {
 /// the side.
 inline constexpr double kSmallestShrinkage = 1e-9;
 
-/// Return the arc that has a given chord and half angle and starts at `tail`. `cosine` and `sine`
-/// are the cosine and the sine of half the angle by which the arc turns left. Precondition: the
-/// chord is not zero.
-inline OffsetArc offset_arc_from(Point chord, double cosine, double sine, Point tail) {
-    const double length = chord.norm();
-    const Point direction = chord / length;
-    const double reach = length / (1.0 + cosine);
-    const Point middle = tail + 0.5 * (chord - (reach * sine) * turned_left(direction));
-    return {middle, direction, 2.0 * sine / length, cosine, sine, reach};
-}
-inline OffsetArc offset_arc_from(const PixelArc& arc, Point tail) {
-    return offset_arc_from(arc.chord, arc.cosine, arc.sine, tail);
+/// Converts an arc that starts at `tail`. Precondition: the chord is not zero.
+inline OffsetArc offset_arc_from(const PixelArc& arc, const Vec2& tail) {
+    const double length = arc.chord.norm();
+    const Vec2 direction = arc.chord / length;
+    const double reach = length / (1.0 + arc.cosine);
+    const Vec2 middle = tail + 0.5 * (arc.chord - (reach * arc.sine) * turned_left(direction));
+    return {middle, direction, 2.0 * arc.sine / length, arc.cosine, arc.sine, reach};
 }
 
 /// Return the unit tangents at the ends of an arc, in the direction from tail to head.
-inline Point tail_tangent(const OffsetArc& arc) {
+inline Vec2 tail_tangent(const OffsetArc& arc) {
     return arc.cosine * arc.direction - arc.sine * turned_left(arc.direction);
 }
-inline Point head_tangent(const OffsetArc& arc) {
+inline Vec2 head_tangent(const OffsetArc& arc) {
     return arc.cosine * arc.direction + arc.sine * turned_left(arc.direction);
 }
 
@@ -100,7 +69,7 @@ inline OffsetArc offset_left(const OffsetArc& arc, double distance) {
 OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double distance);
 
 /// Returns the point that has a given parameter.
-inline Point point_at(const OffsetArc& arc, double parameter) {
+inline Vec2 point_at(const OffsetArc& arc, double parameter) {
     const double tangent = 0.5 * arc.curvature * parameter;
     const double scale = parameter / (1.0 + tangent * tangent);
     return arc.middle + scale * (arc.direction + tangent * turned_left(arc.direction));
@@ -112,10 +81,8 @@ struct HalfAngle {
     double sine;
 };
 
-/// Returns half the angle by which an arc turns left between the points with two parameters. The
-/// parameter of a point is proportional to the tangent of half the angle from the middle of the arc
-/// to the point, so that the result follows from the formula for the tangent of a difference.
-/// Precondition: from < to.
+/// Returns half the angle by which an arc turns left between the points with two parameters, by the
+/// formula for the tangent of a difference. Precondition: from < to.
 inline HalfAngle half_angle_between(double curvature, double from, double to) {
     const double half = 0.5 * curvature;
     const double sine = half * (to - from);
@@ -124,10 +91,9 @@ inline HalfAngle half_angle_between(double curvature, double from, double to) {
     return {cosine * scale, sine * scale};
 }
 
-/// The crossings of the circle of an arc with the circle of another arc, as parameters of the first
-/// arc. In the direction of the first arc, the first circle crosses from the left of the other
-/// circle to the right of it at `leaving`, and from the right to the left at `entering`. A
-/// parameter is infinite or NaN if there is no such crossing.
+/// The crossings of the circle of an arc with another circle, as parameters of the arc. In the
+/// direction of the arc, its circle crosses from the left of the other circle to the right of it at
+/// `leaving`, and back at `entering`. A parameter is infinite or NaN if there is no such crossing.
 struct Crossings {
     double leaving;
     double entering;
@@ -144,9 +110,9 @@ struct Crossings {
 /// quadratic equation for s, a s² + b s - e = 0, with the coefficients a, b and e of the code. Each
 /// root is computed by the formula that avoids cancellation.
 inline Crossings crossings(const OffsetArc& arc, const OffsetArc& other) {
-    const Point q = other.middle - arc.middle;
-    const Point m = other.curvature * q + turned_left(other.direction);
-    const double e = cross(other.direction, q) + 0.5 * other.curvature * q.squared_norm();
+    const Vec2 q = other.middle - arc.middle;
+    const Vec2 m = other.curvature * q + turned_left(other.direction);
+    const double e = cross(other.direction, q) + 0.5 * other.curvature * q.squaredNorm();
     const double b = m.dot(arc.direction);
     const double across = cross(arc.direction, m);
     const double a =
@@ -158,21 +124,21 @@ inline Crossings crossings(const OffsetArc& arc, const OffsetArc& other) {
 }
 
 /// Returns the distance from a point to the nearest point of an arc, in pixels.
-double distance(const OffsetArc& arc, Point point);
+double distance(const OffsetArc& arc, const Vec2& point);
 
 /// Returns the radius of the smallest disc around the middle of the arc that contains the arc.
 double extent(const OffsetArc& arc);
 
-/// Returns the signed distance of a point from the circle of an arc, in pixels. It is positive on
-/// the left of the arc.
+/// Returns the signed distance of a point from the circle of an arc, positive on the left of the
+/// arc.
 ///
 /// Let y be the vector from the middle of the arc to the point, n the normal at the middle and k
-/// the curvature. The function f = n y - k / 2 y² is 0 on the circle, with a gradient of length 1.
-/// The squared distance from the center of the circle, divided by the squared radius, is 1 - 2 k f.
-/// The signed distance from the circle is therefore 2 f / (1 + sqrt(1 - 2 k f)).
-inline double distance_left(const OffsetArc& arc, Point point) {
-    const Point y = point - arc.middle;
-    const double f = cross(arc.direction, y) - 0.5 * arc.curvature * y.squared_norm();
+/// the curvature. The function f = n y - k / 2 y² is 0 on the circle. The squared distance from the
+/// center of the circle, divided by the squared radius, is 1 - 2 k f. The signed distance from the
+/// circle is therefore 2 f / (1 + sqrt(1 - 2 k f)).
+inline double distance_left(const OffsetArc& arc, const Vec2& point) {
+    const Vec2 y = point - arc.middle;
+    const double f = cross(arc.direction, y) - 0.5 * arc.curvature * y.squaredNorm();
     const double squared = 1.0 - 2.0 * arc.curvature * f;
     return 2.0 * f / (1.0 + std::sqrt(squared > 0.0 ? squared : 0.0));
 }

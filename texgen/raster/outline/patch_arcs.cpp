@@ -5,7 +5,7 @@
 #include "texgen/raster/arcs/pixel_arc.h"
 #include "texgen/raster/outline/cell_arcs.h"
 #include "texgen/raster/outline/clip_arc.h"
-#include "texgen/raster/outline/full_insets.h"
+#include "texgen/raster/outline/full_inset.h"
 #include "texgen/raster/outline/inset.h"
 
 #include <span>
@@ -29,23 +29,20 @@ double area_of(std::span<const ArcLoops::Side> loop) {
 }
 
 // Makes the arcs that bound the insets of regions of a patch, that is, the parts that films do not
-// cover. make() processes one region, whose number is defined at region_count.
+// cover. Each call makes those of one region, whose number is defined at region_count.
 class PatchArcs {
   public:
     PatchArcs(const PixelPatch& pixels, double film_width)
         : pixels_(pixels), inset_(0.5 * film_width) {}
 
-    void make(std::size_t index, ArcBatch& batch) {
+    void operator()(std::size_t index, ArcBatch& batch) {
         const auto bubble = id_at<BubbleId>(index);
         const ArcLoops boundaries = boundaries_of(pixels_, bubble);
-        if (boundaries.sides.empty()) {
-            return;
-        }
         if (inset_ == 0.0) {
             append_loops(boundaries, Vec2::Zero(), bubble, batch);
-            return;
+        } else if (!boundaries.sides.empty()) {
+            append_insets(boundaries, bubble, batch);
         }
-        append_insets(boundaries, bubble, batch);
     }
 
   private:
@@ -56,34 +53,22 @@ class PatchArcs {
         for (ArcLoops::Side& side : region.sides) {
             side.tail -= anchor;
         }
-        if (trace_full_inset(region)) {
-            ArcLoops loops;
-            full_.append_inset(0, loops);
-            append_loops(loops, anchor, bubble, batch);
-        } else if (const ArcLoops& loops = tracer_.trace(region, inset_);
-                   loops.unclosed_loops == 0) {
+        // FullInset finds only the insets of single loops.
+        const ArcLoops* full =
+            region.loop_ends.size() == 1 ? full_.trace(region.sides, inset_) : nullptr;
+        const ArcLoops& loops = full != nullptr ? *full : tracer_.trace(region, inset_);
+        if (loops.unclosed_loops == 0) {
             append_loops(loops, anchor, bubble, batch);
         } else {
             append_each(boundaries, region, bubble, batch);
         }
     }
 
-    // Returns true if `full_` has found the inset of a region. A FullInsets finds only the insets
-    // of single loops, so that it is not used for a region of several loops.
-    bool trace_full_inset(const ArcLoops& region) {
-        if (region.loop_ends.size() != 1) {
-            return false;
-        }
-        full_.trace(region, inset_);
-        return full_.shows_every_side(0);
-    }
-
-    // Appends the inset of each loop by itself. This function is necessary if the boundary of the
-    // inset of all loops does not close, which happens if rafts overlap. If a raft overlaps itself,
-    // the inset of its own loop does not close either. This loop of the ghost bubble is then
-    // appended without an inset, so that the outer halves of the raft's outer films are not drawn.
-    // For any other bubble, such a loop is left out. `region` is `boundaries` relative to its first
-    // tail.
+    // Appends the inset of each loop by itself, because the boundary of the inset of all loops does
+    // not close if rafts overlap. If a raft overlaps itself, the inset of its own loop does not
+    // close either. Then this loop of the ghost bubble is appended without an inset, so that the
+    // outer halves of the raft's outer films are not drawn. For any other bubble, it is left out.
+    // `region` is `boundaries` relative to its first tail.
     void append_each(const ArcLoops& boundaries,
                      const ArcLoops& region,
                      BubbleId bubble,
@@ -106,9 +91,8 @@ class PatchArcs {
         }
     }
 
-    // Appends the arcs of a loop, moved by `anchor`. Leaves out a loop that cannot be visible. Also
-    // leaves out a loop of a bubble other than the ghost if the loop is clockwise, or its area is
-    // 0; only an invalid bubble has such a loop.
+    // Appends the arcs of a loop, moved by `anchor`, unless it cannot be visible, or is the
+    // clockwise or empty loop of an invalid bubble.
     void append_loop(std::span<const ArcLoops::Side> sides,
                      const Vec2& anchor,
                      BubbleId bubble,
@@ -117,10 +101,8 @@ class PatchArcs {
         for (ArcLoops::Side& side : loop_) {
             side.tail += anchor;
         }
-        if (!may_be_visible(pixels_.grid, loop_)) {
-            return;
-        }
-        if (bubble != pixels_.frame.network.ghost() && !(area_of(loop_) > 0.0)) {
+        const bool is_ghost = bubble == pixels_.frame.network.ghost();
+        if (!may_be_visible(pixels_.grid, loop_) || (!is_ghost && !(area_of(loop_) > 0.0))) {
             return;
         }
         for (std::size_t k = 0; k < loop_.size(); ++k) {
@@ -129,9 +111,8 @@ class PatchArcs {
         }
     }
 
-    // Appends the arc of a side. The arc is always split into pieces from the end with the smaller
-    // x on, or with the smaller y if both ends have the same x, so that both sides of a film have
-    // the same pieces.
+    // Appends the arc of a side. It is split into pieces from the end with the smaller x on, or with
+    // the smaller y if both have the same x, so that both sides of a film have the same pieces.
     void append_side(const ArcLoops::Side& side,
                      const Vec2& head,
                      const ArcSides& sides,
@@ -144,38 +125,34 @@ class PatchArcs {
         }
     }
 
-    // Appends the monotone pieces of an arc. Pieces whose ends have the same y are left out.
+    // Appends the monotone pieces of an arc, clipped to the surroundings of the image. Pieces whose
+    // ends have the same y are left out.
     void append_pieces(const Vec2& tail,
                        const Vec2& head,
                        const PixelArc& arc,
                        const ArcSides& sides,
                        std::vector<MonotoneArc>& to) const {
-        const auto inner = [&](const Vec2& at) { return Vec2(tail + at); };
-        for_each_piece(arc, tail, head, inner, [&](const Vec2& from, const Vec2& end, double sine) {
-            if (from.y() < end.y()) {
-                append_clipped({from, end, sine}, sides, to);
-            } else if (end.y() < from.y()) {
-                append_clipped({end, from, -sine}, reversed(sides), to);
-            }
-        });
-    }
-
-    // Appends the parts of a rising piece that may affect pixels of the image.
-    void append_clipped(const MonotonePieces::Piece& piece,
-                        const ArcSides& sides,
-                        std::vector<MonotoneArc>& to) const {
         const Vec2 margin(kClipMargin, kClipMargin);
         const Vec2 size(pixels_.grid.width, pixels_.grid.height);
-        const ClippedPiece clipped(piece, -margin, size + margin);
-        for (const MonotonePieces::Piece& part : clipped.pieces()) {
-            append_piece(to_subpixel(part.tail), to_subpixel(part.head), part.sine, sides, to);
-        }
+        const auto inner = [&](const Vec2& at) { return Vec2(tail + at); };
+        for_each_piece(arc, tail, head, inner, [&](const Vec2& from, const Vec2& end, double sine) {
+            const bool rises = from.y() < end.y();
+            const MonotonePiece rising =
+                rises ? MonotonePiece{from, end, sine} : MonotonePiece{end, from, -sine};
+            for (const MonotonePiece& part : clipped(rising, -margin, size + margin)) {
+                append_piece(to_subpixel(part.tail),
+                             to_subpixel(part.head),
+                             part.sine,
+                             rises ? sides : reversed(sides),
+                             to);
+            }
+        });
     }
 
     const PixelPatch& pixels_;
     double inset_;
     std::vector<ArcLoops::Side> loop_;
-    FullInsets full_;
+    FullInset full_;
     InsetTracer tracer_;
 };
 

@@ -4,7 +4,6 @@
 
 #include "core/parallel/simd_level.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace foam::texgen {
@@ -18,12 +17,6 @@ template <class Number>
 template <class Number>
 [[gnu::always_inline]] inline Number max_value(Number a, Number b) {
     return a > b ? a : b;
-}
-
-/// Returns a && b without a branch: both operands are always evaluated. Compilers can therefore
-/// vectorize loops that call this function.
-[[gnu::always_inline]] inline bool and_nonshort(bool a, bool b) {
-    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
 }
 
 /// Grows a scratch array to at least `count` values. Never shrinks it. If the array is too small,

@@ -60,7 +60,7 @@ TEST(MonotoneArc, ChainHasTheAreaOnItsLeft) {
 
 // A maker for make_arcs. For item k it appends k arcs and counts one unresolved boundary.
 struct CountingMaker {
-    void make(std::size_t k, ArcBatch& batch) const {
+    void operator()(std::size_t k, ArcBatch& batch) const {
         batch.arcs.resize(batch.arcs.size() + k);
         ++batch.unclosed_loops;
     }

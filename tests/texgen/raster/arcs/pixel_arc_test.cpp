@@ -14,27 +14,27 @@ constexpr double kPi = std::numbers::pi;
 
 TEST(MonotonePieces, LeavesAShortArcWhole) {
     const FilmArc arc{{3.0, 4.0}, 0.2};
-    const MonotonePieces all(pixel_arc(arc));
-    ASSERT_EQ(all.pieces().size(), 1U);
-    EXPECT_EQ(all.pieces()[0].head, arc.chord);
-    EXPECT_EQ(all.pieces()[0].sine, std::sin(0.2));
+    const auto all = monotone_pieces(pixel_arc(arc));
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_EQ(all[0].head, arc.chord);
+    EXPECT_EQ(all[0].sine, std::sin(0.2));
 }
 
 // Both arcs have the radius 1. The first one starts upward around (-1, 0), the second one to the
 // left around (0, 1).
 TEST(MonotonePieces, SplitsThreeQuartersOfACircle) {
     const double sine = std::sin(0.25 * kPi);
-    const MonotonePieces left(pixel_arc({{-1.0, -1.0}, 0.75 * kPi}));
-    ASSERT_EQ(left.pieces().size(), 3U);
-    EXPECT_NEAR((left.pieces()[0].head - Vec2(-1.0, 1.0)).norm(), 0.0, 1e-15);
-    EXPECT_NEAR((left.pieces()[1].head - Vec2(-2.0, 0.0)).norm(), 0.0, 1e-15);
-    const MonotonePieces right(pixel_arc({{1.0, 1.0}, -0.75 * kPi}));
-    ASSERT_EQ(right.pieces().size(), 3U);
-    EXPECT_NEAR((right.pieces()[0].head - Vec2(-1.0, 1.0)).norm(), 0.0, 1e-15);
-    EXPECT_NEAR((right.pieces()[1].head - Vec2(0.0, 2.0)).norm(), 0.0, 1e-15);
+    const auto left = monotone_pieces(pixel_arc({{-1.0, -1.0}, 0.75 * kPi}));
+    ASSERT_EQ(left.size(), 3U);
+    EXPECT_NEAR((left[0].head - Vec2(-1.0, 1.0)).norm(), 0.0, 1e-15);
+    EXPECT_NEAR((left[1].head - Vec2(-2.0, 0.0)).norm(), 0.0, 1e-15);
+    const auto right = monotone_pieces(pixel_arc({{1.0, 1.0}, -0.75 * kPi}));
+    ASSERT_EQ(right.size(), 3U);
+    EXPECT_NEAR((right[0].head - Vec2(-1.0, 1.0)).norm(), 0.0, 1e-15);
+    EXPECT_NEAR((right[1].head - Vec2(0.0, 2.0)).norm(), 0.0, 1e-15);
     for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_NEAR(left.pieces()[k].sine, sine, 1e-15);
-        EXPECT_NEAR(right.pieces()[k].sine, -sine, 1e-15);
+        EXPECT_NEAR(left[k].sine, sine, 1e-15);
+        EXPECT_NEAR(right[k].sine, -sine, 1e-15);
     }
 }
 
@@ -44,10 +44,10 @@ TEST(MonotonePieces, PiecesAreOfTheArc) {
         const double direction = 0.37 * k;
         const double half_angle = 3.1 * std::sin(0.11 * k);
         const FilmArc arc{Vec2(std::cos(direction), std::sin(direction)), half_angle};
-        const MonotonePieces all(pixel_arc(arc));
+        const auto all = monotone_pieces(pixel_arc(arc));
         double turned = 0.0;
         Vec2 tail(0.0, 0.0);
-        for (const MonotonePieces::Piece& piece : all.pieces()) {
+        for (const MonotonePiece& piece : all) {
             turned += std::asin(piece.sine);
             const Vec2 expected = point_at(arc, turned / half_angle);
             EXPECT_NEAR((piece.head - expected).norm(), 0.0, 1e-11) << k;

@@ -16,14 +16,12 @@ TEST(PixelFrame, RoundsJunctionsToTheNearestSubpixel) {
     const Frame frame = test::fitted_frame(test::bent_foam(40, 0.3, 2), kSide, kSide);
     const RasterGrid grid{kSide, kSide};
     const PixelFrame pixels(frame, grid);
-    const std::vector<SubpixelPoint> junctions = pixels.rounded_positions(2);
-    ASSERT_EQ(junctions.size(), frame.positions.size());
-    for (std::size_t k = 0; k < junctions.size(); ++k) {
+    for (std::size_t k = 0; k < frame.positions.size(); ++k) {
         const auto junction = id_at<JunctionId>(k);
+        const SubpixelPoint rounded_position = pixels.rounded_position(junction);
         const Vec2 exact = pixels.exact_position(junction);
-        EXPECT_EQ(junctions[k], pixels.rounded_position(junction));
-        EXPECT_LE(std::abs(junctions[k].x - kSubpixel * exact.x()), 0.5 + 1e-9);
-        EXPECT_LE(std::abs(junctions[k].y - kSubpixel * exact.y()), 0.5 + 1e-9);
+        EXPECT_LE(std::abs(rounded_position.x - kSubpixel * exact.x()), 0.5 + 1e-9);
+        EXPECT_LE(std::abs(rounded_position.y - kSubpixel * exact.y()), 0.5 + 1e-9);
     }
 }
 

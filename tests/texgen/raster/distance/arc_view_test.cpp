@@ -15,15 +15,15 @@
 namespace foam::texgen {
 namespace {
 
-struct PlacedArc {
+struct FilmAt {
     FilmArc film;  // pixels
     Vec2 tail;
 };
 
 // Returns random arcs that turn by up to 120 degrees, like the arcs of a Boundary.
-std::vector<PlacedArc> random_arcs(std::size_t count, std::mt19937& random) {
+std::vector<FilmAt> random_arcs(std::size_t count, std::mt19937& random) {
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    std::vector<PlacedArc> arcs;
+    std::vector<FilmAt> arcs;
     for (std::size_t k = 0; k < count; ++k) {
         const Vec2 chord(10.0 * uniform(random), 10.0 * uniform(random));
         const Vec2 tail(30.0 * uniform(random), 30.0 * uniform(random));
@@ -34,7 +34,7 @@ std::vector<PlacedArc> random_arcs(std::size_t count, std::mt19937& random) {
 
 // Returns the distance from a point to the nearest of 2001 points of an arc. If this is a pixel or
 // more, it is too large by less than 1e-4.
-double sampled_distance(const PlacedArc& arc, const Vec2& point) {
+double sampled_distance(const FilmAt& arc, const Vec2& point) {
     constexpr int kSamples = 2000;
     double min_distance = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= kSamples; ++k) {
@@ -44,24 +44,23 @@ double sampled_distance(const PlacedArc& arc, const Vec2& point) {
     return min_distance;
 }
 
-ArcLanes lanes_of(const std::vector<PlacedArc>& arcs) {
-    ArcLanes lanes;
-    for (const PlacedArc& arc : arcs) {
-        lanes.add(pixel_arc(arc.film), arc.tail, false);
+std::vector<DistanceArc> distance_arcs(const std::vector<FilmAt>& films) {
+    std::vector<DistanceArc> arcs;
+    for (const FilmAt& film : films) {
+        arcs.push_back({film.tail, pixel_arc(film.film)});
     }
-    return lanes;
+    return arcs;
 }
 
-// The number of arcs is larger than the number of lanes, and not a multiple of it.
 TEST(ArcView, BoundAndMeasureTheDistanceOfEachArc) {
     at_every_simd_level([] {
         std::mt19937 random(3);
         std::uniform_real_distribution<double> uniform(-40.0, 40.0);
         for (int round = 0; round < 20; ++round) {
-            const std::vector<PlacedArc> arcs = random_arcs(19, random);
+            const std::vector<FilmAt> arcs = random_arcs(19, random);
             ArcView view;
             const Vec2 point(uniform(random), uniform(random));
-            view.evaluate(lanes_of(arcs), point);
+            view.evaluate(distance_arcs(arcs), point);
             for (std::size_t k = 0; k < arcs.size(); ++k) {
                 const double distance = sampled_distance(arcs[k], point);
                 EXPECT_TRUE(view.is_within(k, distance + 1e-9));
@@ -82,11 +81,11 @@ TEST(ArcView, HorizonHoldsTheNearestArcOfAllPointsWithinReach) {
     std::uniform_real_distribution<double> uniform(-20.0, 20.0);
     std::size_t dropped = 0;
     for (int round = 0; round < 20; ++round) {
-        const std::vector<PlacedArc> arcs = random_arcs(30, random);
+        const std::vector<FilmAt> arcs = random_arcs(30, random);
         ArcView view;
         const Vec2 middle(uniform(random), uniform(random));
         constexpr double kReach = 4.0;
-        view.evaluate(lanes_of(arcs), middle);
+        view.evaluate(distance_arcs(arcs), middle);
         const double horizon = view.horizon(kReach);
         for (int sample = 0; sample < 8; ++sample) {
             const double turn = sample * 0.785;
@@ -113,11 +112,10 @@ TEST(ArcView, FunctionsOfAFilmVanishAtItsEnds) {
     at_every_simd_level([] {
         const FilmArc film{{6.0, 2.0}, 0.8};
         const Vec2 tail(1.0, -3.0);
-        ArcLanes lanes;
-        lanes.add(pixel_arc(film), tail, false);
+        const std::vector<DistanceArc> arcs{{tail, pixel_arc(film)}};
         ArcView view;
         for (const double fraction : {0.0, 0.25, 0.5, 1.0}) {
-            view.evaluate(lanes, tail + point_at(film, fraction));
+            view.evaluate(arcs, tail + point_at(film, fraction));
             const FilmFunctions f = view.film_functions(0);
             EXPECT_NEAR(f.across.twice_value, 0.0, 1e-6);
             EXPECT_NEAR(std::hypot(f.across.x, f.across.y), 1.0, 1e-6);
@@ -131,27 +129,6 @@ TEST(ArcView, FunctionsOfAFilmVanishAtItsEnds) {
         }
         EXPECT_NEAR(view.film_functions(0).chord, film.chord.norm(), 1e-6);
     });
-}
-
-TEST(ArcLanes, CopiesArcsWithTheirCorners) {
-    ArcLanes all;
-    all.add({{1.0, 2.0}, 0.8, 0.6}, {3.0, 4.0}, false);
-    all.add({{5.0, 6.0}, 0.6, 0.8}, {7.0, 8.0}, true);
-    ArcLanes some;
-    EXPECT_FALSE(some.has_corners());
-    some.add(all, 1);
-    ASSERT_EQ(some.size(), 1U);
-    EXPECT_TRUE(some.has_corners());
-    EXPECT_TRUE(some.has_corner(0));
-    EXPECT_EQ(some.tail(0), Vec2(7.0, 8.0));
-    EXPECT_EQ(some.head(0), Vec2(12.0, 14.0));
-    some.add({{1.0, 2.0}, 0.8, 0.6}, {3.0, 4.0}, false);
-    EXPECT_FALSE(some.has_corner(1));
-    some.set_corner(1);
-    EXPECT_TRUE(some.has_corner(1));
-    some.clear();
-    EXPECT_EQ(some.size(), 0U);
-    EXPECT_FALSE(some.has_corners());
 }
 
 }  // namespace

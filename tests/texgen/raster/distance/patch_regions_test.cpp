@@ -26,14 +26,10 @@ int expect_closed_loops(const Boundary& boundary) {
     using Point = std::pair<double, double>;
     std::vector<Point> begins;
     std::vector<Point> ends;
-    for (const Boundary::Outline& edges : boundary.outline()) {
-        for (std::size_t k = 0; k < ArcLanes::kLanes; ++k) {
-            const Point from(edges.from_x[k], edges.from_y[k]);
-            const Point to(edges.to_x[k], edges.to_y[k]);
-            if (from != to) {
-                begins.push_back(from);
-                ends.push_back(to);
-            }
+    for (const OutlineArc& edge : boundary.outline()) {
+        if (edge.from != edge.to) {
+            begins.emplace_back(edge.from.x(), edge.from.y());
+            ends.emplace_back(edge.to.x(), edge.to.y());
         }
     }
     int loops = 1;

@@ -35,10 +35,9 @@ void for_each_pixel(const PixelBatch& batch, const Check& check) {
 }
 
 ArcFunctions functions_of(const PixelArc& arc, const Vec2& tail, const Vec2& middle) {
-    ArcLanes lanes;
-    lanes.add(arc, tail, false);
+    const std::vector<DistanceArc> arcs{{tail, arc}};
     ArcView view;
-    view.evaluate(lanes, middle);
+    view.evaluate(arcs, middle);
     return view.arc_functions(0);
 }
 
@@ -100,9 +99,8 @@ TEST(PixelBatch, JoinsFilmsSmoothly) {
     at_every_simd_level([] {
         PixelBatch batch;
         add_pixels(batch);
-        ArcLanes films;
-        films.add({{2e4, 0.0}, 1.0, 0.0}, {-1e4, -1.0}, false);
-        films.add({{-2e4, 0.0}, 1.0, 0.0}, {1e4, 23.0}, false);
+        const std::vector<DistanceArc> films{{{-1e4, -1.0}, {{2e4, 0.0}, 1.0, 0.0}},
+                                             {{1e4, 23.0}, {{-2e4, 0.0}, 1.0, 0.0}}};
         ArcView view;
         view.evaluate(films, batch.middle());
         const std::vector<ArcFunctions> arcs{view.arc_functions(0), view.arc_functions(1)};

@@ -29,10 +29,10 @@ void flip(const std::vector<Side>& sides, bool is_chain, PixelMask& mask) {
     const Vec2 offset(77.0, -1000.0);
     Boundary boundary;
     for (const Side& side : sides) {
-        boundary.add_edge(side.from - offset,
-                          side.to - offset,
-                          std::cos(side.half_angle),
-                          std::sin(side.half_angle));
+        boundary.add_edge({side.from - offset,
+                           side.to - offset,
+                           std::cos(side.half_angle),
+                           std::sin(side.half_angle)});
     }
     mask.flip_right_of(boundary.outline(), offset, is_chain);
 }

@@ -25,32 +25,30 @@ Vec2 real(SubpixelPoint point) {
 void expect_traced(const Region& region, const Frame& frame, const PixelFrame& pixels) {
     const Network& network = frame.network;
     const std::vector<HalfEdgeId> around = network.around(id_at<BubbleId>(region.id));
-    const ArcLanes& arcs = region.boundary.films();
+    const std::span<const DistanceArc> arcs = region.boundary.films();
     ASSERT_EQ(arcs.size(), around.size());
     LatticeOffset unwrapping;
     Vec2 tail = pixels.exact_position(network.tail(around.front()));
     EXPECT_EQ(region.first, pixels.rounded_position(network.tail(around.front())));
     for (std::size_t k = 0; k < around.size(); ++k) {
-        const Boundary::Outline& edges = region.boundary.outline()[k / ArcLanes::kLanes];
-        const std::size_t lane = k % ArcLanes::kLanes;
+        const OutlineArc& edge = region.boundary.outline()[k];
         const FilmArc film = frame.arc(around[k]);
         const PixelArc expected = pixel_arc({pixels.scale * film.chord, film.half_angle});
-        EXPECT_EQ(arcs.chord(k), expected.chord);
-        EXPECT_LT((arcs.tail(k) - tail).norm(), 1e-9);
-        EXPECT_NEAR(edges.cosine[lane], expected.cosine, 1e-14);
-        EXPECT_NEAR(edges.sine[lane], expected.sine, 1e-14);
-        const Vec2 from(edges.from_x[lane], edges.from_y[lane]);
-        EXPECT_EQ(from,
+        EXPECT_EQ(arcs[k].shape.chord, expected.chord);
+        EXPECT_LT((arcs[k].tail - tail).norm(), 1e-9);
+        EXPECT_NEAR(edge.cosine, expected.cosine, 1e-14);
+        EXPECT_NEAR(edge.sine, expected.sine, 1e-14);
+        EXPECT_EQ(edge.from,
                   real(pixels.rounded_position(network.tail(around[k])) +
                        pixels.translation(unwrapping)));
         unwrapping = unwrapping + network.offset(around[k]);
         tail += expected.chord;
         const HalfEdgeId next = around[(k + 1) % around.size()];
         const LatticeOffset at = k + 1 < around.size() ? unwrapping : LatticeOffset{};
-        EXPECT_EQ(Vec2(edges.to_x[lane], edges.to_y[lane]),
+        EXPECT_EQ(edge.to,
                   real(pixels.rounded_position(network.tail(next)) + pixels.translation(at)));
-        EXPECT_LE(region.lowest.x, from.x());
-        EXPECT_GE(region.highest.y, from.y());
+        EXPECT_LE(region.lowest.x, edge.from.x());
+        EXPECT_GE(region.highest.y, edge.from.y());
     }
 }
 
@@ -65,16 +63,12 @@ TEST(TorusRegions, TraceEveryBubbleOnce) {
     const PixelFrame pixels(frame, grid);
     const Network& network = frame.network;
     std::vector<int> times(network.bubble_slots());
-    std::vector<Region> traced(TorusRegions::kGroupSize);
-    std::span<const TorusRegions::Start> starts = regions.starts(0, 320);
-    while (!starts.empty()) {
-        const std::size_t count = std::min<std::size_t>(starts.size(), 7);
-        regions.trace(starts.first(count), traced);
-        starts = starts.subspan(count);
-        for (std::size_t k = 0; k < count; ++k) {
-            ++times[traced[k].id];
-            expect_traced(traced[k], frame, pixels);
-        }
+    Region traced;
+    for (const TorusRegions::Start& start : regions.starts(0, 320)) {
+        regions.trace(start, traced);
+        EXPECT_EQ(traced.id, start.bubble);
+        ++times[traced.id];
+        expect_traced(traced, frame, pixels);
     }
     EXPECT_EQ(times, std::vector<int>(times.size(), 1));
 }

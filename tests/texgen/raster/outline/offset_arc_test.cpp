@@ -54,8 +54,8 @@ TEST(OffsetArc, OffsetKeepsItsDistanceAndItsNormals) {
         const OffsetArc offset = offset_left(side, 1.5);
         for (int k = 0; k <= 10; ++k) {
             const double along = (0.2 * k - 1.0);
-            const Point here = point_at(side, along * side.reach);
-            const Point there = point_at(offset, along * offset.reach);
+            const Vec2 here = point_at(side, along * side.reach);
+            const Vec2 there = point_at(offset, along * offset.reach);
             EXPECT_NEAR((there - here).norm(), 1.5, 1e-12);
             EXPECT_NEAR(distance(side, there), 1.5, 1e-12);
         }

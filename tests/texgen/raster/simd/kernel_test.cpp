@@ -14,13 +14,6 @@ TEST(Kernel, TakesTheSmallerAndTheLargerValue) {
     EXPECT_EQ(max_value(-3, 2), 2);
 }
 
-TEST(Kernel, EvaluatesBothConditions) {
-    EXPECT_TRUE(and_nonshort(true, true));
-    EXPECT_FALSE(and_nonshort(true, false));
-    EXPECT_FALSE(and_nonshort(false, true));
-    EXPECT_FALSE(and_nonshort(false, false));
-}
-
 TEST(Kernel, GrowsAnArrayAndNeverShrinksIt) {
     std::vector<int> values{7};
     grow(values, 10);

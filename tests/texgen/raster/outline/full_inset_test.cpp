@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/raster/outline/full_insets.h"
+#include "texgen/raster/outline/full_inset.h"
 
 #include "tests/support/sample_foams.h"
 #include "tests/support/simd_levels.h"
@@ -24,19 +24,16 @@ std::vector<Vec2> regular(int count, double radius) {
     return corners;
 }
 
-bool shows_every_side(const ArcLoops& outlines, double distance) {
-    FullInsets insets;
-    insets.trace(outlines, distance);
-    return insets.shows_every_side(0);
+bool shows_every_side(const ArcLoops& outline, double distance) {
+    return FullInset().trace(outline.sides, distance) != nullptr;
 }
 
-TEST(FullInsets, OfARectangleIsARectangle) {
+TEST(FullInset, OfARectangleIsARectangle) {
     at_every_simd_level([] {
-        FullInsets insets;
-        insets.trace(polygon({{0, 0}, {9, 0}, {9, 5}, {0, 5}}), 1.0);
-        ASSERT_TRUE(insets.shows_every_side(0));
-        ArcLoops loops;
-        insets.append_inset(0, loops);
+        FullInset full;
+        const ArcLoops* inset = full.trace(polygon({{0, 0}, {9, 0}, {9, 5}, {0, 5}}).sides, 1.0);
+        ASSERT_NE(inset, nullptr);
+        const ArcLoops& loops = *inset;
         ASSERT_EQ(loops.loop_ends, std::vector<std::size_t>{4});
         const std::vector<Vec2> tails{{1, 1}, {8, 1}, {8, 4}, {1, 4}};
         for (std::size_t k = 0; k < tails.size(); ++k) {
@@ -48,13 +45,12 @@ TEST(FullInsets, OfARectangleIsARectangle) {
 
 // The offset of an arc has the same center as the arc. The hexagon is symmetric, so the corners of
 // the inset are on its bisectors.
-TEST(FullInsets, KeepTheCurvatureCentersOfASymmetricBubble) {
+TEST(FullInset, KeepTheCurvatureCentersOfASymmetricBubble) {
     const std::vector<Vec2> corners = regular(6, 10.0);
-    FullInsets insets;
-    insets.trace(polygon(corners, 0.2), 1.0);
-    ASSERT_TRUE(insets.shows_every_side(0));
-    ArcLoops loops;
-    insets.append_inset(0, loops);
+    FullInset full;
+    const ArcLoops* inset = full.trace(polygon(corners, 0.2).sides, 1.0);
+    ASSERT_NE(inset, nullptr);
+    const ArcLoops& loops = *inset;
     ASSERT_EQ(loops.sides.size(), 6U);
     for (std::size_t k = 0; k < 6; ++k) {
         EXPECT_NEAR(cross(loops.sides[k].tail, corners[k]), 0.0, 1e-9);
@@ -62,7 +58,7 @@ TEST(FullInsets, KeepTheCurvatureCentersOfASymmetricBubble) {
     }
 }
 
-TEST(FullInsets, AreNotProvenWhereASideDropsOut) {
+TEST(FullInset, AreNotProvenWhereASideDropsOut) {
     const auto cut_corner = polygon({{0, 0}, {10, 0}, {10, 9.5}, {9.5, 10}, {0, 10}});
     EXPECT_TRUE(shows_every_side(cut_corner, 0.5));
     EXPECT_FALSE(shows_every_side(cut_corner, 3.0));
@@ -73,14 +69,14 @@ TEST(FullInsets, AreNotProvenWhereASideDropsOut) {
 
 // The inner corner of an L turns right, so a circular arc around this corner is part of the
 // boundary of the inset.
-TEST(FullInsets, AreNotProvenAtACornerThatTurnsRight) {
+TEST(FullInset, AreNotProvenAtACornerThatTurnsRight) {
     EXPECT_FALSE(
         shows_every_side(polygon({{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}}), 1.0));
 }
 
 // The long sides bend inward. The second bubble has a waist of 0.6, less than twice the distance.
 // Its inset consists of two parts, one at either end.
-TEST(FullInsets, AreNotProvenWhereOppositeSidesAreTooNear) {
+TEST(FullInset, AreNotProvenWhereOppositeSidesAreTooNear) {
     at_every_simd_level([] {
         const std::vector<Vec2> corners{{0, 0}, {10, 0}, {10, 2}, {0, 2}};
         EXPECT_TRUE(shows_every_side(polygon(corners, -0.05), 0.35));
@@ -88,28 +84,15 @@ TEST(FullInsets, AreNotProvenWhereOppositeSidesAreTooNear) {
     });
 }
 
-TEST(FullInsets, AreNotProvenForLoopsOfFewerThanThreeSides) {
-    ArcLoops outlines = polygon(regular(12, 40.0));
-    add_polygon({}, 0.0, outlines);
-    add_polygon({{0, 0}, {9, 0}}, 0.5, outlines);
-    add_polygon(regular(5, 20.0), 0.0, outlines);
-    FullInsets insets;
-    insets.trace(outlines, 1.0);
-    EXPECT_TRUE(insets.shows_every_side(0));
-    EXPECT_FALSE(insets.shows_every_side(1));
-    EXPECT_FALSE(insets.shows_every_side(2));
-    EXPECT_TRUE(insets.shows_every_side(3));
+TEST(FullInset, AreNotProvenForLoopsOfFewerThanThreeSides) {
+    EXPECT_FALSE(shows_every_side({}, 1.0));
+    EXPECT_FALSE(shows_every_side(polygon({{0, 0}, {9, 0}}, 0.5), 1.0));
+    EXPECT_TRUE(shows_every_side(polygon(regular(3, 20.0)), 1.0));
 }
 
-TEST(FullInsets, DoNotProveOutlinesBeyondTheirCapacity) {
-    ArcLoops outlines = polygon(regular(12, 40.0));
-    add_polygon(regular(600, 1000.0), 0.0, outlines);
-    add_polygon(regular(5, 20.0), 0.0, outlines);
-    FullInsets insets;
-    insets.trace(outlines, 1.0);
-    EXPECT_TRUE(insets.shows_every_side(0));
-    EXPECT_FALSE(insets.shows_every_side(1));
-    EXPECT_TRUE(insets.shows_every_side(2));
+TEST(FullInset, AreFoundForLoopsOfAnyLength) {
+    EXPECT_TRUE(shows_every_side(polygon(regular(12, 40.0)), 1.0));
+    EXPECT_TRUE(shows_every_side(polygon(regular(600, 1000.0)), 1.0));
 }
 
 // Returns the outlines of all bubbles, in foam units.
@@ -139,36 +122,23 @@ void expect_same(const ArcLoops& found, const ArcLoops& expected) {
     }
 }
 
-// Expects that FullInsets and InsetTracer find the same insets. Returns the number of bubbles for
-// which FullInsets proves that every side is visible.
+// Expects that FullInset and InsetTracer find the same insets. Returns the number of bubbles for
+// which FullInset proves that every side is visible.
 int compare_with_all_cuts(const Foam& foam, double distance) {
     const ArcLoops outlines = outlines_of(foam);
-    constexpr std::size_t kGroupSize = 16;
-    FullInsets insets;
+    FullInset full;
     InsetTracer tracer;
     int proven = 0;
-    for (std::size_t first = 0; first < outlines.loop_ends.size(); first += kGroupSize) {
-        const std::size_t end = std::min(first + kGroupSize, outlines.loop_ends.size());
-        ArcLoops some;
-        for (std::size_t loop = first; loop < end; ++loop) {
-            const auto sides = outlines.loop(loop);
-            some.sides.insert(some.sides.end(), sides.begin(), sides.end());
-            some.loop_ends.push_back(some.sides.size());
-        }
-        insets.trace(some, distance);
-        for (std::size_t loop = 0; loop < end - first; ++loop) {
-            if (insets.shows_every_side(loop)) {
-                ++proven;
-                ArcLoops found;
-                insets.append_inset(loop, found);
-                expect_same(found, tracer.trace_loop(some, loop, distance));
-            }
+    for (std::size_t loop = 0; loop < outlines.loop_ends.size(); ++loop) {
+        if (const ArcLoops* found = full.trace(outlines.loop(loop), distance)) {
+            ++proven;
+            expect_same(*found, tracer.trace_loop(outlines, loop, distance));
         }
     }
     return proven;
 }
 
-TEST(FullInsets, AreThoseOfTheTracerToTheLastBit) {
+TEST(FullInset, AreThoseOfTheTracerToTheLastBit) {
     at_every_simd_level([] {
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
             for (const double distance : {0.01, 0.04, 0.1, 0.2, 0.35}) {
