@@ -5,6 +5,8 @@
 #include "texgen/raster/arcs/arc_crossings.h"
 #include "texgen/raster/simd/kernel.h"
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -35,10 +37,10 @@ constexpr double kUp = 1.0 - 0x1p-27;
 
 // Returns the first row whose middle is at or above y, clamped to [rows.begin, rows.end]. y is in
 // subpixels.
-int first_row_from(double y, PixelRows rows) {
+[[gnu::always_inline]] inline int first_row_from(double y, PixelRows rows) {
     const double row = std::ceil((y - kHalfPixel) / kSubpixel);
     return static_cast<int>(
-        std::clamp(row, static_cast<double>(rows.begin), static_cast<double>(rows.end)));
+        min_value(max_value(row, static_cast<double>(rows.begin)), static_cast<double>(rows.end)));
 }
 
 // A rising arc, in subpixels, that is monotone in y.
@@ -99,32 +101,35 @@ void PixelMask::reset(int columns, PixelRows rows, bool full) {
 void PixelMask::flip_right_of(std::span<const OutlineArc> outline,
                               const Vec2& offset,
                               bool is_chain) {
-    const double rounding = is_chain ? kUp : kToNearest;
-    const auto flip = [&](const RisingArc& rising) {
-        const int first = first_row_from(rising.low.y(), rows_);
-        const int last = first_row_from(rising.high.y(), rows_);
-        at_simd_level([=,
-                       arc = rising.crossings,
-                       low_x = rising.low.x(),
-                       last_x = static_cast<double>(columns_) * kSubpixel,
-                       stride = stride_,
-                       words = words_.data(),
-                       begin = rows_.begin,
-                       end = words_.data() + words_.size(),
-                       low_y = rising.low.y()] {
+    boost::container::small_vector<RisingArc, 16> rising;
+    for (const OutlineArc& arc : outline) {
+        for_each_rising_part(arc, offset, [&](const RisingArc& part) { rising.push_back(part); });
+    }
+    at_simd_level([arcs = std::span<const RisingArc>(rising.data(), rising.size()),
+                   rounding = is_chain ? kUp : kToNearest,
+                   rows = rows_,
+                   last_x = static_cast<double>(columns_) * kSubpixel,
+                   words = words_.data(),
+                   stride = stride_,
+                   end = words_.data() + words_.size()] {
+        for (const RisingArc& arc : arcs) {
+            const CrossingSolver<double> crossings = arc.crossings;
+            const double low_x = arc.low.x();
+            const double low_y = arc.low.y();
+            const int last = first_row_from(arc.high.y(), rows);
             const double beyond = last * kSubpixel + kHalfPixel - low_y;
-            for (int row = first; row < last; row += kRows) {
+            for (int row = first_row_from(low_y, rows); row < last; row += kRows) {
                 const double y = row * kSubpixel + kHalfPixel - low_y;
                 std::array<std::uint64_t, kRows> columns;
                 std::array<std::uint64_t, kRows> crossed;
 #pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
                 for (std::size_t k = 0; k < kRows; ++k) {
                     const double at = y + static_cast<int>(k) * static_cast<double>(kSubpixel);
-                    const double x = low_x + std::floor(arc.unbounded_x_at(at) + rounding);
+                    const double x = low_x + std::floor(crossings.unbounded_x_at(at) + rounding);
                     columns[k] = first_column_from(min_value(max_value(x, 0.0), last_x));
                     crossed[k] = at < beyond ? ~std::uint64_t{0} : 0;
                 }
-                std::uint64_t* word = words + (row - begin);
+                std::uint64_t* word = words + (row - rows.begin);
                 for (std::uint64_t left = 0; word < end; left += kWordColumns, word += stride) {
 #pragma GCC unroll 1
                     for (std::size_t k = 0; k < kRows; ++k) {
@@ -134,11 +139,8 @@ void PixelMask::flip_right_of(std::span<const OutlineArc> outline,
                     }
                 }
             }
-        });
-    };
-    for (const OutlineArc& arc : outline) {
-        for_each_rising_part(arc, offset, flip);
-    }
+        }
+    });
 }
 
 }  // namespace foam::texgen

@@ -76,12 +76,13 @@ std::vector<TorusRegions::Film> TorusRegions::sorted_films(int threads) {
     std::vector<Film> films(order.size());
     parallel_for(films.size(), kPerTask, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            const HalfEdgeId forward = forward_side(id_at<FilmId>(order[k]));
-            films[k] = {arcs[order[k]],
-                        {pixels_.rounded_position(network.tail(forward)),
-                         pixels_.rounded_position(network.head(forward))},
-                        {side_of(network.next(forward)), side_of(network.next(twin(forward)))},
-                        pixels_.translation(network.offset(forward))};
+            const HalfEdgeId forward = forward_side(id_at<FilmId>(k));
+            films[new_index_[k]] = {
+                arcs[k],
+                {pixels_.rounded_position(network.tail(forward)),
+                 pixels_.rounded_position(network.head(forward))},
+                {side_of(network.next(forward)), side_of(network.next(twin(forward)))},
+                pixels_.translation(network.offset(forward))};
         }
     });
     return films;
