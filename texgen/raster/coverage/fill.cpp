@@ -99,8 +99,7 @@ class Filler {
         }
     }
 
-    // Fills all bands in parallel. A worker allocates its buffers once and reuses them for all
-    // bands that it fills.
+    // Fills all bands in parallel. A worker reuses its buffers for all bands that it fills.
     void fill() const {
         const int workers = std::min(threads_, bands_.count());
         std::vector<std::optional<Worker>> all(static_cast<std::size_t>(workers));

@@ -85,8 +85,7 @@ void put_copies(const Region& region, const RasterGrid& grid, std::int32_t shear
     });
 }
 
-// Returns the copies of all regions, with one bucket per band of the image. Within a bucket, copies
-// are in the order of their regions.
+// Returns the copies of all regions, with one bucket per band of the image, in their order.
 Buckets<RegionCopy> copies_by_band(std::span<const Region> regions,
                                    const RasterGrid& grid,
                                    std::int32_t shear,
@@ -168,7 +167,8 @@ void paint_regions(const Frame& frame,
 
 void RegionPixels::rasterize(const Region& region, SubpixelPoint translation, PixelRows rows) {
     box_ = box_around(region, translation);
-    const SubpixelPoint by = translation - box_.corner();
+    const SubpixelPoint by =
+        translation - SubpixelPoint{box_.left * kSubpixel, box_.bottom * kSubpixel};
     const PixelRows shown{std::max(rows.begin - box_.bottom, 0),
                           std::min(rows.end, box_.top) - box_.bottom};
     const Vec2 subpixels(by.x, by.y);

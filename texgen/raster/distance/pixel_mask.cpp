@@ -28,10 +28,9 @@ constexpr double kHalfPixel = 0.5 * kSubpixel;
 }
 
 // One of these numbers is added to a crossing before it is rounded down. kToNearest rounds to the
-// nearest subpixel. kUp rounds up. Rounding up gives the same columns as the exact crossing,
-// because the middles of pixels are at whole subpixels. kUp is less than 1, so that a whole number
-// is not rounded up to the next one. The crossing of a straight edge that is h subpixels high is a
-// multiple of 1/h, so that kUp rounds every other number up if h is at most 2^27 (131,072 pixels).
+// nearest subpixel. kUp rounds up, which gives the same columns as the exact crossing, because the
+// middles of pixels are at whole subpixels. A whole number is not rounded up to the next one. The
+// crossing of a straight edge h subpixels high is a multiple of 1/h; h may be up to 2^27.
 constexpr double kToNearest = 0.5;
 constexpr double kUp = 1.0 - 0x1p-27;
 

@@ -122,7 +122,6 @@ struct PixelBox {
 
     int columns() const { return right - left; }
     int rows() const { return top - bottom; }
-    SubpixelPoint corner() const { return {left * kSubpixel, bottom * kSubpixel}; }
 };
 
 /// Returns a box that contains all pixels of a region that is moved by a translation.

@@ -19,11 +19,6 @@ constexpr double kMinSideCosine = 0.5;
 constexpr double kMinCornerSine = 1e-3;
 constexpr double kMinCornerCosine = -0.5;
 
-bool may_be_visible(const ArcLoops::Side& side, const OffsetArc& arc, double distance) {
-    return side.arc.chord.norm() > kShortestSide && arc.cosine >= kMinSideCosine &&
-           shrinkage(arc, distance) >= kSmallestShrinkage;
-}
-
 bool turns_clearly_left(const OffsetArc& before, const OffsetArc& after) {
     const Vec2 from = head_tangent(before);
     const Vec2 to = tail_tangent(after);
@@ -37,7 +32,8 @@ bool FullInset::offset_sides(std::span<const ArcLoops::Side> loop, double distan
     sides_.clear();
     for (const ArcLoops::Side& side : loop) {
         const OffsetArc arc = offset_arc_from(side.arc, side.tail);
-        if (!may_be_visible(side, arc, distance)) {
+        if (!(side.arc.chord.norm() > kShortestSide) || !(arc.cosine >= kMinSideCosine) ||
+            !(shrinkage(arc, distance) >= kSmallestShrinkage)) {
             return false;
         }
         sides_.push_back({arc, offset_left(arc, distance)});
