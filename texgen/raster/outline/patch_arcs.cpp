@@ -111,8 +111,8 @@ class PatchArcs {
         }
     }
 
-    // Appends the arc of a side. It is split into pieces from the end with the smaller x on, or with
-    // the smaller y if both have the same x, so that both sides of a film have the same pieces.
+    // Appends the arc of a side, split into pieces from the end with the smaller x on, or with the
+    // smaller y if both have the same x, so that both sides of a film have the same pieces.
     void append_side(const ArcLoops::Side& side,
                      const Vec2& head,
                      const ArcSides& sides,
