@@ -87,7 +87,7 @@ TEST(FullInset, AreNotProvenWhereOppositeSidesAreTooNear) {
 TEST(FullInset, AreNotProvenForLoopsOfFewerThanThreeSides) {
     EXPECT_FALSE(shows_every_side({}, 1.0));
     EXPECT_FALSE(shows_every_side(polygon({{0, 0}, {9, 0}}, 0.5), 1.0));
-    EXPECT_TRUE(shows_every_side(polygon(regular(3, 20.0)), 1.0));
+    EXPECT_TRUE(shows_every_side(polygon(regular(4, 20.0)), 1.0));
 }
 
 TEST(FullInset, AreFoundForLoopsOfAnyLength) {
