@@ -4,16 +4,28 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
+#include <cstddef>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace foam {
 
 namespace {
 
-// Writes a state. Real numbers have the fewest digits that read back to the same bits, and always a
-// point or an exponent. Without point and exponent, -0.0 would be read as the integer 0 and lose
-// its sign.
+// Returns a number with the fewest digits that read back to the same bits, and with a point or an
+// exponent. Without both, -0.0 would be read as the integer 0 and lose its sign. Precondition: the
+// number is finite.
+std::string real(double number) {
+    constexpr std::size_t kLongest = 32;  // characters; the longest doubles have 24
+    std::array<char, kLongest> digits{};
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    const std::string text(static_cast<const char*>(digits.data()), end);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
 class Writer {
   public:
     explicit Writer(const Foam& foam) : foam_(foam) {}
@@ -21,7 +33,7 @@ class Writer {
     std::string write() {
         put("{{\n\"format\": \"foamtex-foam\",\n\"version\": {},\n", needs_version_2() ? 2 : 1);
         put_torus();
-        put("\"film_tension\": {:#},\n\"time\": {:#},\n", foam_.film_tension, foam_.time);
+        put("\"film_tension\": {},\n\"time\": {},\n", real(foam_.film_tension), real(foam_.time));
         put("\"next_identity\": {},\n", foam_.next_identity);
         put_rows("junctions", foam_.network.junctions(), &Writer::put_junction);
         put(",\n");
@@ -51,9 +63,9 @@ class Writer {
 
     // Writes the shear only if it is not 0, because version 1 has no shear.
     void put_torus() {
-        put("\"torus\": [{:#}, {:#}", foam_.domain.width, foam_.domain.height);
+        put("\"torus\": [{}, {}", real(foam_.domain.width), real(foam_.domain.height));
         if (foam_.domain.shear != 0.0) {
-            put(", {:#}", foam_.domain.shear);
+            put(", {}", real(foam_.domain.shear));
         }
         put("],\n");
     }
@@ -78,22 +90,22 @@ class Writer {
     }
 
     void put_half_angle(FilmId film) {
-        put("{:#}", foam_.network.is_outer(film) ? foam_.half_angles[film] : 0.0);
+        put("{}", real(foam_.network.is_outer(film) ? foam_.half_angles[film] : 0.0));
     }
 
     void put_lone_bubble(const LoneBubble& bubble) {
-        put("[{}, {:#}, {:#}, {:#}]",
+        put("[{}, {}, {}, {}]",
             bubble.identity,
-            bubble.center.x(),
-            bubble.center.y(),
-            bubble.target_area);
+            real(bubble.center.x()),
+            real(bubble.center.y()),
+            real(bubble.target_area));
     }
 
     void put_junction(JunctionId junction) {
         const Vec2& position = foam_.positions[junction];
-        put("[{:#}, {:#}, {}]",
-            position.x(),
-            position.y(),
+        put("[{}, {}, {}]",
+            real(position.x()),
+            real(position.y()),
             index_of(foam_.network.outgoing(junction)));
     }
 
@@ -113,10 +125,10 @@ class Writer {
     }
 
     void put_bubble(BubbleId bubble) {
-        put("[{}, {:#}, {:#}, {}, {}]",
+        put("[{}, {}, {}, {}, {}]",
             foam_.identities[bubble],
-            foam_.pressures[bubble],
-            foam_.target_areas[bubble],
+            real(foam_.pressures[bubble]),
+            real(foam_.target_areas[bubble]),
             index_of(foam_.network.first(bubble)),
             foam_.network.sides(bubble));
     }
