@@ -2,6 +2,8 @@
 
 #include "core/parallel/worker_pool.h"
 
+#include "core/parallel/start_threads.h"
+
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -74,10 +76,13 @@ void WorkerPool::remove(Task& task) {
     task_count_ = tasks_.size();
 }
 
-// Starts threads until the pool has `count` threads. Precondition: mutex_ is locked.
+// Starts threads until the pool has `count` threads. If the system cannot start a thread, the pool
+// keeps the threads that it has, and does not try again. Precondition: mutex_ is locked.
 void WorkerPool::start_threads(int count) {
-    while (threads_.size() < static_cast<std::size_t>(count)) {
-        threads_.emplace_back([this] { serve(); });
+    if (!is_full_) {
+        is_full_ = !start_up_to(static_cast<std::size_t>(count), threads_, [this] {
+            return std::jthread([this] { serve(); });
+        });
     }
 }
 

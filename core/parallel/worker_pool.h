@@ -33,8 +33,8 @@ class WorkerPool {
     /// helpers that are still inside work(). Therefore no deadlock can occur if work() itself calls
     /// run(), or if any number of threads call run() at once.
     ///
-    /// Throws std::system_error if a thread cannot be started. Preconditions: work() does not
-    /// throw, and is correct for any number of concurrent calls, including one.
+    /// If the system cannot start so many threads, fewer helpers join. Preconditions: work() does
+    /// not throw, and is correct for any number of concurrent calls, including one.
     void run(int helpers, const std::function<void()>& work);
 
   private:
@@ -55,6 +55,7 @@ class WorkerPool {
     std::vector<Task*> tasks_;
     std::atomic<std::size_t> task_count_{0};  // tasks_.size(), readable without the lock
     bool closing_ = false;
+    bool is_full_ = false;  // true if the system could not start another thread
     std::vector<std::jthread> threads_;
 };
 

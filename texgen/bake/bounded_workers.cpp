@@ -2,6 +2,9 @@
 
 #include "texgen/bake/bounded_workers.h"
 
+#include "core/parallel/start_threads.h"
+
+#include <algorithm>
 #include <utility>
 
 // A queue with one mutex and one condition variable. Every new job and every finished job wakes all
@@ -12,9 +15,9 @@
 namespace foam::texgen {
 
 BoundedWorkers::BoundedWorkers(int threads) {
-    for (int k = 0; k < threads; ++k) {
-        threads_.emplace_back([this] { work(); });
-    }
+    start_up_to(static_cast<std::size_t>(std::max(threads, 0)), threads_, [this] {
+        return std::jthread([this] { work(); });
+    });
 }
 
 BoundedWorkers::~BoundedWorkers() {

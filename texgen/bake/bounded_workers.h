@@ -18,8 +18,8 @@ namespace foam::texgen {
 /// job itself instead of blocking; meanwhile, the other waiting jobs keep the threads busy.
 class BoundedWorkers {
   public:
-    /// Starts the given number of threads. With 0 threads, `submit` runs each job on the caller's
-    /// thread.
+    /// Starts the given number of threads, or fewer if the system cannot start so many. Without
+    /// threads, `submit` runs each job on the caller's thread.
     explicit BoundedWorkers(int threads);
 
     /// Waits for the running jobs. Drops the waiting jobs.
