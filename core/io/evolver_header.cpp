@@ -156,6 +156,14 @@ class HeaderReader {
                             periods[0],
                             periods[3]));
         }
+        if (!has_moderate_shape({periods[0], periods[3]})) {
+            tokens_.fail(line_,
+                         fmt::format("the width and the height of the torus must differ by at most "
+                                     "the factor {}, but are {} and {}",
+                                     kMaxAspect,
+                                     periods[0],
+                                     periods[3]));
+        }
         if (std::abs(periods[2]) > kMaxShear * periods[0]) {
             tokens_.fail(line_,
                          fmt::format("the x component of the second period must be at most {} "

@@ -87,6 +87,14 @@ class Reader {
         const JsonItem height = item.value(1);
         const bool is_plane = width.number() == 0.0 && height.number() == 0.0;
         foam_.domain = is_plane ? kPlane : Domain{width.positive(), height.positive()};
+        if (!is_plane && !has_moderate_shape(foam_.domain)) {
+            item.fail(
+                fmt::format("the width and the height of the torus must differ by at most the "
+                            "factor {}, but are {} and {}",
+                            kMaxAspect,
+                            foam_.domain.width,
+                            foam_.domain.height));
+        }
         if (has_shear) {
             foam_.domain.shear = item.value(2).number();
         }

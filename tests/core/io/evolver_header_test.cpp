@@ -142,6 +142,9 @@ TEST(EvolverHeader, RejectsOtherTori) {
         "a.fe:1: the first period must be along the x axis: its y component is 0.5, must be 0");
     expect_rejected("periods 1 0 0 -1",
                     "a.fe:1: the width and height of the torus must be positive, not 1 and -1");
+    expect_rejected("periods 1 0 0 1e-5",
+                    "a.fe:1: the width and the height of the torus must differ by at most the "
+                    "factor 16384, but are 1 and 1e-05");
 }
 
 TEST(EvolverHeader, RejectsUnreadableStatements) {

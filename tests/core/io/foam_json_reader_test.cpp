@@ -101,6 +101,14 @@ TEST(FoamJsonReader, RejectsBadValues) {
         "\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: 'films': expected an array");
 }
 
+// The time that functions of a sheared torus take grows with its width divided by its height.
+TEST(FoamJsonReader, RejectsATorusOfExtremeShape) {
+    expect_rejected("[3.0, 2.0]",
+                    "[8e150, 8e-150, 1.0]",
+                    "a.json:4: 'torus': the width and the height of the torus must differ by at "
+                    "most the factor 16384, but are 8e+150 and 8e-150");
+}
+
 TEST(FoamJsonReader, RejectsReferencesToElementsOfAnEmptyList) {
     expect_rejected(
         "[\n[0.0, 0.5, 3],\n[1.0, 1.0, 4]\n]",
