@@ -17,6 +17,8 @@ namespace foam::evolver {
 namespace {
 
 constexpr std::size_t kLongestShown = 40;  // characters of a token in an error message
+// The byte order mark of UTF-8, with which some editors begin a file.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 // These functions recognize ASCII only and do not depend on the locale.
 bool is_digit(char c) {
@@ -70,6 +72,9 @@ std::string lower(std::string_view word) {
 
 TokenReader::TokenReader(std::string_view text, const std::string& file)
     : text_(text), file_(file) {
+    if (text.starts_with(kByteOrderMark)) {
+        text_.remove_prefix(kByteOrderMark.size());
+    }
     advance();
 }
 

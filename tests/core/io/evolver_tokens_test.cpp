@@ -46,6 +46,13 @@ TEST(EvolverTokens, ReadsEveryFormOfANumber) {
     EXPECT_EQ(tokens_of("1e999")[0].number, std::numeric_limits<double>::infinity());
 }
 
+TEST(EvolverTokens, SkipsAByteOrderMark) {
+    const std::vector<Token> tokens = tokens_of("\xEF\xBB\xBFtorus");
+    ASSERT_EQ(tokens.size(), 1U);
+    EXPECT_EQ(tokens[0].text, "torus");
+    EXPECT_TRUE(tokens[0].starts_line);
+}
+
 TEST(EvolverTokens, CommentsAreWhiteSpaceAndLinesAreCounted) {
     const std::vector<Token> tokens = tokens_of("a // b\n/* c\n d */ e\r\nf");
     ASSERT_EQ(tokens.size(), 3U);
