@@ -48,7 +48,7 @@ void Boundary::add_arc(const PixelArc& shape, const Vec2& tail) {
 }
 
 void Boundary::add_halves(const DistanceArc& arc) {
-    if (arc.shape.cosine >= DistanceArc::kMinCosine) {
+    if (!(arc.shape.cosine < DistanceArc::kMinCosine)) {  // true also for NaN, so that the recursion ends
         arcs_.push_back(arc);
         return;
     }
