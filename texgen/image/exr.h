@@ -67,7 +67,8 @@ Bytes encode_exr(const Picture& picture, const ExrEncoding& encoding = {});
 /// Decodes an EXR of rows or tiles. The picture has one group per channel, in alphabetical order of
 /// the channel names. Its texts are in alphabetical order of their keywords. `level` is the mip
 /// level to read; 0 is the full size. Throws InputError for a malformed stream, for a level that
-/// does not exist, and if the file has several parts or has deep or subsampled channels.
+/// does not exist, and if the file has several parts or has deep or subsampled channels. Throws
+/// OutOfMemory if the machine has too little memory for the image.
 Picture decode_exr(std::span<const std::byte> content, int level = 0);
 
 }  // namespace foam::texgen

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "texgen/image/exr.h"
+#include "texgen/image/exr_header.h"
 #include "texgen/image/exr_stream.h"
+#include "texgen/image/memory.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -10,31 +12,17 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfTiledInputFile.h>
-#include <OpenEXR/ImfVersion.h>
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <new>
 #include <string_view>
 
 namespace foam::texgen {
 
 namespace {
-
-// The largest compression ratio of deflate. The other methods of EXR, except DWA, compress samples
-// of 16 bits by at most this ratio, too.
-constexpr double kMaxDeflateRatio = 1032.0;
-// DWA, a lossy method of EXR, first reduces each block of 64 samples to at least one number.
-constexpr double kMaxDwaRatio = 64.0 * kMaxDeflateRatio;
-
-// Returns an upper bound on the compression ratio of a file. A file is rejected, before its pixels
-// are allocated, if an image of the size in its header would need a larger ratio.
-double max_ratio(Imf::Compression compression) {
-    const bool is_dwa =
-        compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
-    return is_dwa ? kMaxDwaRatio : kMaxDeflateRatio;
-}
 
 // The names of standard string attributes of EXR. They are not returned as texts.
 constexpr std::array<std::string_view, 4> kNoTexts = {"wrapmodes", "name", "type", "view"};
@@ -53,29 +41,9 @@ struct Extent {
 };
 
 /// Returns the width and height in pixels of a data window, the rectangle of pixels that a file or
-/// one of its mip levels stores. `bytes` is the size of the file. Throws InputError if the file has
-/// no channels or a subsampled channel, or if it is too small to contain the pixels of the window.
-/// The smallest samples, half floats, have 2 bytes.
-Extent extent_of(const Imath::Box2i& window, const Imf::Header& header, std::size_t bytes) {
-    const auto width = std::int64_t{window.max.x} - window.min.x + 1;
-    const auto height = std::int64_t{window.max.y} - window.min.y + 1;
-    std::size_t channels = 0;
-    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-        ++channels;
-        if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
-            throw InputError(
-                fmt::format("channel '{}' is subsampled, which is not supported", channel.name()));
-        }
-    }
-    if (channels == 0) {
-        throw InputError("the file has no channels");
-    }
-    const auto area = static_cast<double>(width) * static_cast<double>(height);
-    const double max_bytes = static_cast<double>(bytes) * max_ratio(header.compression());
-    if (area * static_cast<double>(2 * channels) > max_bytes) {
-        throw InputError("the data is too short for an image of this size");
-    }
-    return {static_cast<int>(width), static_cast<int>(height)};
+/// one of its mip levels stores.
+Extent extent_of(const Imath::Box2i& window) {
+    return {window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
 }
 
 Groups blank_groups(const Imf::Header& header, const Extent& extent) {
@@ -111,14 +79,11 @@ void flip_rows(Image<Sample>& image) {
     }
 }
 
-/// Returns the channels of a data window, one group per channel. `bytes` is the size of the file.
-/// `read(buffer)` must read the pixels of the window into a frame buffer.
+/// Returns the channels of a data window, one group per channel. `read(buffer)` must read the
+/// pixels of the window into a frame buffer.
 template <class Read>
-Groups read_groups(const Imf::Header& header,
-                   const Imath::Box2i& window,
-                   std::size_t bytes,
-                   const Read& read) {
-    Groups groups = blank_groups(header, extent_of(window, header, bytes));
+Groups read_groups(const Imf::Header& header, const Imath::Box2i& window, const Read& read) {
+    Groups groups = blank_groups(header, extent_of(window));
     read(buffer_of(groups, window));
     for (ChannelGroup& group : groups) {
         std::visit([](auto& image) { flip_rows(image); }, group.samples);
@@ -126,9 +91,9 @@ Groups read_groups(const Imf::Header& header,
     return groups;
 }
 
-Groups read_rows(Imf::InputFile& file, std::size_t bytes) {
+Groups read_rows(Imf::InputFile& file) {
     const Imath::Box2i window = file.header().dataWindow();
-    return read_groups(file.header(), window, bytes, [&](const Imf::FrameBuffer& buffer) {
+    return read_groups(file.header(), window, [&](const Imf::FrameBuffer& buffer) {
         file.setFrameBuffer(buffer);
         file.readPixels(window.min.y, window.max.y);
     });
@@ -141,7 +106,7 @@ Groups read_tiles(std::span<const std::byte> content, int level) {
         throw InputError(fmt::format("mip level {} does not exist", level));
     }
     const Imath::Box2i window = file.dataWindowForLevel(level);
-    return read_groups(file.header(), window, content.size(), [&](const Imf::FrameBuffer& buffer) {
+    return read_groups(file.header(), window, [&](const Imf::FrameBuffer& buffer) {
         file.setFrameBuffer(buffer);
         file.readTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
     });
@@ -165,17 +130,14 @@ ImageMetadata metadata_of(const Imf::Header& header) {
 }
 
 Picture decode(std::span<const std::byte> content, int level) {
+    check_exr_header(content);
     ExrInput stream(content);
     Imf::InputFile file(stream, 0);
     const bool tiled = file.header().hasTileDescription();
-    if (Imf::isMultiPart(file.version())) {
-        throw InputError("multi-part files are not supported");
-    }
     if (!tiled && level != 0) {
         throw InputError(fmt::format("mip level {} does not exist", level));
     }
-    return {tiled ? read_tiles(content, level) : read_rows(file, content.size()),
-            metadata_of(file.header())};
+    return {tiled ? read_tiles(content, level) : read_rows(file), metadata_of(file.header())};
 }
 
 }  // namespace
@@ -185,6 +147,10 @@ Picture decode_exr(std::span<const std::byte> content, int level) {
         return decode(content, level);
     } catch (const InputError& error) {
         throw InputError(fmt::format("unreadable EXR: {}", error.what()));
+    } catch (const OutOfMemory&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& error) {
         throw InputError(fmt::format("malformed EXR: {}", error.what()));
     }

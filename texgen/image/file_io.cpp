@@ -2,14 +2,17 @@
 
 #include "texgen/image/file_io.h"
 
+#include "texgen/image/shown_text.h"
+
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -19,101 +22,219 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::size_t kReadBlock = 1 << 16;  // bytes
+constexpr std::size_t kLongestPlainName = 200;    // bytes; file systems allow 255
 
 std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-/// A file that is written under a temporary name. The destructor removes the file unless `publish`
-/// has renamed it.
-class TemporaryFile {
+[[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& why) {
+    throw InputError(fmt::format("cannot read '{}': {}", path.string(), why));
+}
+
+/// An open file for reading.
+class InputFile {
   public:
-    explicit TemporaryFile(const std::filesystem::path& target)
-        : target_(target), path_(unique_sibling(target)) {
-        file_ = std::fopen(path_.c_str(), "wbx");
-        if (file_ == nullptr) {
-            fail(errno);
+    // O_NONBLOCK, so that opening a pipe without a writer does not wait.
+    explicit InputFile(const std::filesystem::path& path)
+        : path_(path), file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+        if (file_ < 0) {
+            fail_to_read(path_, reason(errno));
         }
     }
-    ~TemporaryFile() {
-        if (file_ != nullptr) {
-            std::fclose(file_);
-        }
-        if (!published_) {
-            std::remove(path_.c_str());
-        }
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~InputFile() { close(file_); }
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
 
-    void write(std::span<const std::byte> content) {
-        if (std::fwrite(content.data(), 1, content.size(), file_) != content.size()) {
-            fail(errno);
+    /// Returns the size of the file. Throws InputError if it is not a regular file.
+    std::uint64_t size() const {
+        struct stat status {};
+        if (fstat(file_, &status) != 0) {
+            fail_to_read(path_, reason(errno));
         }
+        if (S_ISDIR(status.st_mode)) {
+            fail_to_read(path_, reason(EISDIR));
+        }
+        if (!S_ISREG(status.st_mode)) {
+            fail_to_read(path_, "must be a regular file, not a pipe, a socket or a device");
+        }
+        return static_cast<std::uint64_t>(status.st_size);
     }
 
-    /// Closes the file and renames it to the target.
-    void publish() {
-        if (std::fclose(std::exchange(file_, nullptr)) != 0) {
-            fail(errno);
+    /// Appends the next bytes to the content. Returns false at the end of the file.
+    bool append_to(Bytes& content) const {
+        const std::size_t before = content.size();
+        content.resize(before + kReadBlock);
+        ssize_t count = 0;
+        do {
+            count = read(file_, content.data() + before, kReadBlock);
+        } while (count < 0 && errno == EINTR);
+        if (count < 0) {
+            fail_to_read(path_, reason(errno));
         }
-        if (std::rename(path_.c_str(), target_.c_str()) != 0) {
-            fail(errno);
-        }
-        published_ = true;
+        content.resize(before + static_cast<std::size_t>(count));
+        return count > 0;
     }
 
   private:
-    // Returns a path in the folder of the target that no other thread or process of the same
-    // machine uses.
-    static std::filesystem::path unique_sibling(const std::filesystem::path& target) {
-        static std::atomic<unsigned> count{0};
-        std::filesystem::path sibling = target;
-        sibling += fmt::format(".{}-{}.part", getpid(), ++count);
-        return sibling;
-    }
-
-    [[noreturn]] void fail(int error) const {
-        throw OutputError(fmt::format("cannot write '{}': {}", target_.string(), reason(error)));
-    }
-
-    std::filesystem::path target_;
-    std::filesystem::path path_;
-    std::FILE* file_ = nullptr;
-    bool published_ = false;
+    const std::filesystem::path& path_;
+    int file_;
 };
 
-struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
+void check_size(const std::filesystem::path& path, std::uint64_t size, const InputKind& kind) {
+    if (size > kind.max_bytes) {
+        fail_to_read(path,
+                     fmt::format("the file is too large: {} may have at most {} MiB",
+                                 kind.name,
+                                 kind.max_bytes / kMebibyte));
+    }
+}
 
-[[noreturn]] void fail_to_read(const std::filesystem::path& path, int error) {
-    throw InputError(fmt::format("cannot read '{}': {}", path.string(), reason(error)));
+// Returns a path in the folder of the target that no other thread or process of the same machine
+// uses.
+std::filesystem::path unique_sibling(const std::filesystem::path& target) {
+    static std::atomic<unsigned> count{0};
+    std::filesystem::path sibling = target;
+    sibling += fmt::format(".{}-{}.part", getpid(), ++count);
+    return sibling;
+}
+
+// Returns the link by which a file without a name can be named.
+std::string link_to(int file) {
+    return fmt::format("/proc/self/fd/{}", file);
 }
 
 }  // namespace
 
-Bytes read_file(const std::filesystem::path& path) {
-    const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-    if (file == nullptr) {
-        fail_to_read(path, errno);
-    }
+Bytes read_file(const std::filesystem::path& path, const InputKind& kind) {
+    const InputFile file(path);
+    const std::uint64_t size = file.size();
+    check_size(path, size, kind);
     Bytes content;
-    std::array<std::byte, kReadBlock> block{};
-    while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
-        content.insert(
-            content.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
-    }
-    if (std::ferror(file.get()) != 0) {
-        fail_to_read(path, errno);
+    content.reserve(size + kReadBlock);
+    while (file.append_to(content)) {
+        check_size(path, content.size(), kind);  // the file may have grown
     }
     return content;
 }
 
-void write_file(const std::filesystem::path& path, std::span<const std::byte> content) {
-    TemporaryFile file(path);
-    file.write(content);
-    file.publish();
+bool is_plain_name(std::string_view name) {
+    return !name.empty() && name.size() <= kLongestPlainName && is_harmless(name) &&
+           name.front() != '.' && name.find('/') == std::string_view::npos;
+}
+
+StagedFile::StagedFile(std::filesystem::path target,
+                       std::span<const std::byte> content,
+                       Durability durability)
+    : target_(std::move(target)) {
+    try {
+        open();
+        write(content);
+        if (durability == Durability::BeforeNaming && fsync(file_) != 0) {
+            fail(errno);
+        }
+    } catch (...) {
+        close();
+        throw;
+    }
+}
+
+StagedFile::StagedFile(StagedFile&& other) noexcept
+    : target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      file_(std::exchange(other.file_, -1)) {}
+
+StagedFile::~StagedFile() {
+    close();
+}
+
+void StagedFile::open() {
+    constexpr mode_t kMode = 0666;  // reduced by the umask of the process
+    const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+    file_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kMode);
+    if (file_ >= 0 && access(link_to(file_).c_str(), F_OK) == 0) {
+        return;
+    }
+    close();
+    const std::filesystem::path temporary = unique_sibling(target_);
+    file_ = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMode);
+    if (file_ < 0) {
+        fail(errno);
+    }
+    temporary_ = temporary;
+}
+
+void StagedFile::write(std::span<const std::byte> content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(file_, content.data(), content.size());
+        if (written >= 0) {
+            content = content.subspan(static_cast<std::size_t>(written));
+        } else if (errno != EINTR) {
+            fail(errno);
+        }
+    }
+}
+
+// A link cannot replace a file. If there is one, the new file gets a temporary name first, by which
+// it then replaces the other file.
+void StagedFile::publish() {
+    if (temporary_.empty() && !link_as(target_)) {
+        const std::filesystem::path temporary = unique_sibling(target_);
+        if (!link_as(temporary)) {
+            fail(EEXIST);
+        }
+        temporary_ = temporary;
+    }
+    if (::close(std::exchange(file_, -1)) != 0) {
+        fail(errno);
+    }
+    if (!temporary_.empty()) {
+        if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+            fail(errno);
+        }
+        temporary_.clear();
+    }
+}
+
+// Gives a file without a name the given name. Returns false if a file of this name exists.
+bool StagedFile::link_as(const std::filesystem::path& path) const {
+    if (linkat(AT_FDCWD, link_to(file_).c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+        return true;
+    }
+    if (errno != EEXIST) {
+        fail(errno);
+    }
+    return false;
+}
+
+// Removes the file if it has no name yet.
+void StagedFile::close() {
+    if (file_ >= 0) {
+        ::close(std::exchange(file_, -1));
+    }
+    if (!temporary_.empty()) {
+        unlink(temporary_.c_str());
+        temporary_.clear();
+    }
+}
+
+void StagedFile::fail(int error) const {
+    throw OutputError(fmt::format("cannot write '{}': {}", target_.string(), reason(error)));
+}
+
+void write_file(const std::filesystem::path& path,
+                std::span<const std::byte> content,
+                Durability durability) {
+    StagedFile(path, content, durability).publish();
+}
+
+bool is_existing(const std::filesystem::path& path) {
+    std::error_code error;
+    const bool exists = std::filesystem::exists(path, error);
+    if (error) {
+        throw OutputError(fmt::format("cannot access '{}': {}", path.string(), error.message()));
+    }
+    return exists;
 }
 
 // Checks the folder itself or, if it does not exist, the nearest folder above it that does.
@@ -121,15 +242,13 @@ void check_writable(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::path existing = folder.empty() ? std::filesystem::current_path(error)
                                                     : std::filesystem::absolute(folder, error);
-    while (!std::filesystem::exists(existing, error) && existing.has_relative_path()) {
+    while (!is_existing(existing) && existing.has_relative_path()) {
         existing = existing.parent_path();
     }
     const bool is_folder = std::filesystem::is_directory(existing, error);
     if (!is_folder || ::access(existing.c_str(), W_OK | X_OK) != 0) {
-        const int reason = is_folder ? errno : ENOTDIR;
-        throw OutputError(fmt::format("cannot write into '{}': {}",
-                                      existing.string(),
-                                      std::generic_category().message(reason)));
+        throw OutputError(fmt::format(
+            "cannot write into '{}': {}", existing.string(), reason(is_folder ? errno : ENOTDIR)));
     }
 }
 

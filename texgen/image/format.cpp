@@ -66,7 +66,7 @@ Picture read_picture(const std::filesystem::path& path) {
         throw InputError(fmt::format(
             "cannot read '{}': its name must end in {}", path.string(), format_suffixes()));
     }
-    const Bytes content = read_file(path);
+    const Bytes content = read_file(path, kImageInput);
     try {
         return format->decode(content);
     } catch (const InputError& error) {

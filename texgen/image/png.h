@@ -48,7 +48,8 @@ Bytes encode_png(const Picture& picture, const PngEncoding& encoding = {});
 
 /// Decodes a PNG to one group of codes. The codes have 16 bits if the file has 16 bits per sample,
 /// and 8 bits otherwise. Palettes and samples of fewer than 8 bits are expanded, and a transparent
-/// color becomes an alpha channel. Throws InputError for a malformed stream.
+/// color becomes an alpha channel. Throws InputError for a malformed stream, and OutOfMemory if the
+/// machine has too little memory for the image.
 Picture decode_png(std::span<const std::byte> content);
 
 /// Encodes samples and writes them to a file. Throws the exceptions of encode_png and write_file.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "texgen/image/input_limits.h"
+#include "texgen/image/memory.h"
 #include "texgen/image/png.h"
 #include "texgen/image/png_session.h"
 
@@ -61,6 +63,22 @@ void read_header(const PngSession& session, Source& source) {
     check_stream_length(session, source.size());
 }
 
+/// Throws InputError if an image is too large, and OutOfMemory if the machine has too little memory
+/// for it. Precondition: `request_samples` has been run.
+void check_image_size(const PngSession& session) {
+    const std::uint64_t width = png_get_image_width(session.png(), session.info());
+    const std::uint64_t height = png_get_image_height(session.png(), session.info());
+    if (width * height > static_cast<std::uint64_t>(kMaxImagePixels)) {
+        throw InputError(
+            fmt::format("an image of {} x {} pixels is too large: at most {} pixels are supported",
+                        width,
+                        height,
+                        kMaxImagePixels));
+    }
+    require_memory(png_get_rowbytes(session.png(), session.info()) * height,
+                   fmt::format("an image of {} x {} pixels", width, height));
+}
+
 template <class Sample>
 Image<Sample> blank_image(const PngSession& session) {
     return {static_cast<int>(png_get_image_width(session.png(), session.info())),
@@ -120,6 +138,7 @@ void check_decoded(const PngSession& session, bool succeeded) {
 template <class Sample>
 Picture decode_pixels(PngSession& session) {
     check_decoded(session, session.run([&] { request_samples<Sample>(session); }));
+    check_image_size(session);
     Image<Sample> pixels = blank_image<Sample>(session);
     std::vector<png_bytep> rows = rows_from_top(pixels.view());
     check_decoded(session, session.run([&] {

@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -108,6 +110,71 @@ TEST(FileIo, FoldersAreMadeAsFarAsTheyAreMissing) {
     EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "a" / "b"));
     write_file(folder.path() / "file", Bytes(1));
     EXPECT_THROW(make_folders(folder.path() / "file" / "b"), OutputError);
+}
+
+std::string failure_to_read(const std::filesystem::path& path, const InputKind& kind) {
+    try {
+        read_file(path, kind);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no failure";
+}
+
+TEST(FileIo, FilesAreReadUpToALimit) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "sparse";
+    write_file(path, Bytes(1));
+    std::filesystem::resize_file(path, kMebibyte);
+    EXPECT_EQ(read_file(path, {"a test", kMebibyte}).size(), kMebibyte);
+    std::filesystem::resize_file(path, std::uintmax_t{10} << 30U);
+    EXPECT_EQ(failure_to_read(path, {"a test", kMebibyte}),
+              "cannot read '" + path.string() +
+                  "': the file is too large: a test may have at most 1 MiB");
+}
+
+TEST(FileIo, OnlyRegularFilesAreRead) {
+    const TemporaryFolder folder;
+    const auto pipe = folder.path() / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    for (const std::filesystem::path& path : {pipe, std::filesystem::path("/dev/zero")}) {
+        EXPECT_EQ(failure_to_read(path, kPresetInput),
+                  "cannot read '" + path.string() +
+                      "': must be a regular file, not a pipe, a socket or a device");
+    }
+}
+
+TEST(FileIo, AStagedFileHasNoNameBeforeItIsPublished) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "a.bin";
+    { const StagedFile file(path, Bytes(10)); }
+    EXPECT_TRUE(folder.files().empty());
+    StagedFile file(path, Bytes(10), Durability::BeforeNaming);
+    EXPECT_FALSE(std::filesystem::exists(path));
+    write_file(path, Bytes(3));
+    file.publish();
+    EXPECT_EQ(read_file(path).size(), 10U);
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"a.bin"});
+}
+
+TEST(FileIo, PlainNamesCannotLeaveAFolder) {
+    for (const char* name : {"a", "sea_foam", "a b.c", "größe"}) {
+        EXPECT_TRUE(is_plain_name(name)) << name;
+    }
+    for (const char* name : {"", ".", "..", ".a", "a/b", "/a", "a\nb", "a\033[0m", "\xFF"}) {
+        EXPECT_FALSE(is_plain_name(name)) << name;
+    }
+    EXPECT_FALSE(is_plain_name(std::string(201, 'a')));
+}
+
+// The system cannot tell whether such a folder exists.
+TEST(FileIo, FoldersThatCannotBeReachedAreOutputErrors) {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("loop", folder.path() / "loop");
+    EXPECT_THROW(check_writable(folder.path() / "loop"), OutputError);
+    EXPECT_THROW(check_writable(folder.path() / "loop" / "a"), OutputError);
+    EXPECT_THROW(check_writable(folder.path() / std::string(5000, 'a')), OutputError);
+    EXPECT_NO_THROW(check_writable(folder.path() / "a" / "b"));
 }
 
 TEST(FileIo, ReadingNamesFileAndReason) {

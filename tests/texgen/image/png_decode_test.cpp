@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -130,6 +131,45 @@ TEST(PngDecode, AMalformedFileIsNamed) {
     } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()),
                   "cannot read '" + path.string() + "': malformed PNG: Not a PNG file");
+    }
+}
+
+// Returns a chunk of a PNG.
+Bytes chunk_of(const std::string& type, const Bytes& content) {
+    Bytes chunk(8 + content.size() + 4);
+    const std::span<std::byte> bytes(chunk);
+    put(bytes, static_cast<std::uint32_t>(content.size()));
+    std::memcpy(bytes.subspan(4).data(), type.data(), 4);
+    std::ranges::copy(content, bytes.subspan(8).begin());
+    put(bytes.last(4), crc_of(bytes.subspan(4, 4 + content.size())));
+    return chunk;
+}
+
+// Returns a PNG of gray samples of one bit, whose pixels would need `size` bytes of data.
+Bytes large_png(std::uint32_t side, std::size_t size) {
+    Bytes header(13);
+    put(header, side);
+    put(std::span(header).subspan(4), side);
+    header[8] = std::byte{1};  // bits per sample
+    Bytes stream;
+    for (const int byte : {137, 80, 78, 71, 13, 10, 26, 10}) {
+        stream.push_back(static_cast<std::byte>(byte));
+    }
+    for (const Bytes& chunk : {chunk_of("IHDR", header), chunk_of("IDAT", Bytes(size))}) {
+        stream.insert(stream.end(), chunk.begin(), chunk.end());
+    }
+    return stream;
+}
+
+// Zeros of one bit can be compressed to 1.2 MB, but libpng expands them to 10 GB.
+TEST(PngDecode, AnImageOfTooManyPixelsIsAnInputError) {
+    try {
+        decode_png(large_png(100'000, 1'300'000));
+        FAIL() << "the image was accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "an image of 100000 x 100000 pixels is too large: at most 1073741824 pixels are "
+                  "supported");
     }
 }
 

@@ -48,7 +48,8 @@ void Boundary::add_arc(const PixelArc& shape, const Vec2& tail) {
 }
 
 void Boundary::add_halves(const DistanceArc& arc) {
-    if (!(arc.shape.cosine < DistanceArc::kMinCosine)) {  // true also for NaN, so that the recursion ends
+    // The negated comparison is also true for NaN, so that the recursion ends.
+    if (!(arc.shape.cosine < DistanceArc::kMinCosine)) {
         arcs_.push_back(arc);
         return;
     }

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// The largest number of characters of a message, and of a value that a message quotes.
+inline constexpr std::size_t kLongestMessage = 2000;
+inline constexpr std::size_t kLongestQuote = 60;
+
+/// Returns true if the text is valid UTF-8.
+bool is_utf8(std::string_view text);
+
+/// Returns true if the text is valid UTF-8 without any character that could control a terminal:
+/// control characters, separators of lines, and characters that change the direction of writing.
+bool is_harmless(std::string_view text);
+
+/// Returns a text in which every byte that is not UTF-8 is replaced by U+FFFD.
+std::string valid_utf8(std::string_view text);
+
+/// Returns a text as one line of valid UTF-8 that a terminal shows without interpreting any
+/// character: a line break or a tab becomes a space, every other character that could control a
+/// terminal becomes a question mark, and every byte that is not UTF-8 becomes U+FFFD. If the result
+/// would have more than `longest` characters, its middle is replaced by " ... ", because messages
+/// begin with the place and end with the reason.
+std::string shown_text(std::string_view text, std::size_t longest = kLongestMessage);
+
+/// Returns a text of several lines in the same way, without a limit of its length. Keeps line
+/// feeds.
+std::string shown_lines(std::string_view text);
+
+/// Returns the beginning of a text, at most `longest` characters followed by "..." if there are
+/// more. Does not split a character.
+std::string cut_text(std::string_view text, std::size_t longest = kLongestQuote);
+
+}  // namespace foam::texgen
