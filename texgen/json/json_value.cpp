@@ -3,6 +3,7 @@
 #include "texgen/json/json_value.h"
 
 #include "texgen/image/file_io.h"
+#include "texgen/image/shown_text.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -15,12 +16,21 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kMaxShownBytes = 60;  // longer values are truncated in error messages
+// The largest depth of nesting; manifests have 5 levels. Functions of nlohmann's values are
+// recursive and need stack in proportion to it.
+constexpr int kDeepest = 16;
 
-/// Returns a value as JSON for an error message, truncated if it is long.
-std::string shown(const nlohmann::json& json) {
-    const std::string text = json.dump();
-    return text.size() <= kMaxShownBytes ? text : text.substr(0, kMaxShownBytes) + "...";
+/// Returns the parser's message without its own error code, and with at most kLongestQuote
+/// characters of the text that it quotes last.
+std::string reason(const std::string& what) {
+    constexpr std::string_view kQuote = "last read: '";
+    const std::size_t code = what.find("] ");
+    std::string message = code == std::string::npos ? what : what.substr(code + 2);
+    if (const std::size_t quote = message.find(kQuote); quote != std::string::npos) {
+        const std::size_t begin = quote + kQuote.size();
+        message = message.substr(0, begin) + shown_text(message.substr(begin), kLongestQuote);
+    }
+    return message;
 }
 
 }  // namespace
@@ -107,27 +117,44 @@ bool JsonValue::flag() const {
     return json_->get<bool>();
 }
 
+const std::string& JsonValue::name() const {
+    if (!is_plain_name(text())) {
+        reject("a plain name, without '/' and control characters and not beginning with '.'");
+    }
+    return text();
+}
+
 void JsonValue::reject(std::string_view must_be) const {
     throw InputError(fmt::format("cannot read '{}': {}{}{}: must be {}",
                                  file_,
                                  path_,
                                  path_.empty() ? "" : " = ",
-                                 shown(*json_),
+                                 cut_text(json_->dump()),
                                  must_be));
 }
 
 JsonDocument::JsonDocument(std::string_view text, std::string file) : file_(std::move(file)) {
+    if (text.empty()) {
+        throw InputError(fmt::format("cannot read '{}': the file is empty; remove it", file_));
+    }
     try {
-        tree_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text));
+        const auto check_depth = [this](int depth, nlohmann::json::parse_event_t, const auto&) {
+            if (depth > kDeepest) {
+                throw InputError(fmt::format(
+                    "cannot read '{}': nested more than {} levels deep", file_, kDeepest));
+            }
+            return true;
+        };
+        tree_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text, check_depth));
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", file_, error.what()));
+        throw InputError(fmt::format("cannot read '{}': {}", file_, reason(error.what())));
     }
 }
 
 JsonDocument::~JsonDocument() = default;
 
 JsonDocument JsonDocument::read(const std::filesystem::path& path) {
-    const Bytes bytes = read_file(path);
+    const Bytes bytes = read_file(path, kDescriptionInput);
     return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string()};
 }
 

@@ -53,6 +53,10 @@ class JsonValue {
         }
     }
 
+    /// Returns a string that may become a part of a file name (is_plain_name). Throws InputError if
+    /// it must not, because a JSON file may come from an untrusted source.
+    const std::string& name() const;
+
     /// Throws InputError. Its message gives the file, the path and the value, and ends with
     /// "must be " + must_be.
     [[noreturn]] void reject(std::string_view must_be) const;
@@ -70,13 +74,14 @@ class JsonValue {
 class JsonDocument {
   public:
     /// Parses the content of a file. `file` is its name for error messages. Throws InputError if
-    /// the content is not valid JSON.
+    /// the content is not valid JSON, or is nested more than 16 levels deep.
     JsonDocument(std::string_view text, std::string file);
     ~JsonDocument();
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;
 
-    /// Reads a file. Throws InputError if it cannot be read or is not valid JSON.
+    /// Reads a file of at most kDescriptionInput.max_bytes. Throws InputError if it cannot be read
+    /// or is not valid JSON.
     static JsonDocument read(const std::filesystem::path& path);
 
     /// Returns the root value, which refers to this document.

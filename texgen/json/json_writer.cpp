@@ -18,9 +18,14 @@ Json path_list(std::span<const std::filesystem::path> paths) {
     return list;
 }
 
+std::string json_text(const Json& value) {
+    constexpr int kOneLine = -1;
+    return value.dump(kOneLine, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string indented(const Json& value) {
     constexpr int kIndent = 2;
-    return value.dump(kIndent) + '\n';
+    return value.dump(kIndent, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace foam::texgen

@@ -21,6 +21,10 @@ Json number_or_null(const std::optional<double>& number);
 /// Returns a JSON array of paths, as strings.
 Json path_list(std::span<const std::filesystem::path> paths);
 
+/// Returns a JSON value as text on one line. Texts in it that are not UTF-8, such as some file
+/// names, get the character U+FFFD for each byte that is not.
+std::string json_text(const Json& value);
+
 /// Returns a JSON value as the text of a file: indented by two spaces, with a newline at the end.
 std::string indented(const Json& value);
 

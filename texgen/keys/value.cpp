@@ -2,6 +2,8 @@
 
 #include "texgen/keys/value.h"
 
+#include "texgen/image/shown_text.h"
+
 #include <fmt/core.h>
 
 #include <string_view>
@@ -42,9 +44,10 @@ struct Writer {
         return looks_integer ? digits + ".0" : digits;
     }
 
+    /// TOML is UTF-8, but the name of a folder need not be.
     std::string operator()(const std::string& text) const {
         std::string quoted = "\"";
-        for (const char c : text) {
+        for (const char c : valid_utf8(text)) {
             quoted += escaped(c);
         }
         return quoted + '"';

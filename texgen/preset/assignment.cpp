@@ -2,10 +2,14 @@
 
 #include "texgen/preset/assignment.h"
 
+#include "texgen/image/shown_text.h"
+
 #include <fmt/core.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <sstream>
 #include <type_traits>
 #include <utility>
@@ -13,6 +17,10 @@
 namespace foam::texgen {
 
 namespace {
+
+// The largest number of parts of a key; "a.b" has two. toml++ and the functions below need stack in
+// proportion to it.
+constexpr int kMaxKeyParts = 32;
 
 Value value_of(const toml::node& node);
 
@@ -112,7 +120,47 @@ void collect_node(const toml::node& node,
     }
 }
 
+// Returns the index of the quote that closes the text that begins at `begin`, or of the last
+// character of its line. Texts of several lines are not recognized; their lines after the first one
+// count as TOML.
+std::size_t end_of_text(std::string_view toml, std::size_t begin) {
+    std::size_t k = begin + 1;
+    while (k < toml.size() && toml[k] != '\n' && toml[k] != toml[begin]) {
+        k += toml[begin] == '"' && toml[k] == '\\' ? 2U : 1U;
+    }
+    return k < toml.size() && toml[k] == toml[begin] ? k : k - 1;
+}
+
+// Returns the line of the first key of more than kMaxKeyParts parts, or nullopt if there is none.
+std::optional<int> find_long_key(std::string_view toml) {
+    constexpr std::string_view kSeparators = ",=[]{}\n";
+    int line = 1;
+    int parts = 1;
+    char before = '.';
+    for (std::size_t k = 0; k < toml.size(); ++k) {
+        const char c = toml[k];
+        if (c == '"' || c == '\'') {
+            k = end_of_text(toml, k);
+        } else if (c == '#') {
+            k = std::min(toml.find('\n', k), toml.size()) - 1;
+        } else if (kSeparators.find(c) != std::string_view::npos) {
+            line += c == '\n' ? 1 : 0;
+            parts = 1;
+        } else if (c == '.' && before != '.' && ++parts > kMaxKeyParts) {
+            return line;
+        }
+        before = c;
+    }
+    return std::nullopt;
+}
+
 toml::table parse(std::string_view toml, const std::string& source) {
+    if (const auto line = find_long_key(toml)) {
+        throw PresetError(fmt::format("{}:{}: malformed TOML: a key must have at most {} parts",
+                                      source,
+                                      *line,
+                                      kMaxKeyParts));
+    }
     try {
         return toml::parse(toml, source);
     } catch (const toml::parse_error& error) {
@@ -138,8 +186,12 @@ std::vector<Assignment> read_assignments(std::string_view toml, const std::strin
 }
 
 Value read_value(const std::string& text) {
+    const std::string toml = "value = " + text;
+    if (find_long_key(toml)) {
+        return {text};
+    }
     try {
-        const toml::table table = toml::parse("value = " + text);
+        const toml::table table = toml::parse(toml);
         return table.size() == 1 ? value_of(*table.get("value")) : Value{text};
     } catch (const toml::parse_error&) {
         return {text};
@@ -148,6 +200,9 @@ Value read_value(const std::string& text) {
 
 Assignment read_set_argument(const std::string& argument) {
     const std::string location = "--set " + argument;
+    if (!is_utf8(argument)) {
+        throw PresetError(location + ": must be UTF-8");
+    }
     const std::size_t equals = argument.find('=');
     if (equals == std::string::npos || equals == 0) {
         throw PresetError(location + ": must be KEY=VALUE, as in --set foam.bubbles=500");

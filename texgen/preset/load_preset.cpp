@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,8 +37,15 @@ struct Document {
 
 Document read_document(const std::string& path) {
     try {
-        const Bytes content = read_file(path);
-        return {std::filesystem::path(path).stem().string(),
+        std::string name = std::filesystem::path(path).stem().string();
+        if (!is_plain_name(name)) {
+            throw PresetError(fmt::format(
+                "'{}': the name of a preset must be UTF-8 without control characters, must not "
+                "begin with '.', and must have at most 200 bytes",
+                path));
+        }
+        const Bytes content = read_file(path, kPresetInput);
+        return {std::move(name),
                 path,
                 std::string(reinterpret_cast<const char*>(content.data()), content.size()),
                 std::filesystem::path(path).parent_path()};

@@ -2,33 +2,18 @@
 
 #include "texgen/preset/rejection.h"
 
+#include "texgen/image/shown_text.h"
 #include "texgen/keys/nearest.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <string>
 #include <variant>
 
 namespace foam::texgen {
 
 namespace {
-
-constexpr std::size_t kLongestShown = 60;  // in bytes; longer values are cut off in messages
-
-// Returns the text. If it is longer than kLongestShown, replaces its end by "...", without
-// splitting a UTF-8 character.
-std::string shortened(std::string text) {
-    if (text.size() > kLongestShown) {
-        std::size_t end = kLongestShown;
-        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) {
-            --end;
-        }
-        text.replace(end, std::string::npos, "...");
-    }
-    return text;
-}
 
 // Returns a suggestion for the first text in a value that is not one of the words of the key. The
 // value is a text or a list. Returns an empty text if no word is similar.
@@ -50,7 +35,7 @@ void reject(const Assignment& assignment, std::string_view reason) {
     throw PresetError(fmt::format("{}: key '{}' = {}: {}",
                                   assignment.location,
                                   assignment.key,
-                                  shortened(to_toml(assignment.value)),
+                                  cut_text(to_toml(assignment.value)),
                                   reason));
 }
 

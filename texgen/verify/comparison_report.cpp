@@ -179,7 +179,7 @@ std::string to_json(std::span<const ComparedImage> images) {
     const Json report{{"status", json_value_of(worst_verdict(images))},
                       {"images", std::move(list)}};
     // A file name need not be UTF-8, but JSON must be.
-    return report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(report) + "\n";
 }
 
 }  // namespace foam::texgen

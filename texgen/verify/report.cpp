@@ -157,7 +157,7 @@ std::string to_json(const Verification& found) {
                       {"largest_tile_ratio", kLargestTileRatio},
                       {"largest_loop_ratio", kLargestLoopRatio},
                       {"sets", sets}};
-    return report.dump() + "\n";
+    return json_text(report) + "\n";
 }
 
 }  // namespace foam::texgen

@@ -126,7 +126,7 @@ Tolerances parse_tolerances(std::string_view toml, const std::string& source) {
 
 Tolerances read_tolerances(const std::filesystem::path& path) {
     try {
-        const Bytes content = read_file(path);
+        const Bytes content = read_file(path, kPresetInput);
         return parse_tolerances({reinterpret_cast<const char*>(content.data()), content.size()},
                                 path.string());
     } catch (const InputError& error) {

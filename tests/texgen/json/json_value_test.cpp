@@ -45,6 +45,39 @@ TEST(JsonValue, ReadsEveryKind) {
     EXPECT_FALSE(root.find("missing"));
 }
 
+TEST(JsonValue, NamesArePlain) {
+    const JsonDocument names(R"({"a": "sea_foam 2", "b": "../x"})", "a.json");
+    EXPECT_EQ(names.root()["a"].name(), "sea_foam 2");
+    EXPECT_EQ(error_of([&] { names.root()["b"].name(); }),
+              "cannot read 'a.json': b = \"../x\": must be a plain name, without '/' and control "
+              "characters and not beginning with '.'");
+}
+
+TEST(JsonValue, AnErrorQuotesLittleOfALongText) {
+    const std::string text = "{\"a\": \"" + std::string(10'000, 'x');
+    const std::string error = error_of([&] { JsonDocument(text, "a.json"); });
+    EXPECT_LT(error.size(), 300U);
+    EXPECT_TRUE(error.starts_with("cannot read 'a.json': parse error at line 1, column 10008: "))
+        << error;
+    const JsonDocument accents("{\"a\": \"" + std::string(59, 'x') + "\xC3\xA4\xC3\xA4\"}",
+                               "a.json");
+    EXPECT_EQ(error_of([&] { accents.root()["a"].number(); }),
+              "cannot read 'a.json': a = \"" + std::string(59, 'x') + "...: must be a number");
+}
+
+// Deeper nesting would need more stack than there is.
+TEST(JsonValue, NestingIsLimited) {
+    const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
+    EXPECT_EQ(error_of([&] { JsonDocument(deep, "a.json"); }),
+              "cannot read 'a.json': nested more than 16 levels deep");
+    EXPECT_NO_THROW(JsonDocument("[[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]", "a.json"));
+}
+
+TEST(JsonValue, AnEmptyFileIsNamed) {
+    EXPECT_EQ(error_of([] { JsonDocument("", "a.json"); }),
+              "cannot read 'a.json': the file is empty; remove it");
+}
+
 TEST(JsonValue, ErrorNamesFilePathValueAndAllowedValues) {
     const JsonValue root = document().root();
     EXPECT_EQ(error_of([&] { root["list"].items()[1]["name"].number(); }),

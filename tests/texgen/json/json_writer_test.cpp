@@ -27,5 +27,12 @@ TEST(JsonWriter, MembersKeepTheirOrder) {
     EXPECT_EQ(indented({{"z", 1}}), "{\n  \"z\": 1\n}\n");
 }
 
+// A file name may have any bytes.
+TEST(JsonWriter, TextThatIsNotUtf8IsReplaced) {
+    const Json value{{"path", "a\xFF.png"}};
+    EXPECT_EQ(json_text(value), "{\"path\":\"a\xEF\xBF\xBD.png\"}");
+    EXPECT_EQ(indented(value), "{\n  \"path\": \"a\xEF\xBF\xBD.png\"\n}\n");
+}
+
 }  // namespace
 }  // namespace foam::texgen

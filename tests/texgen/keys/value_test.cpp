@@ -18,6 +18,7 @@ TEST(Value, IsWrittenAsToml) {
     EXPECT_EQ(to_toml({true}), "true");
     EXPECT_EQ(to_toml({0.1}), "0.1");
     EXPECT_EQ(to_toml({std::string("a \"b\"\\\n\x01")}), R"("a \"b\"\\\n\u0001")");
+    EXPECT_EQ(to_toml({std::string("\xFF")}), "\"\xEF\xBF\xBD\"");
     EXPECT_EQ(to_toml({Value::List{{std::int64_t{1}}, {std::string("a")}}}), R"([1, "a"])");
 }
 

@@ -34,6 +34,21 @@ TEST(Assignment, TablesAreFlattenedInTheOrderOfTheFile) {
               "f:6 a.x = \"t\"\n");
 }
 
+// toml++ would need more stack than there is for longer keys.
+TEST(Assignment, KeysHaveALimitedNumberOfParts) {
+    std::string long_key = "a";
+    for (int k = 0; k < 200'000; ++k) {
+        long_key += ".a";
+    }
+    const std::string reason = "malformed TOML: a key must have at most 32 parts";
+    EXPECT_EQ(failure("b = \"x.y\" # z.\n" + long_key + " = 1"), "a.toml:2: " + reason);
+    EXPECT_EQ(failure("[" + long_key + "]\nb = 1"), "a.toml:1: " + reason);
+    EXPECT_EQ(read_value("{" + long_key + " = 1}").data.index(), Value{std::string()}.data.index());
+    const std::string dots(100, '.');
+    EXPECT_EQ(flat(read_assignments("a = \"" + dots + "\\\"" + dots + "\" # " + dots, "f")),
+              "f:1 a = \"" + dots + "\\\"" + dots + "\"\n");
+}
+
 TEST(Assignment, KeysThatTomlWouldQuoteStayQuoted) {
     EXPECT_EQ(flat(read_assignments("\"foam.seed\" = 1\n", "f")), "f:1 \"foam.seed\" = 1\n");
 }
@@ -73,6 +88,7 @@ TEST(Assignment, RejectsAValueThatContainsASecondKey) {
 TEST(Assignment, SetWithoutKeyOrEqualsIsRejected) {
     EXPECT_THROW(read_set_argument("foam.seed"), PresetError);
     EXPECT_THROW(read_set_argument("=3"), PresetError);
+    EXPECT_THROW(read_set_argument("preset.description=\xFF"), PresetError);
 }
 
 }  // namespace
