@@ -11,11 +11,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 // The lock is an exclusive flock on a file. The owner of the lock removes the file before releasing
-// the lock. A waiting program may therefore get a lock on a removed file, while another program
+// the lock. Another program may therefore get a lock on a removed file, while a third program
 // locks a new file at the same path. A lock is valid only if the file at the path is still the
 // locked file; otherwise the attempt is repeated.
 
@@ -33,17 +35,28 @@ bool is_file_at(int file, const std::filesystem::path& path) {
            held.st_ino == found.st_ino && held.st_dev == found.st_dev;
 }
 
-// Waits until the file is locked. Returns without a lock if flock fails, for example because the
-// file system does not support it.
-void wait_for_lock(int file) {
-    while (flock(file, LOCK_EX) != 0 && errno == EINTR) {
-    }
+constexpr std::chrono::milliseconds kPause{5};  // between two attempts
+
+// Returns false if another owner holds the lock of the file. Returns true without a lock if flock
+// fails for another reason, for example because the file system does not support it.
+bool is_free(int file) {
+    return flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
 }  // namespace
 
-FileLock::FileLock(std::filesystem::path path) : path_(std::move(path)) {
+FileLock::FileLock(std::filesystem::path path, std::chrono::milliseconds patience)
+    : path_(std::move(path)) {
+    const auto end = std::chrono::steady_clock::now() + patience;
     while (!try_lock()) {
+        if (std::chrono::steady_clock::now() >= end) {
+            throw OutputError(
+                fmt::format("another program has locked '{}' for {} seconds; end it, and repeat "
+                            "the command",
+                            path_.string(),
+                            std::chrono::duration_cast<std::chrono::seconds>(patience).count()));
+        }
+        std::this_thread::sleep_for(kPause);
     }
 }
 
@@ -58,8 +71,7 @@ bool FileLock::try_lock() {
         throw OutputError(fmt::format(
             "cannot write '{}': {}", path_.string(), std::generic_category().message(errno)));
     }
-    wait_for_lock(file_);
-    if (is_file_at(file_, path_)) {
+    if (is_free(file_) && is_file_at(file_, path_)) {
         return true;
     }
     close(file_);

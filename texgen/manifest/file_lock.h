@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 namespace foam::texgen {
@@ -11,17 +12,22 @@ namespace foam::texgen {
 /// file system without flock there is no mutual exclusion.
 class FileLock {
   public:
+    /// The longest time to wait for a lock. Programs hold it only while they write a manifest.
+    static constexpr std::chrono::milliseconds kLongestWait = std::chrono::minutes(1);
+
     /// Creates the lock file `path` if it does not exist, and waits until this object holds the
-    /// lock. Throws OutputError if the file cannot be created.
-    explicit FileLock(std::filesystem::path path);
+    /// lock. Throws OutputError if the file cannot be created, or if another program has held the
+    /// lock for the given time.
+    explicit FileLock(std::filesystem::path path,
+                      std::chrono::milliseconds patience = kLongestWait);
     ~FileLock();
 
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
   private:
-    // Opens and locks the file. Returns false if the previous owner of the lock removed the file
-    // meanwhile.
+    // Opens and locks the file. Returns false if another owner holds the lock, or if the previous
+    // owner has removed the file meanwhile.
     bool try_lock();
 
     std::filesystem::path path_;

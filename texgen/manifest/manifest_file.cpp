@@ -10,13 +10,15 @@
 
 #include <span>
 #include <string>
+#include <system_error>
 
 namespace foam::texgen {
 
 namespace {
 
 std::filesystem::path file_of(const std::filesystem::path& path) {
-    return std::filesystem::is_directory(path) ? path / kManifestName : path;
+    std::error_code error;  // reading the file reports what is wrong
+    return std::filesystem::is_directory(path, error) ? path / kManifestName : path;
 }
 
 bool matches(const BakedSet& set, std::string_view preset) {
@@ -51,7 +53,7 @@ std::string choice_error(const std::string& file,
 
 Manifest read_manifest(const std::filesystem::path& path) {
     const std::filesystem::path file = file_of(path);
-    const Bytes bytes = read_file(file);
+    const Bytes bytes = read_file(file, kDescriptionInput);
     return parse_manifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                           file.string());
 }
@@ -75,7 +77,7 @@ const BakedSet& choose_set(const Manifest& manifest,
 
 Manifest manifest_in(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / kManifestName;
-    return std::filesystem::exists(file) ? read_manifest(file) : Manifest{};
+    return is_existing(file) ? read_manifest(file) : Manifest{};
 }
 
 void update_manifest(const std::filesystem::path& folder,
@@ -86,7 +88,7 @@ void update_manifest(const std::filesystem::path& folder,
     Manifest manifest = manifest_in(folder);
     change(manifest);
     const std::string text = to_json(manifest);
-    write_file(file, std::as_bytes(std::span(text)));
+    write_file(file, std::as_bytes(std::span(text)), Durability::BeforeNaming);
 }
 
 }  // namespace foam::texgen

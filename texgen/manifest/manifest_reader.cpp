@@ -63,7 +63,7 @@ std::optional<MapSamples> samples_in(const JsonValue& value) {
 
 ManifestMap map_in(const JsonValue& value) {
     const auto note = value.find("note");
-    return {.name = value["name"].text(),
+    return {.name = value["name"].name(),
             .meaning = value["meaning"].text(),
             .unit = value["unit"].text(),
             .note = note ? note->text() : "",
@@ -175,7 +175,7 @@ void check_maps(const BakedSet& set, const JsonValue& files) {
 BakedSet set_in(const JsonValue& value) {
     const auto failure = value.find("failure");
     BakedSet set{.version = value["foamtex"].text(),
-                 .preset = value["preset"].text(),
+                 .preset = value["preset"].name(),
                  .description = value["description"].text(),
                  .toml = value["toml"].text(),
                  .parameters = value["parameters"].text(),

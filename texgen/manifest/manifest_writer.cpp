@@ -90,29 +90,29 @@ template <class Item>
 std::string lines_of(const std::vector<Item>& items) {
     std::string lines;
     for (const Item& item : items) {
-        lines += (lines.empty() ? "\n        " : ",\n        ") + to_value(item).dump();
+        lines += (lines.empty() ? "\n        " : ",\n        ") + json_text(to_value(item));
     }
     return "[" + lines + "]";
 }
 
 std::string to_text(const BakedSet& set) {
     const std::vector<std::pair<const char*, std::string>> members{
-        {"foamtex", Json(set.version).dump()},
-        {"preset", Json(set.preset).dump()},
-        {"description", Json(set.description).dump()},
-        {"seed", Json(set.seed).dump()},
-        {"parameters", Json(set.parameters).dump()},
-        {"complete", Json(set.complete()).dump()},
-        {"failure", set.failure.empty() ? "null" : Json(set.failure).dump()},
-        {"size", Json({set.width, set.height}).dump()},
-        {"frames_per_second", Json(set.frames_per_second).dump()},
-        {"loop", to_value(set.loop).dump()},
-        {"conventions", to_value(set.conventions).dump()},
-        {"seconds", time_used(set.frame_statistics).dump()},
+        {"foamtex", json_text(Json(set.version))},
+        {"preset", json_text(Json(set.preset))},
+        {"description", json_text(Json(set.description))},
+        {"seed", json_text(Json(set.seed))},
+        {"parameters", json_text(Json(set.parameters))},
+        {"complete", json_text(Json(set.complete()))},
+        {"failure", set.failure.empty() ? "null" : json_text(Json(set.failure))},
+        {"size", json_text(Json({set.width, set.height}))},
+        {"frames_per_second", json_text(Json(set.frames_per_second))},
+        {"loop", json_text(to_value(set.loop))},
+        {"conventions", json_text(to_value(set.conventions))},
+        {"seconds", json_text(time_used(set.frame_statistics))},
         {"maps", lines_of(set.maps)},
         {"files", lines_of(set.files)},
         {"foam", lines_of(set.frame_statistics)},
-        {"toml", Json(set.toml).dump()}};
+        {"toml", json_text(Json(set.toml))}};
     std::string text;
     for (const auto& [name, value] : members) {
         text += (text.empty() ? "      \"" : ",\n      \"") + std::string(name) + "\": " + value;

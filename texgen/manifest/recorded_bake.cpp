@@ -6,6 +6,7 @@
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/shown_text.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/existing_frames.h"
 #include "texgen/manifest/manifest_file.h"
@@ -18,6 +19,7 @@
 #include <exception>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +33,21 @@ using Clock = std::chrono::steady_clock;
 // Approximate upper limit on the fraction of the duration of a bake that is spent on writing the
 // manifest.
 constexpr double kMaxSaveFraction = 0.05;
+
+// Throws std::invalid_argument if the names of the files cannot be recorded: a manifest is JSON and
+// therefore UTF-8. The name of its own folder does not matter.
+void check_names(const Preset& preset, const BakeOptions& options) {
+    const std::filesystem::path folder = manifest_folder(preset);
+    for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
+        const std::string name = relative_path(path, folder);
+        if (!is_utf8(name)) {
+            throw std::invalid_argument(
+                fmt::format("file name pattern '{}': the names of files must be UTF-8, because the "
+                            "manifest lists them",
+                            preset.output.pattern));
+        }
+    }
+}
 
 // Updates the manifest during a bake.
 class ManifestWriter {
@@ -231,6 +248,7 @@ BakeSummary bake_recorded(const Preset& given,
                           const BakeCallbacks& callbacks,
                           Resume resume) {
     check_bake(given, options);
+    check_names(given, options);
     const std::filesystem::path folder = manifest_folder(given);
     check_writable(folder);
     Preset preset = given;

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -36,6 +38,21 @@ TEST(FileLock, OneThreadGoesOnAtATime) {
     }
     EXPECT_EQ(largest, 1);
     EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(FileLock, ALockThatIsNeverReleasedIsAnOutputError) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "a.lock";
+    const FileLock held(path);
+    try {
+        const FileLock lock(path, std::chrono::milliseconds(20));
+        ADD_FAILURE() << "got the lock";
+    } catch (const OutputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "another program has locked '" + path.string() +
+                      "' for 0 seconds; end it, and repeat the command");
+    }
+    EXPECT_TRUE(std::filesystem::exists(path));
 }
 
 TEST(FileLock, AFolderThatIsMissingIsAnOutputError) {

@@ -62,6 +62,20 @@ TEST(ManifestReader, FilesAreInsideTheFolder) {
     }
 }
 
+// The names become parts of the names of sheets and previews.
+TEST(ManifestReader, NamesArePlain) {
+    EXPECT_EQ(
+        error_of("\"preset\": \"a\"", "\"preset\": \"../../evil\""),
+        "cannot read 'm.json': sets[0].preset = \"../../evil\": must be a plain name, without "
+        "'/' and control characters and not beginning with '.'");
+    for (const char* name : {"..", ".", "", "/tmp/a", "a/b", "a\\u001b[31m", "a\\u202e"}) {
+        EXPECT_NE(error_of("\"preset\": \"a\"", std::string("\"preset\": \"") + name + "\""), "")
+            << name;
+        EXPECT_NE(error_of("\"name\":\"height\"", std::string("\"name\":\"") + name + "\""), "")
+            << name;
+    }
+}
+
 TEST(ManifestReader, RejectsFilesThatAreNoManifest) {
     EXPECT_NE(error_of("\"pixels\":", "\"pixel\":").find("an object with the key 'pixels'"),
               std::string::npos);
