@@ -11,20 +11,47 @@
 
 #include <fmt/core.h>
 
+#include <cstddef>
+#include <span>
+#include <system_error>
 #include <utility>
 
 namespace foam::texgen {
 
+namespace {
+
+// Returns true if a file exists; an error of the file system counts as a missing file.
+bool is_file(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+}
+
+// Returns unpack(content of a packed file). Throws InputError, whose message names the file, if the
+// file cannot be read or its content is malformed.
+template <class Unpack>
+auto read_content(const std::filesystem::path& path,
+                  const PackedLabel& label,
+                  const Unpack& unpack) {
+    const Bytes content = read_packed(path, label);
+    try {
+        return unpack(content);
+    } catch (const BadContent& error) {
+        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+    }
+}
+
+}  // namespace
+
 Cache::Cache(std::filesystem::path folder) : folder_(std::move(folder)), info_(read_info(folder_)) {
     const std::filesystem::path path = pressures_path(folder_);
-    if (std::filesystem::exists(path)) {
-        first_pressures_ = unpack_numbers(read_packed(path, {"scale", info_.simulation}));
+    if (is_file(path)) {
+        first_pressures_ = read_content(path, {"scale", info_.simulation}, unpack_numbers);
     }
 }
 
 SimulatedFrame Cache::state(int number) const {
     const std::filesystem::path path = state_path(folder_, number);
-    if (!std::filesystem::exists(path)) {
+    if (!is_file(path)) {
         throw InputError(fmt::format(
             "the cache '{}' has no state {}; it was simulated for frames {}, and only these can be "
             "drawn",
@@ -32,11 +59,17 @@ SimulatedFrame Cache::state(int number) const {
             number,
             format_frame_range(info_.frames)));
     }
-    try {
-        return unpack_state(read_packed(path, {"state", info_.simulation}), first_pressures_);
-    } catch (const BadContent& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+    SimulatedFrame found =
+        read_content(path, {"state", info_.simulation}, [this](std::span<const std::byte> bytes) {
+            return unpack_state(bytes, first_pressures_);
+        });
+    if (found.frame->number != number) {
+        throw InputError(fmt::format("cannot read '{}': the file contains state {}, not state {}",
+                                     path.string(),
+                                     found.frame->number,
+                                     number));
     }
+    return found;
 }
 
 FrameSource Cache::frames_of(const Preset& preset) const {

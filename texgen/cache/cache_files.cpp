@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include <span>
+#include <system_error>
 
 namespace foam::texgen {
 
@@ -22,7 +23,7 @@ constexpr int kVersion = 1;
 
 Preset preset_in(const JsonValue& root, const std::filesystem::path& file) {
     try {
-        return parse_preset(root["toml"].text(), root["preset"].text(), "toml");
+        return parse_preset(root["toml"].text(), root["preset"].name(), "toml");
     } catch (const PresetError& error) {
         throw InputError(fmt::format("cannot read '{}': {}", file.string(), error.what()));
     }
@@ -31,7 +32,8 @@ Preset preset_in(const JsonValue& root, const std::filesystem::path& file) {
 }  // namespace
 
 bool is_cache(const std::filesystem::path& path) {
-    return std::filesystem::exists(path / kCacheName);
+    std::error_code ignored;
+    return std::filesystem::exists(path / kCacheName, ignored);
 }
 
 std::filesystem::path state_path(const std::filesystem::path& folder, int number) {
@@ -52,7 +54,7 @@ void write_info(const CacheInfo& info, const std::filesystem::path& folder) {
                      {"simulation", info.simulation},
                      {"toml", to_toml(info.preset)}};
     const std::string text = indented(value);
-    write_file(folder / kCacheName, std::as_bytes(std::span(text)));
+    write_file(folder / kCacheName, std::as_bytes(std::span(text)), Durability::BeforeNaming);
 }
 
 CacheInfo read_info(const std::filesystem::path& folder) {

@@ -3,6 +3,7 @@
 #include "texgen/cache/frame_codec.h"
 
 #include "core/network/validate.h"
+#include "texgen/cache/frame_check.h"
 
 #include <algorithm>
 #include <array>
@@ -125,7 +126,11 @@ class FrameReader {
         if (network().ghost() != kNoBubble) {
             read_patch();
         }
-        return snapshot(foam_, number);
+        Frame frame = snapshot(foam_, number);
+        if (const auto fault = find_frame_fault(frame)) {
+            throw BadContent(*fault);
+        }
+        return frame;
     }
 
   private:

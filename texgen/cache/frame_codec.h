@@ -16,7 +16,8 @@ namespace foam::texgen {
 void write_frame(const Frame& frame, ByteWriter& writer);
 
 /// Decodes the frame at the present position of the reader. The result equals the frame given to
-/// write_frame to the last bit. Throws BadContent if the bytes are not a valid frame.
+/// write_frame to the last bit. Throws BadContent if the bytes are not a valid frame
+/// (find_frame_fault).
 Frame read_frame(ByteReader& reader);
 
 }  // namespace foam::texgen

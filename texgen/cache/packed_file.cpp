@@ -66,6 +66,11 @@ Bytes compressed(std::span<const std::byte> content) {
 }
 
 Bytes decompressed(std::span<const std::byte> packed, std::uint64_t size) {
+    if (size > kMaxStateContent) {
+        throw BadContent(fmt::format("its content is too large: {} MiB, at most {} MiB",
+                                     size / kMebibyte,
+                                     kMaxStateContent / kMebibyte));
+    }
     if (size / kLargestRatio > packed.size()) {
         throw BadContent("the file is damaged: its header gives an impossible content size");
     }
@@ -128,7 +133,7 @@ void write_packed(const std::filesystem::path& path,
 }
 
 Bytes read_packed(const std::filesystem::path& path, const PackedLabel& label) {
-    const Bytes file = read_file(path);
+    const Bytes file = read_file(path, kStateInput);
     try {
         return unpacked(file, label);
     } catch (const BadContent& error) {

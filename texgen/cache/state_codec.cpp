@@ -3,10 +3,14 @@
 #include "texgen/cache/state_codec.h"
 
 #include "texgen/cache/byte_stream.h"
+#include "texgen/cache/frame_check.h"
 #include "texgen/cache/frame_codec.h"
 #include "texgen/maps/per_bubble.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 // An encoded state consists of its frame (frame_codec.h), its effort and its record, in this order.
@@ -18,6 +22,26 @@
 namespace foam::texgen {
 
 namespace {
+
+/// Reads a number. Throws BadContent if it is not finite or too large; the message says what the
+/// number is.
+double take_number(ByteReader& reader, const char* what) {
+    const auto number = reader.take<double>();
+    if (!is_plausible(number)) {
+        throw BadContent(fmt::format("{} has an impossible value, {}", what, number));
+    }
+    return number;
+}
+
+/// Reads a coordinate of an event, which may be NaN: some events of a patch have no position.
+double take_coordinate(ByteReader& reader) {
+    const auto number = reader.take<double>();
+    if (!std::isnan(number) && !is_plausible(number)) {
+        throw BadContent(
+            fmt::format("the position of an event has an impossible value, {}", number));
+    }
+    return number;
+}
 
 void write_effort(const FrameEffort& effort, ByteWriter& writer) {
     writer.put(std::int32_t{effort.t1});
@@ -50,7 +74,7 @@ std::vector<double> read_by_identity(const std::vector<BubbleIdentity>& bubbles,
     std::vector<double> values;
     for (const BubbleIdentity bubble : bubbles) {
         values.resize(std::max(values.size(), std::size_t{bubble} + 1), 0.0);
-        values[bubble] = reader.take<double>();
+        values[bubble] = take_number(reader, "the time of a bubble");
     }
     return values;
 }
@@ -79,8 +103,8 @@ std::vector<RecordedEvent> read_events(ByteReader& reader) {
     for (RecordedEvent& event : events) {
         event.kind = read_event_kind(reader);
         event.frame = reader.take<std::int32_t>();
-        event.position.x() = reader.take<double>();
-        event.position.y() = reader.take<double>();
+        event.position.x() = take_coordinate(reader);
+        event.position.y() = take_coordinate(reader);
     }
     return events;
 }
@@ -94,7 +118,7 @@ void write_numbers(const std::vector<double>& numbers, ByteWriter& writer) {
 
 std::vector<double> read_numbers(ByteReader& reader) {
     std::vector<double> numbers(reader.take_count(sizeof(double)));
-    std::ranges::generate(numbers, [&] { return reader.take<double>(); });
+    std::ranges::generate(numbers, [&] { return take_number(reader, "a pressure"); });
     return numbers;
 }
 
@@ -120,13 +144,13 @@ RecentAverages read_averages(const std::vector<BubbleIdentity>& bubbles, ByteRea
     if (reader.take<std::uint8_t>() == 0) {
         return averages;
     }
-    averages.mean_area = reader.take<double>();
+    averages.mean_area = take_number(reader, "the mean area");
     for (const BubbleIdentity bubble : bubbles) {
         averages.bubbles.resize(std::max(averages.bubbles.size(), std::size_t{bubble} + 1));
         BubbleValues& values = averages.bubbles[bubble];
-        values.pressure = reader.take<double>();
-        values.area = reader.take<double>();
-        values.sides = reader.take<double>();
+        values.pressure = take_number(reader, "an average pressure");
+        values.area = take_number(reader, "an average area");
+        values.sides = take_number(reader, "an average number of sides");
     }
     return averages;
 }

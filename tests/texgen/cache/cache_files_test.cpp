@@ -27,5 +27,22 @@ TEST(CacheFiles, RejectsAFolderThatIsNoCache) {
     EXPECT_THROW(Cache(folder.path()), InputError);
 }
 
+// The name becomes a part of the names of images.
+TEST(CacheFiles, TheNameOfThePresetMustBePlain) {
+    const TemporaryFolder folder;
+    CacheInfo info;
+    info.preset.name = "../../evil";
+    info.frames = {1};
+    write_info(info, folder.path());
+    try {
+        read_info(folder.path());
+        ADD_FAILURE() << "the name was accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("preset = \"../../evil\": must be a plain name"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -5,6 +5,8 @@
 #include "tests/texgen/cache/small_simulation.h"
 #include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
+#include "texgen/cache/packed_file.h"
+#include "texgen/cache/simulation_keys.h"
 #include "texgen/image/file_io.h"
 
 #include <gtest/gtest.h>
@@ -122,6 +124,28 @@ TEST(Cache, AnotherSizeAndOtherMapsAreThoseOfABakeOfThese) {
     const Cache cache(folder.path());
     EXPECT_EQ(baked(preset, {.frames = {2}, .threads = 2, .source = cache.frames_of(preset)}),
               baked(preset, {.frames = {2}, .threads = 2}));
+}
+
+// The files of two states are exchanged, so that all checksums hold.
+TEST(Cache, AStateInThePlaceOfAnotherOneIsRejected) {
+    const TemporaryFolder folder;
+    const Preset preset = all_maps_of_a_foam();
+    simulate_into_cache(preset, {.frames = {1, 2}, .threads = 1}, folder.path(), {});
+    const auto path = [&](int number) { return state_path(folder.path(), number); };
+    std::filesystem::copy_file(path(1), path(3), std::filesystem::copy_options::overwrite_existing);
+    EXPECT_EQ(error_of(folder.path(), 2), "");
+    EXPECT_EQ(error_of(folder.path(), 3),
+              "cannot read '" + path(3).string() + "': the file contains state 1, not state 3");
+}
+
+TEST(Cache, DamagedPressuresAreAnInputError) {
+    const TemporaryFolder folder;
+    const Preset preset = all_maps_of_a_foam();
+    simulate_into_cache(preset, {.frames = {1}, .threads = 1}, folder.path(), {});
+    const std::filesystem::path path = pressures_path(folder.path());
+    write_packed(path, {"scale", simulation_hash(preset)}, Bytes(3));
+    EXPECT_EQ(error_of(folder.path(), 1),
+              "cannot read '" + path.string() + "': unexpected end of the file");
 }
 
 }  // namespace

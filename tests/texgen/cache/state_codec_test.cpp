@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -15,7 +17,7 @@ namespace foam::texgen {
 namespace {
 
 TEST(StateCodec, NumbersRoundTrip) {
-    const std::vector<double> numbers = {0.0, -1.5, 1e300};
+    const std::vector<double> numbers = {0.0, -1.5, 1e15};
     EXPECT_EQ(unpack_numbers(pack_numbers(numbers)), numbers);
     EXPECT_TRUE(unpack_numbers(pack_numbers({})).empty());
 }
@@ -26,6 +28,12 @@ TEST(StateCodec, ATruncatedStateIsBadContent) {
         EXPECT_THROW(unpack_numbers(std::span(packed).first(size)), BadContent) << size;
     }
     EXPECT_THROW(unpack_state({}, {}), BadContent);
+}
+
+TEST(StateCodec, NumbersThatAreNotPlausibleAreBadContent) {
+    for (const double number : {std::nan(""), std::numeric_limits<double>::infinity(), -1e16}) {
+        EXPECT_THROW(unpack_numbers(pack_numbers({1.0, number})), BadContent) << number;
+    }
 }
 
 TEST(StateCodec, AveragesRoundTrip) {
