@@ -44,10 +44,6 @@ SheetLayout layout_of(const BakedSet& set, const FlipbookOptions& options, std::
     return layout;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-    write_file(path, std::as_bytes(std::span(text)));
-}
-
 }  // namespace
 
 Flipbook write_flipbook(const BakedSet& set,
@@ -65,16 +61,22 @@ Flipbook write_flipbook(const BakedSet& set,
     ProgressMeter progress(
         Phase::Sheets, static_cast<int>(sequences.size() * frames.size()), on_progress);
     progress.begin();
+    // No file gets its name before all of them are complete.
+    std::vector<StagedFile> staged;
     std::vector<SheetImage> images;
     for (const MapSequence& sequence : sequences) {
         const std::string name = fmt::format(
             "{}_{}{}", stem, sequence.map.name, sequence.files.front().path.extension().string());
-        write_sheet(sequence, flipbook.layout, to / name, progress);
+        staged.push_back(stage_sheet(sequence, flipbook.layout, to / name, progress));
         flipbook.files.push_back(to / name);
         images.push_back({name, sequence});
     }
     flipbook.files.push_back(to / (stem + ".json"));
-    write_text(flipbook.files.back(), flipbook_json(set, frames, flipbook.layout, images));
+    const std::string json = flipbook_json(set, frames, flipbook.layout, images);
+    staged.emplace_back(flipbook.files.back(), std::as_bytes(std::span(json)));
+    for (StagedFile& file : staged) {
+        file.publish();
+    }
     return flipbook;
 }
 

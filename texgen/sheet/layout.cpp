@@ -3,12 +3,12 @@
 #include "texgen/sheet/layout.h"
 
 #include "core/geometry/elementary.h"
+#include "texgen/image/input_limits.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace foam::texgen {
@@ -51,12 +51,16 @@ void check_layout(const SheetLayout& layout) {
                         layout.columns,
                         layout.gutter));
     }
-    constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
-    if (layout.gutter > kLargest / 4 || layout.width() > kLargest || layout.height() > kLargest) {
+    // These limits come first, so that the products below do not overflow.
+    if (layout.gutter > kMaxImageExtent || layout.width() > kMaxImageExtent ||
+        layout.height() > kMaxImageExtent || layout.width() * layout.height() > kMaxImagePixels) {
         throw std::invalid_argument(
-            fmt::format("a sheet of {} x {} pixels is too large for an image file",
+            fmt::format("a sheet of {} x {} pixels is too large: an image may have at most {} "
+                        "pixels per side and {} pixels",
                         layout.width(),
-                        layout.height()));
+                        layout.height(),
+                        kMaxImageExtent,
+                        kMaxImagePixels));
     }
 }
 

@@ -36,8 +36,8 @@ struct SheetLayout {
 int near_square_columns(int frames, int cell_width, int cell_height);
 
 /// Throws std::invalid_argument if a layout has no frames, no columns or no pixels, if its gutter
-/// is negative or wider than 2^29 - 1 pixels, or if the width or height of the sheet would exceed
-/// 2^31 - 1 pixels.
+/// is negative, or if the sheet would be too large for an image (kMaxImageExtent and
+/// kMaxImagePixels in image/input_limits.h).
 void check_layout(const SheetLayout& layout);
 
 }  // namespace foam::texgen

@@ -121,20 +121,9 @@ class Previews {
              const PreviewOptions& options,
              const std::string& map)
         : set_(set), options_(options), sequence_(map_sequence(set, folder, map, options.frames)) {
-        if (sequence_.map.samples->kind == "id") {
-            throw std::invalid_argument(
-                fmt::format("map '{}' stores whole numbers, which cannot be shown as a picture; "
-                            "the map 'id_color' shows bubbles by color",
-                            map));
-        }
+        check_shown_map(map, sequence_.map.samples->kind);
         const MapFile& first = sequence_.files.front();
-        if (!first.tiles && std::ranges::count(options.kinds, PreviewKind::Tiling) > 0) {
-            throw std::invalid_argument(
-                fmt::format("frame {} of preset '{}' does not tile; previews 'tiling' need a torus "
-                            "without shear",
-                            first.frame,
-                            set.preset));
-        }
+        check_tiling(options, first.tiles, first.frame, set.preset);
     }
 
     std::vector<PreviewKind> kinds() const {
@@ -229,6 +218,25 @@ class Previews {
 };
 
 }  // namespace
+
+void check_tiling(const PreviewOptions& options, bool tiles, int frame, const std::string& preset) {
+    if (!tiles && std::ranges::count(options.kinds, PreviewKind::Tiling) > 0) {
+        throw std::invalid_argument(
+            fmt::format("frame {} of preset '{}' does not tile; previews 'tiling' need a torus "
+                        "without shear",
+                        frame,
+                        preset));
+    }
+}
+
+void check_shown_map(const std::string& map, std::string_view kind) {
+    if (kind == "id") {
+        throw std::invalid_argument(
+            fmt::format("map '{}' stores whole numbers, which cannot be shown as a picture; "
+                        "the map 'id_color' shows bubbles by color",
+                        map));
+    }
+}
 
 std::vector<std::filesystem::path> write_previews(const BakedSet& set,
                                                   const std::filesystem::path& folder,

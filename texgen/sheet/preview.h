@@ -37,6 +37,14 @@ struct PreviewOptions {
     int threads = 0;  // 0: one per hardware thread
 };
 
+/// Throws std::invalid_argument if previews of the given kinds are impossible because the first
+/// frame, of the given number, does not tile.
+void check_tiling(const PreviewOptions& options, bool tiles, int frame, const std::string& preset);
+
+/// Throws std::invalid_argument if a map whose samples have the given kind (MapSamples::kind)
+/// cannot be shown as a picture.
+void check_shown_map(const std::string& map, std::string_view kind);
+
 /// Writes previews of a baked set into the folder `to`, and returns their paths:
 /// {preset}_{map}_contact.png, {preset}_{map}_tiling.png, {preset}_{map}_loop.png,
 /// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are composited over gray, and large frames are

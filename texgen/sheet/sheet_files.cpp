@@ -2,7 +2,6 @@
 
 #include "texgen/sheet/sheet_files.h"
 
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/maps/map.h"
 #include "texgen/sheet/map_frame.h"
@@ -147,14 +146,15 @@ Bytes encoded(const Picture& sheet, std::string_view map, const std::filesystem:
 
 }  // namespace
 
-void write_sheet(const MapSequence& sequence,
-                 const SheetLayout& layout,
-                 const std::filesystem::path& path,
-                 ProgressMeter& progress) {
+StagedFile stage_sheet(const MapSequence& sequence,
+                       const SheetLayout& layout,
+                       const std::filesystem::path& path,
+                       ProgressMeter& progress) {
     check_layout(layout);
     make_folders(path.parent_path());
-    write_file(path, encoded(sheet_of(sequence, layout, progress), sequence.map.name, path));
+    StagedFile sheet(path, encoded(sheet_of(sequence, layout, progress), sequence.map.name, path));
     progress.add();
+    return sheet;
 }
 
 }  // namespace foam::texgen

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -32,6 +33,16 @@ TEST(Flipbook, RejectsMissingMapsAndFrames) {
     EXPECT_THROW(write({.gutter = 1, .strip = true}), std::invalid_argument);
     EXPECT_THROW(write({.columns = -1}), std::invalid_argument);
     EXPECT_EQ(folder.files().size(), 5U);  // only the files of the bake
+}
+
+// The second map cannot be read.
+TEST(Flipbook, AFailureLeavesNoSheet) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"albedo", "normal"});
+    std::filesystem::resize_file(folder.path() / "small_normal.0002.png", 100);
+    const std::vector<std::string> before = folder.files();
+    EXPECT_THROW(write_flipbook(set, folder.path(), {}, folder.path()), InputError);
+    EXPECT_EQ(folder.files(), before);
 }
 
 // Three maps of four frames are twelve units.

@@ -33,7 +33,13 @@ TEST(SheetLayout, IsNearASquareByPowersOfTwo) {
 
 TEST(SheetLayout, RejectsInvalidLayouts) {
     constexpr int kMax = std::numeric_limits<int>::max();
-    EXPECT_NO_THROW(check_layout({.frames = 1, .frame_width = kMax}));
+    EXPECT_NO_THROW(check_layout({.frames = 1, .frame_width = 1'000'000}));
+    EXPECT_NO_THROW(check_layout({.frames = 1, .frame_width = 32768, .frame_height = 32768}));
+    EXPECT_THROW(check_layout({.frames = 1, .frame_width = 1'000'001}), std::invalid_argument);
+    EXPECT_THROW(check_layout({.frames = 1, .frame_width = 32768, .frame_height = 32769}),
+                 std::invalid_argument);
+    EXPECT_THROW(check_layout({.frames = 4, .frame_width = 32, .columns = 1'000'000}),
+                 std::invalid_argument);
     EXPECT_THROW(check_layout({.frames = 2, .frame_width = kMax, .columns = 2}),
                  std::invalid_argument);
     EXPECT_THROW(check_layout({.frames = 2, .frame_height = kMax / 2 + 1}), std::invalid_argument);
