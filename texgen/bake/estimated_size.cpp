@@ -4,6 +4,7 @@
 
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
+#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include <numeric>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace foam::texgen {
 
@@ -70,11 +70,6 @@ double bytes_per_pixel(const Map& map, const Preset& preset) {
     const auto* const found = std::ranges::find(kVaried, map.name, &MeasuredSize::map);
     const MeasuredSize& size = found != kVaried.end() ? *found : kFlat;
     return levels * (stores_codes ? size.png : size.exr);
-}
-
-bool is_existing(const std::filesystem::path& path) {
-    std::error_code ignored;
-    return std::filesystem::exists(path, ignored);
 }
 
 }  // namespace

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/bake/estimated_memory.h"
+
+#include "tests/support/places.h"
+#include "tests/texgen/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+// A bake and the arguments of the estimate that belongs to it.
+struct Subject {
+    const char* name;  // file name pattern
+    std::vector<std::string> maps;
+    int bubbles;
+    int size;
+    int frames;
+    int threads;
+};
+
+Preset preset_of(const Subject& subject) {
+    Preset preset;
+    preset.image.maps = subject.maps;
+    preset.seeding.bubbles = subject.bubbles;
+    preset.image.width = preset.image.height = subject.size;
+    preset.output.pattern = subject.name;
+    return preset;
+}
+
+std::string joined(const std::vector<std::string>& maps) {
+    std::string list;
+    for (const std::string& map : maps) {
+        list += (list.empty() ? "" : ",") + map;
+    }
+    return list;
+}
+
+// Returns the peak memory, in bytes, of a process that runs the bake.
+double measured_memory(const Subject& subject) {
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments{
+        "foamtex",   "bake",
+        "sea_foam",  "-q",
+        "--set",     "loop.kind=none",
+        "--set",     "frames.warm_up=0",
+        "--set",     "foam.bubbles=" + std::to_string(subject.bubbles),
+        "--frames",  "1-" + std::to_string(subject.frames),
+        "--size",    std::to_string(subject.size),
+        "--maps",    joined(subject.maps),
+        "--threads", std::to_string(subject.threads),
+        "--out",     (folder.path() / subject.name).string()};
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) {
+        pointers.push_back(argument.data());
+    }
+    pointers.push_back(nullptr);
+    const std::string program = foam::test::executable().string();
+    const pid_t child = fork();
+    if (child == 0) {
+        execv(program.c_str(), pointers.data());
+        _exit(127);
+    }
+    int status = 0;
+    rusage usage{};
+    EXPECT_EQ(wait4(child, &status, 0, &usage), child);
+    EXPECT_EQ(status, 0);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
+TEST(EstimatedMemory, IsRightWithinAFactorOfOneAndAHalf) {
+    const std::vector<Subject> subjects{
+        {"{map}.#.png", {"albedo"}, 100, 1024, 1, 1},
+        {"{map}.#.png", {"lit"}, 100, 512, 4, 2},
+        {"{map}.#.png", {"id", "film", "normal"}, 100, 1024, 4, 4},
+        {"{map}.#.exr", {"height", "distance"}, 100, 1024, 1, 1},
+        {"all.#.exr", {"albedo", "height", "id", "normal"}, 100, 1024, 2, 2},
+        {"{map}.#.png", {"albedo"}, 10000, 64, 1, 1}};
+    for (const Subject& subject : subjects) {
+        const auto estimated = static_cast<double>(estimated_memory(
+            preset_of(subject), static_cast<std::size_t>(subject.frames), subject.threads));
+        const double ratio = estimated / measured_memory(subject);
+        const std::string what = joined(subject.maps) + " " + subject.name;
+        EXPECT_GT(ratio, 1.0 / 1.5) << what;
+        EXPECT_LT(ratio, 1.5) << what;
+    }
+}
+#endif
+
+TEST(EstimatedMemory, GrowsWithFramesUpToTheThreads) {
+    const Subject one{"{map}.#.png", {"lit"}, 100, 4096, 1, 8};
+    const auto of = [&](std::size_t frames, int threads) {
+        return static_cast<double>(estimated_memory(preset_of(one), frames, threads));
+    };
+    EXPECT_NEAR(of(8, 8) / of(1, 8), 8.0, 0.1);
+    EXPECT_EQ(of(8, 8), of(100, 8));
+    EXPECT_EQ(of(100, 1), of(1, 8));
+}
+
+}  // namespace
+}  // namespace foam::texgen

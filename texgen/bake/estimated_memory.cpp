@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/bake/estimated_memory.h"
+
+#include "core/parallel/parallel_for.h"
+#include "texgen/bake/file_pattern.h"
+#include "texgen/image/format.h"
+#include "texgen/maps/all_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+// A bake holds the foam and the solver's matrices, and one frame per thread that draws. The memory
+// of a frame is in proportion to its pixels. Maps that have a file of their own are drawn one after
+// the other, so the map that needs most decides; the images of maps that share a file are held
+// together.
+
+namespace foam::texgen {
+
+namespace {
+
+// The peak memory of drawing, encoding and writing one frame of a map.
+struct MeasuredMemory {
+    std::string_view map;
+    double png;  // bytes per pixel
+    double exr;
+};
+
+// Measured as the growth of the peak memory of bakes of one frame of sea_foam on one thread, from
+// 512 x 512 to 1024 x 1024 pixels:
+//   foamtex bake sea_foam --set loop.kind=none --set frames.count=1 --set frames.warm_up=0
+//     --set foam.bubbles=100 --threads 1 --size 512 --maps ... --out '{map}.png' (or '{map}.exr')
+constexpr std::array<MeasuredMemory, 26> kMeasured{
+    {{"albedo", 44, 42},    {"thin_film", 34, 43}, {"lit", 176, 176},     {"opacity", 4, 8},
+     {"film", 24, 28},      {"distance", 12, 23},  {"height", 25, 32},    {"normal", 35, 58},
+     {"normal_gl", 35, 58}, {"normal_dx", 35, 58}, {"occlusion", 24, 35}, {"curvature", 25, 33},
+     {"roughness", 31, 32}, {"pressure", 4, 8},    {"area", 5, 8},        {"sides", 12, 15},
+     {"id", 13, 15},        {"id_color", 8, 19},   {"age", 5, 8},         {"growth", 5, 8},
+     {"motion", 13, 31},    {"event", 15, 24},     {"maze", 13, 22},      {"maze_solution", 18, 23},
+     {"contour", 10, 18},   {"caustics", 188, 188}}};
+// For maps that have been added since the measurement.
+constexpr MeasuredMemory kOther{"", 40, 50};
+
+constexpr double kProgram = 10e6;      // bytes of the process without a foam
+constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
+// Bytes per sample of a layer of a file of several maps: a float, and half of it in the type of the
+// file.
+constexpr double kLayerSample = 6.0;
+// The memory of a frame that fades into another one, divided by that of other frames.
+constexpr double kCrossFade = 1.8;
+
+double bytes_per_pixel(const std::string& map, bool is_png) {
+    const auto* const found = std::ranges::find(kMeasured, map, &MeasuredMemory::map);
+    const MeasuredMemory& memory = found != kMeasured.end() ? *found : kOther;
+    return is_png ? memory.png : memory.exr;
+}
+
+// Returns the number of channels of a map, with the opacity of a patch.
+double channels_of(const std::string& map) {
+    const std::string_view channels = find_map(map).channels;
+    return static_cast<double>(std::ranges::count(channels, ' ') + 1);
+}
+
+}  // namespace
+
+std::uint64_t estimated_foam_memory(const Preset& preset) {
+    return static_cast<std::uint64_t>(kProgram + kPerBubble * preset.seeding.bubbles);
+}
+
+std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads) {
+    const FilePattern pattern(preset.output.pattern);
+    const bool is_png = pattern.format().samples == FormatSamples::Codes;
+    double largest = 0.0;
+    double shared = 0.0;
+    for (const std::string& map : preset.image.maps) {
+        largest = std::max(largest, bytes_per_pixel(map, is_png));
+        shared += channels_of(map) * kLayerSample;
+    }
+    const double per_pixel = (preset.loop.is_cross_faded() ? kCrossFade : 1.0) *
+                             (largest + (pattern.stores_all_maps_in_one_file() ? shared : 0.0));
+    const double pixels = static_cast<double>(preset.image.width) * preset.image.height;
+    const auto drawn =
+        static_cast<double>(std::min(frames, static_cast<std::size_t>(thread_count(threads))));
+    return estimated_foam_memory(preset) + static_cast<std::uint64_t>(drawn * pixels * per_pixel);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/preset/preset.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace foam::texgen {
+
+/// Returns the estimated peak memory, in bytes, of a process that simulates a preset and draws
+/// nothing.
+std::uint64_t estimated_foam_memory(const Preset& preset);
+
+/// Returns the estimated peak memory, in bytes, of a process that bakes the given number of frames
+/// of a preset on the given number of threads (as for thread_count). The estimate is usually right
+/// within a factor of 1.5.
+std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads);
+
+}  // namespace foam::texgen
