@@ -3,8 +3,10 @@
 #include "texgen/cli/command.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
+#include "texgen/cli/standard_output.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
+#include "texgen/image/shown_text.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/verify/compare_images.h"
 #include "texgen/verify/comparison_report.h"
@@ -132,7 +134,7 @@ void note_unused_angle(std::span<const GivenLimit> limits, std::span<const Compa
         })) {
         print_stderr(
             "foamtex: note: {} applies to none of the images, because none is known to be a "
-            "normal map; --map normal tells so\n",
+            "normal map; --map normal tells so",
             option_name(*angle->key));
     }
 }
@@ -144,20 +146,24 @@ ExitCode run_compare(const CompareArguments& arguments) {
     if (options.difference && pairs.size() > 1) {
         throw std::invalid_argument("--diff is only for a single pair of images");
     }
+    if (options.difference && options.difference->extension() != ".png") {
+        throw std::invalid_argument(
+            fmt::format("--diff: the name '{}' must end in .png", options.difference->string()));
+    }
     const bool prints_lines = !arguments.quiet && !arguments.json;
     std::vector<ComparedImage> images;
     for (const ImagePair& pair : pairs) {
         std::vector<ComparedImage> compared = compare_pair(pair, options);
         for (ComparedImage& image : compared) {
-            fmt::print("{}", prints_lines ? to_line(image) + "\n" : "");
+            write_stdout(prints_lines ? shown_text(to_line(image)) + "\n" : "");
             images.push_back(std::move(image));
         }
     }
     if (prints_lines && images.size() > 1) {
-        fmt::print("{}", summary_of(images));
+        write_stdout(shown_lines(summary_of(images)));
     }
     if (arguments.json) {
-        fmt::print("{}", to_json(images));
+        write_stdout(to_json(images));
     }
     note_unused_angle(arguments.limits, images);
     check_readable(images);

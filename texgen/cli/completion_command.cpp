@@ -4,6 +4,7 @@
 #include "texgen/cli/command.h"
 #include "texgen/cli/completion.h"
 #include "texgen/cli/grammar.h"
+#include "texgen/cli/standard_output.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/preset/preset_keys.h"
 #include "texgen/preset/shipped_presets.h"
@@ -43,7 +44,7 @@ void add_shell(
     completion.add_subcommand(shell, fmt::format("Script for {}", shell))
         ->callback([&action, &app, script] {
             action = [&app, script] {
-                fmt::print("{}", script(grammar_of(app), completion_words()));
+                write_stdout(script(grammar_of(app), completion_words()));
                 return ExitCode::Success;
             };
         });

@@ -18,6 +18,7 @@ enum class ExitCode : int {
     CheckFailed = 6,              // verify: a check failed
     CompareBadRequest = 64,       // compare: wrong command line or tolerances (EX_USAGE)
     CompareInternalFailure = 70,  // compare: a bug, or out of memory (EX_SOFTWARE)
+    HungUp = 129,                 // 128 + SIGHUP: the terminal was closed
     Interrupted = 130,            // 128 + SIGINT
     Terminated = 143,             // 128 + SIGTERM
 };

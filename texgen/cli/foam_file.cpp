@@ -57,7 +57,7 @@ void check_foam_name(const std::filesystem::path& path) {
 
 LoadedFoam load_foam(const std::filesystem::path& path) {
     const FoamFormat format = format_of(path);
-    const Bytes bytes = read_file(path);
+    const Bytes bytes = read_file(path, kFoamInput);
     if (format == FoamFormat::Json) {
         return {read_foam_json(text_of(bytes), path.string()), {}};
     }

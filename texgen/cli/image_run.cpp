@@ -2,6 +2,7 @@
 
 #include "texgen/cli/image_run.h"
 
+#include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/estimated_size.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
@@ -10,16 +11,19 @@
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/standard_error.h"
+#include "texgen/cli/standard_output.h"
 #include "texgen/image/format.h"
+#include "texgen/image/memory.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/stats/files.h"
 #include "texgen/stats/record.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -35,9 +39,9 @@ void print_images(const Preset& preset,
                   const std::vector<int>& frames) {
     for (const std::string& map : preset.image.maps) {
         if (frames.size() == 1) {
-            fmt::print("{}\n", pattern.path(preset.name, map, frames.front()).string());
+            print_stdout("{}\n", pattern.path(preset.name, map, frames.front()).string());
         } else {
-            fmt::print(
+            print_stdout(
                 "{} {}\n", pattern.path_pattern(preset.name, map), format_frame_range(frames));
         }
         if (pattern.stores_all_maps_in_one_file()) {
@@ -52,7 +56,7 @@ void note_clipped(const BakeSummary& summary, const Preset& preset) {
         if (numbers.extent.clipped > 0.0) {
             print_stderr(
                 "foamtex: {}: up to {:.3g} % of the samples of a file are outside of {:g} "
-                "to {:g} and were clipped; the numbers are from {:.3g} to {:.3g}; {} {}\n",
+                "to {:g} and were clipped; the numbers are from {:.3g} to {:.3g}; {} {}",
                 numbers.map->name,
                 100.0 * numbers.extent.clipped,
                 numbers.range[0],
@@ -129,8 +133,10 @@ ExitCode run_images(const Preset& preset,
                     const ImageArguments& arguments,
                     const ProgressOptions& progress) {
     const Verbosity verbosity = progress.verbosity;
+    const std::uint64_t memory = estimated_memory(preset, options.frames.size(), options.threads);
     if (verbosity != Verbosity::Quiet) {
         warn_of_full_disk(estimated_size(preset, options.frames), manifest_folder(preset));
+        warn_of_little_memory(memory);
     }
     const FilePattern pattern(preset.output.pattern);
     Recorder recorder(preset);
@@ -144,8 +150,10 @@ ExitCode run_images(const Preset& preset,
                  .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
                 arguments.resume ? Resume::Yes : Resume::No);
         } catch (const Interrupted&) {
-            print_stderr("foamtex: to continue, run the same command with --resume\n");
+            print_stderr("foamtex: to continue, run the same command with --resume");
             throw;
+        } catch (const std::bad_alloc&) {
+            throw OutOfMemory(memory_needed(memory));
         }
     }();
     StatisticsFiles statistics;

@@ -33,12 +33,20 @@ void take_signal(int signal) {
 }  // namespace
 
 Interrupted::Interrupted(int signal)
-    : std::runtime_error(signal == SIGINT ? "interrupted" : "terminated"), signal_(signal) {}
+    : std::runtime_error(signal == SIGINT   ? "interrupted"
+                         : signal == SIGHUP ? "hung up"
+                                            : "terminated"),
+      signal_(signal) {}
 
 void handle_stop_signals() {
     stop_signal = 0;
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action {};
+        sigaction(signal, nullptr, &action);
+        if (signal == SIGHUP && action.sa_handler == SIG_IGN) {
+            continue;
+        }
+        action = {};
         action.sa_handler = take_signal;
         action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
         sigaction(signal, &action, nullptr);

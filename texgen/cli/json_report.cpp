@@ -2,7 +2,7 @@
 
 #include "texgen/cli/json_report.h"
 
-#include <fmt/core.h>
+#include "texgen/cli/standard_output.h"
 
 namespace foam::texgen {
 
@@ -34,7 +34,7 @@ Json json_report(const RunOutcome& outcome) {
 }
 
 void print_json(const Json& object) {
-    fmt::print("{}\n", object.dump());
+    write_stdout(json_text(object) + "\n");
 }
 
 }  // namespace foam::texgen

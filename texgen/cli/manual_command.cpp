@@ -3,9 +3,9 @@
 #include "texgen/cli/command.h"
 #include "texgen/cli/grammar.h"
 #include "texgen/cli/manual.h"
+#include "texgen/cli/standard_output.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 namespace foam::texgen {
 
@@ -22,7 +22,7 @@ void add_manual_command(CLI::App& app, Action& action) {
     command->footer(kManualExamples);
     command->callback([&action, &app] {
         action = [&app] {
-            fmt::print("{}", manual_page(grammar_of(app), FOAMTEX_VERSION, FOAMTEX_DATE));
+            write_stdout(manual_page(grammar_of(app), FOAMTEX_VERSION, FOAMTEX_DATE));
             return ExitCode::Success;
         };
     });

@@ -2,6 +2,7 @@
 
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/standard_output.h"
 #include "texgen/image/format.h"
 #include "texgen/maps/all_maps.h"
 
@@ -30,20 +31,20 @@ ExitCode list_maps() {
         unit_width = std::max(unit_width, map.unit.size());
     }
     for (const Map& map : all_maps()) {
-        fmt::print("{:<{}}  {:<5}  {:>2} bit  {:<{}}  {}\n",
-                   map.name,
-                   name_width,
-                   map.channels,
-                   map.png_bits,
-                   map.unit,
-                   unit_width,
-                   map.meaning);
+        print_stdout("{:<{}}  {:<5}  {:>2} bit  {:<{}}  {}\n",
+                     map.name,
+                     name_width,
+                     map.channels,
+                     map.png_bits,
+                     map.unit,
+                     unit_width,
+                     map.meaning);
     }
     return ExitCode::Success;
 }
 
 ExitCode print_markdown() {
-    fmt::print("{}", describe_maps_in_markdown());
+    write_stdout(describe_maps_in_markdown());
     return ExitCode::Success;
 }
 

@@ -2,13 +2,13 @@
 
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/standard_output.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_schema.h"
 #include "texgen/preset/shipped_presets.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>
@@ -40,7 +40,7 @@ ExitCode list_presets() {
     }
     for (const ShippedPreset& shipped : shipped_presets()) {
         const Preset preset = load_preset(std::string(shipped.name));
-        fmt::print("{:<{}}  {}\n", shipped.name, width, preset.description);
+        print_stdout("{:<{}}  {}\n", shipped.name, width, preset.description);
     }
     return ExitCode::Success;
 }
@@ -63,17 +63,17 @@ ExitCode print_presets_as_json() {
 }
 
 ExitCode show_preset(const std::string& name) {
-    fmt::print("{}", find_shipped_preset(name).toml);
+    write_stdout(find_shipped_preset(name).toml);
     return ExitCode::Success;
 }
 
 ExitCode show_keys(const std::string& table) {
-    fmt::print("{}", table.empty() ? describe_keys() : describe_table(table));
+    write_stdout(table.empty() ? describe_keys() : describe_table(table));
     return ExitCode::Success;
 }
 
 ExitCode print_schema() {
-    fmt::print("{}", preset_schema());
+    write_stdout(preset_schema());
     return ExitCode::Success;
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/estimated_size.h"
+#include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/image/file_io.h"
 #include "texgen/image/scratch_folder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
@@ -21,6 +24,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace foam::texgen {
@@ -119,13 +123,42 @@ Preset preset_to_bake(const PreviewArguments& arguments, const std::filesystem::
     return preset;
 }
 
+/// Returns callbacks that end a bake with std::invalid_argument as soon as its first frames show
+/// that the previews are impossible, before the whole animation has been baked.
+BakeCallbacks checks_of(const PreviewOptions& options,
+                        const Preset& preset,
+                        const ProgressCallback& on_progress) {
+    return {.on_progress = on_progress,
+            .on_frame =
+                [&](const SimulatedFrame& shown) {
+                    if (shown.frame->number == options.frames.front()) {
+                        check_tiling(
+                            options, tiles(shown.frame->domain), shown.frame->number, preset.name);
+                    }
+                },
+            .on_baked =
+                [](const BakedFrame& baked) {
+                    for (const WrittenFile& file : baked.files) {
+                        for (const auto& [map, samples] : file.maps) {
+                            check_shown_map(std::string(map->name), samples.kind);
+                        }
+                    }
+                }};
+}
+
 ExitCode preview_preset(const PreviewArguments& arguments) {
     const ScratchFolder scratch;
     const Preset preset = preset_to_bake(arguments, scratch.path());
     PreviewOptions options = options_of(arguments);
     options.frames = frames_of(arguments.run, preset);
+    if (preset.shape.kind == FoamKind::Patch) {
+        check_tiling(options, false, options.frames.front(), preset.name);
+    }
+    check_writable(arguments.out.value_or("out"));
     if (!arguments.run.quiet) {
         warn_of_full_disk(estimated_size(preset, options.frames), scratch.path());
+        warn_of_little_memory(
+            estimated_memory(preset, options.frames.size(), arguments.run.threads));
     }
     Shown shown{preset.name, options.frames};
     const RunOutcome outcome = [&] {
@@ -133,7 +166,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
         const BakeSummary summary =
             bake_recorded(preset,
                           {.frames = options.frames, .threads = arguments.run.threads},
-                          {.on_progress = reporter.callback()});
+                          checks_of(options, preset, reporter.callback()));
         if (summary.outcome.status == RunStatus::Complete) {
             const Manifest manifest = read_manifest(scratch.path());
             shown.files = write_previews(manifest.sets.front(),
@@ -149,8 +182,9 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
 }
 
 ExitCode run_preview(const PreviewArguments& arguments) {
-    return std::filesystem::is_directory(arguments.run.preset) ? preview_folder(arguments)
-                                                               : preview_preset(arguments);
+    std::error_code ignored;  // what is no folder is the name of a preset
+    return std::filesystem::is_directory(arguments.run.preset, ignored) ? preview_folder(arguments)
+                                                                        : preview_preset(arguments);
 }
 
 void add_choices(CLI::App& command, PreviewArguments& arguments) {

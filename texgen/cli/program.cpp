@@ -8,16 +8,17 @@
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/memory.h"
 #include "texgen/keys/nearest.h"
 #include "texgen/preset/assignment.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -35,17 +36,15 @@ constexpr const char* kFooter = R"(Examples:
   foamtex presets show sea_foam > my.toml      a starting point for a preset of your own
   foamtex bake my.toml --frames 1-120
 
-Exit codes: 0 success, 1 unexpected internal failure, 2 bad command line or preset,
+Exit codes: 0 success, 1 internal failure or out of memory, 2 bad command line or preset,
   3 the foam did not reach equilibrium, or its loop does not close, 4 bad input file,
-  5 an output could not be written, 6 a check of verify failed, 130 interrupted, 143 terminated.
+  5 an output could not be written, 6 a check of verify failed, 129 hung up, 130 interrupted,
+  143 terminated.
   The codes of compare are different: see foamtex compare --help)";
 
-/// Prints a message on stderr as one line, in which newlines are replaced by spaces. Returns the
-/// given exit code.
-ExitCode report(std::string message, ExitCode code) {
-    std::replace_if(
-        message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    print_stderr("foamtex: {}\n", message);
+/// Prints a message on stderr as one line. Returns the given exit code.
+ExitCode report(const std::string& message, ExitCode code) {
+    print_stderr("foamtex: {}", message);
     return code;
 }
 
@@ -59,6 +58,13 @@ ExitCode code_for_command(ExitCode code, std::string_view command) {
         return ExitCode::CompareInternalFailure;
     }
     return code;
+}
+
+/// Returns the exit code of a run that a signal has stopped: 128 plus the number of the signal, as
+/// a shell does.
+ExitCode code_of(const Interrupted& error) {
+    constexpr int kSignals = 128;
+    return static_cast<ExitCode>(kSignals + error.signal());
 }
 
 /// Returns the names of the subcommands of a command.
@@ -144,8 +150,7 @@ ExitCode run_program(int argc, char** argv) {
     try {
         return flushed(parse_and_run(argc, argv, command));
     } catch (const Interrupted& error) {
-        return fail(error.what(),
-                    error.signal() == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated);
+        return fail(error.what(), code_of(error));
     } catch (const PresetError& error) {
         return fail(error.what(), ExitCode::BadRequest);
     } catch (const std::invalid_argument& error) {
@@ -156,6 +161,16 @@ ExitCode run_program(int argc, char** argv) {
         return fail(error.what(), ExitCode::BadInput);
     } catch (const OutputError& error) {
         return fail(error.what(), ExitCode::OutputFailed);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return fail(
+            fmt::format("cannot access '{}': {}", error.path1().string(), error.code().message()),
+            ExitCode::BadInput);
+    } catch (const OutOfMemory& error) {
+        return fail(std::string("out of memory: ") + error.what(), ExitCode::InternalFailure);
+    } catch (const std::bad_alloc&) {
+        return fail(
+            "out of memory: use smaller images, fewer maps, fewer bubbles or fewer --threads",
+            ExitCode::InternalFailure);
     } catch (const std::exception& error) {
         return fail(std::string("internal failure: ") + error.what(), ExitCode::InternalFailure);
     }

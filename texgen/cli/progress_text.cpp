@@ -120,7 +120,7 @@ std::string progress_json(const RunProgress& progress,
         {"bubbles", count_or_null(progress.bubbles)},
         {"cycle", count_or_null(progress.cycle)},
         {"measure", number_or_null(progress.measure)}};
-    return object.dump();
+    return json_text(object);
 }
 
 std::string long_duration(double seconds) {

@@ -6,9 +6,10 @@
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
+#include "texgen/cli/standard_output.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <memory>
@@ -68,7 +69,7 @@ void print_report(const RelaxReport& report) {
 }
 
 void print_line(const RelaxReport& report, const std::string& out) {
-    fmt::print(
+    print_stdout(
         "{}: {} bubbles, energy {:.15g}, area error {:.1e}, angle error {:.1e}, "
         "{} iterations, {} T1, {:.2f} s\n",
         out,
@@ -83,23 +84,32 @@ void print_line(const RelaxReport& report, const std::string& out) {
 
 void print_notes(const LoadedFoam& loaded, const std::string& in) {
     for (const std::string& note : loaded.notes) {
-        print_stderr("foamtex: {}: note: {}\n", in, note);
+        print_stderr("foamtex: {}: note: {}", in, note);
     }
+}
+
+/// Prints that the foam did not reach equilibrium, as one line with all notes, since they may tell
+/// why.
+void print_failure(const LoadedFoam& loaded, const std::string& in) {
+    print_stderr("foamtex: {}: the foam did not reach equilibrium{}{}",
+                 in,
+                 loaded.notes.empty() ? "" : "; note: ",
+                 fmt::join(loaded.notes, "; "));
 }
 
 ExitCode run_relax(const RelaxArguments& arguments) {
     check_foam_name(arguments.in);
     check_foam_name(arguments.out);
     LoadedFoam loaded = load_foam(arguments.in);
-    if (!arguments.quiet) {
-        print_notes(loaded, arguments.in);
-    }
     const RelaxReport report = relax_loaded(loaded.foam, arguments.threads);
     const bool converged = report.summary.converged();
     if (converged) {
         save_foam(arguments.out, loaded.foam);
     } else {
-        print_stderr("foamtex: {}: the foam did not reach equilibrium\n", arguments.in);
+        print_failure(loaded, arguments.in);
+    }
+    if (converged && !arguments.quiet) {
+        print_notes(loaded, arguments.in);
     }
     if (arguments.json) {
         print_report(report);

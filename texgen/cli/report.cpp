@@ -4,6 +4,8 @@
 
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/standard_error.h"
+#include "texgen/cli/standard_output.h"
+#include "texgen/image/memory.h"
 #include "texgen/preset/event_frames.h"
 
 #include <fmt/format.h>
@@ -18,22 +20,9 @@
 
 namespace foam::texgen {
 
-namespace {
-
-/// Returns a number of bytes for users, such as "1.5 GB".
-std::string amount_of_bytes(std::uint64_t bytes) {
-    constexpr double kMega = 1e6;
-    constexpr double kGiga = 1e9;
-    const auto number = static_cast<double>(bytes);
-    return number < kGiga ? fmt::format("{:.1f} MB", number / kMega)
-                          : fmt::format("{:.1f} GB", number / kGiga);
-}
-
-}  // namespace
-
 void print_files(std::span<const std::filesystem::path> files) {
     for (const std::filesystem::path& file : files) {
-        fmt::print("{}\n", file.string());
+        print_stdout("{}\n", file.string());
     }
 }
 
@@ -44,7 +33,7 @@ void note_missing_charts(const StatisticsFiles& statistics) {
     const bool missing = statistics.charts == ChartStatus::NoGnuplot;
     print_stderr(
         "foamtex: note: charts are missing, because gnuplot {}; to draw them, run in '{}': "
-        "gnuplot {}\n",
+        "gnuplot {}",
         missing ? "is not installed" : "failed",
         statistics.paths.front().parent_path().string(),
         kChartsScriptName);
@@ -54,7 +43,7 @@ void note_other_version(const CacheInfo& cache, const std::filesystem::path& fol
     if (cache.version != FOAMTEX_VERSION) {
         print_stderr(
             "foamtex: note: the cache '{}' was simulated by foamtex {}; this is foamtex {}, "
-            "which may simulate the same preset differently\n",
+            "which may simulate the same preset differently",
             folder.string(),
             cache.version,
             FOAMTEX_VERSION);
@@ -66,7 +55,7 @@ void note_open_loop(const Preset& preset, std::span<const int> frames) {
     if (preset.loop.kind != LoopKind::None && !closes_loop(frames, count)) {
         print_stderr(
             "foamtex: note: the frames {} alone do not loop; the loop of '{}' has the "
-            "frames 1-{}, and --set frames.count=N changes its length\n",
+            "frames 1-{}, and --set frames.count=N changes its length",
             format_frame_range(frames),
             preset.name,
             count);
@@ -83,7 +72,7 @@ void note_late_events(const Preset& preset, std::span<const int> frames) {
         }
     }
     if (!late.empty()) {
-        print_stderr("foamtex: note: events of '{}' begin after the last frame, {}: {}\n",
+        print_stderr("foamtex: note: events of '{}' begin after the last frame, {}: {}",
                      preset.name,
                      last,
                      fmt::join(late, ", "));
@@ -100,10 +89,24 @@ void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder) 
     const std::filesystem::space_info space = std::filesystem::space(existing, error);
     if (!error && space.capacity > 0 && size > space.available) {
         print_stderr(
-            "foamtex: warning: the files need about {}, but the disk of '{}' has only {} left\n",
+            "foamtex: warning: the files need about {}, but the disk of '{}' has only {} left",
             amount_of_bytes(size),
             folder.empty() ? "." : folder.string(),
             amount_of_bytes(space.available));
+    }
+}
+
+std::string memory_needed(std::uint64_t bytes) {
+    return fmt::format("this needs about {}; lower --threads, image.size or foam.bubbles",
+                       amount_of_bytes(bytes));
+}
+
+void warn_of_little_memory(std::uint64_t bytes) {
+    const std::uint64_t available = available_memory();
+    if (bytes > available) {
+        print_stderr("foamtex: warning: only {} of memory are available, but {}",
+                     amount_of_bytes(available),
+                     memory_needed(bytes));
     }
 }
 
@@ -116,11 +119,10 @@ ExitCode report_failure(const RunOutcome& outcome) {
                 : "have different neighbors than at its start";
         print_stderr(
             "foamtex: the loop does not close: bubbles at the end of its last cycle {}; "
-            "use a smaller loop.amplitude or more loop.cycles\n",
+            "use a smaller loop.amplitude or more loop.cycles",
             apart);
     } else {
-        print_stderr("foamtex: frame {}: the foam did not reach equilibrium\n",
-                     outcome.failed_frame);
+        print_stderr("foamtex: frame {}: the foam did not reach equilibrium", outcome.failed_frame);
     }
     return ExitCode::NoEquilibrium;
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 
 namespace foam::texgen {
 
@@ -35,6 +36,13 @@ void note_late_events(const Preset& preset, std::span<const int> frames);
 /// Prints a warning on stderr if files of the given size, in bytes, do not fit on the disk of a
 /// folder. The folder may be missing; then its nearest existing parent counts.
 void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder);
+
+/// Returns a text that says how much memory a run needs, given the estimated number of bytes, and
+/// what to lower.
+std::string memory_needed(std::uint64_t bytes);
+
+/// Prints a warning on stderr if a run needs more memory than is available.
+void warn_of_little_memory(std::uint64_t bytes);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the
 /// run failed.

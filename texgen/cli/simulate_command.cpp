@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cache/simulation_keys.h"
@@ -8,6 +9,7 @@
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/cli/standard_output.h"
 #include "texgen/image/file_io.h"
 
 #include <CLI/CLI.hpp>
@@ -72,6 +74,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
     if (verbosity != Verbosity::Quiet) {
         warn_of_full_disk(estimated_cache_size(preset, options.frames, arguments.cache),
                           arguments.cache);
+        warn_of_little_memory(estimated_foam_memory(preset));
     }
     const RunOutcome outcome = [&] {
         ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
@@ -88,7 +91,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
         return report_failure(outcome);
     }
     if (verbosity != Verbosity::Quiet && !arguments.json) {
-        fmt::print("{}\n", arguments.cache);
+        print_stdout("{}\n", arguments.cache);
     }
     return ExitCode::Success;
 }

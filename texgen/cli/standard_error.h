@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include "texgen/image/shown_text.h"
+
 #include <fmt/core.h>
 
 #include <string_view>
@@ -25,10 +27,11 @@ void write_stderr(std::string_view text) noexcept;
 /// a pipe or for a terminal that is stopped; then the text is lost.
 void write_stderr_without_waiting(std::string_view text) noexcept;
 
-/// Formats a text and writes it to stderr.
+/// Formats a message and writes it to stderr as one line that a terminal shows without interpreting
+/// any character (shown_text).
 template <class... Arguments>
 void print_stderr(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    write_stderr(fmt::format(format, std::forward<Arguments>(arguments)...));
+    write_stderr(shown_text(fmt::format(format, std::forward<Arguments>(arguments)...)) + "\n");
 }
 
 }  // namespace foam::texgen

@@ -8,6 +8,7 @@
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/image/file_io.h"
 #include "texgen/stats/files.h"
 #include "texgen/stats/measure_run.h"
 
@@ -60,6 +61,7 @@ ExitCode run_stats(const StatsArguments& arguments) {
         options.source = cache->frames_of(preset);
         options.frames = arguments.run.frames ? options.frames : cache->info().frames;
     }
+    check_writable(folder_of(arguments, preset));
     const Verbosity verbosity = verbosity_of(arguments.run);
     const MeasureSummary summary = [&] {
         ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));

@@ -3,10 +3,11 @@
 #include "texgen/cli/command.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/progress.h"
+#include "texgen/cli/standard_output.h"
+#include "texgen/image/shown_text.h"
 #include "texgen/verify/verify.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 #include <memory>
 #include <string>
@@ -35,9 +36,9 @@ ExitCode run_verify(const VerifyArguments& arguments) {
         return verify(arguments.path, reporter.callback());
     }();
     if (arguments.json) {
-        fmt::print("{}", to_json(found));
+        write_stdout(to_json(found));
     } else if (!arguments.quiet) {
-        fmt::print("{}", to_text(found));
+        write_stdout(shown_lines(to_text(found)));
     }
     return found.holds() ? ExitCode::Success : ExitCode::CheckFailed;
 }

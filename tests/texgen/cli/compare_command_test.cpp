@@ -208,6 +208,8 @@ TEST_F(CompareCommand, SeveralFramesNeedAFrameNumberInBothNames) {
 }
 
 TEST_F(CompareCommand, ShowsWhereTheyDiffer) {
+    EXPECT_EQ(compare("a.0002.png b.0002.png --diff d.exr").code, 64);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "d.exr"));
     EXPECT_EQ(compare("a.0002.png b.0002.png --diff d.png").code, 2);
     const Image<std::uint16_t> shown = codes16(read_picture(folder_.path() / "d.png"));
     EXPECT_EQ(shown.row(0)[0], 65535);

@@ -56,6 +56,24 @@ TEST(Interruption, SigtermHasItsOwnExitCode) {
     EXPECT_TRUE(outcome.err.ends_with("foamtex: terminated\n")) << outcome.err;
 }
 
+TEST(Interruption, AClosedTerminalHasItsOwnExitCode) {
+    const TemporaryFolder folder;
+    const Outcome outcome = stopped_by("HUP", folder);
+    EXPECT_EQ(outcome.code, 129);
+    EXPECT_TRUE(outcome.err.ends_with("foamtex: hung up\n")) << outcome.err;
+}
+
+// As with nohup.
+TEST(Interruption, AnIgnoredSignalStaysIgnored) {
+    const Outcome outcome = run_program(
+        "--version > /dev/null; trap '' HUP; { '" + foam::test::executable().string() +
+        "' bake sea_foam -q --set foam.bubbles=16 --set loop.kind=none --set frames.count=300 "
+        "--size 8 --out a.###.png & until [ -e a.001.png ] || ! kill -0 $!; do sleep 0.01; done; "
+        "kill -HUP $!; wait $!; }");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.written.size(), 301U);
+}
+
 // Sends SIGINT to a bake as soon as its verbose output contains a text.
 Outcome stopped_in_phase(const std::string& arguments, const std::string& text) {
     return run_program("--version > /dev/null; { '" + foam::test::executable().string() +

@@ -69,6 +69,18 @@ TEST(PreviewCommand, ABadRequestIsOneLine) {
     EXPECT_EQ(run_program("preview .", folder).code, static_cast<int>(ExitCode::BadInput));
 }
 
+// What the preset alone shows is said before anything is simulated, the rest at the first frame: a
+// bake of all of these frames would take hours.
+TEST(PreviewCommand, AnImpossiblePreviewIsSaidEarly) {
+    const std::string frames = " --set foam.bubbles=16 --set loop.kind=none --frames 1-100000 ";
+    for (const char* const arguments :
+         {"soap_raft --as contact,tiling", "sea_foam --maps id --size 8"}) {
+        const Outcome outcome = run_program("preview " + std::string(arguments) + frames);
+        EXPECT_EQ(outcome.code, 2) << outcome.err;
+        EXPECT_TRUE(outcome.written.empty());
+    }
+}
+
 // This PATH hides ffmpeg even if it is installed.
 TEST(PreviewCommand, ReportsMissingFfmpeg) {
     const TemporaryFolder folder;

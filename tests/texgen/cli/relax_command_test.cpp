@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -126,6 +127,18 @@ TEST(RelaxCommand, WithoutEquilibriumNothingIsWritten) {
     EXPECT_EQ(outcome.err, "foamtex: in.json: the foam did not reach equilibrium\n");
     EXPECT_NE(Json::parse(outcome.out).at("status"), "converged");
     EXPECT_EQ(work.files(), std::vector<std::string>{"in.json"});
+    // A file with a note; there is still one line.
+    std::string text = write_evolver(foam);
+    const std::size_t vertices = text.find("vertices");
+    ASSERT_NE(vertices, std::string::npos);
+    text.insert(vertices, "quantity q FIXED = 0 METHOD m\n");
+    write_text(work, "in.fe", text);
+    const Outcome noted = run_program("relax in.fe -o out.json", work);
+    EXPECT_EQ(noted.code, static_cast<int>(ExitCode::NoEquilibrium));
+    EXPECT_TRUE(
+        noted.err.starts_with("foamtex: in.fe: the foam did not reach equilibrium; note: line "))
+        << noted.err;
+    EXPECT_EQ(std::count(noted.err.begin(), noted.err.end(), '\n'), 1) << noted.err;
 }
 
 TEST(RelaxCommand, OutputErrorIsCode5) {

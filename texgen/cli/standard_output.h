@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+namespace foam::texgen {
+
+// Results are written to stdout only through these functions. None of them throws if stdout is
+// closed or full: run_program checks at the end whether everything arrived.
+
+/// Writes a text to stdout.
+inline void write_stdout(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+/// Formats a text and writes it to stdout.
+template <class... Arguments>
+void print_stdout(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    write_stdout(fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+
+}  // namespace foam::texgen
