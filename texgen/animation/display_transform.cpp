@@ -6,14 +6,9 @@
 
 namespace foam::texgen {
 
-namespace {
-
-// Returns the displacement by the drift, in foam units, after the fraction `progress` of the loop.
 Vec2 drift_displacement(const Domain& domain, const LoopOptions& loop, double progress) {
     return {progress * loop.drift[0] * domain.width, progress * loop.drift[1] * domain.height};
 }
-
-}  // namespace
 
 bool has_display_transform(const LoopOptions& loop) {
     return loop.kind == LoopKind::Shear || loop.drift != std::array{0, 0};

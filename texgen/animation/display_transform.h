@@ -17,6 +17,10 @@ bool has_display_transform(const LoopOptions& loop);
 /// their curvatures; angles between films change by up to about the strain, in radians.
 Foam transformed_for_display(Foam foam, const LoopOptions& loop, double progress);
 
+/// Returns the displacement by the drift of the loop, in foam units, after the fraction `progress`
+/// of the loop.
+Vec2 drift_displacement(const Domain& domain, const LoopOptions& loop, double progress);
+
 /// Returns the position to which `transformed_for_display` moves a point of the foam. `domain` is
 /// the domain before the shear is removed.
 Vec2 transformed_for_display(const Vec2& point,

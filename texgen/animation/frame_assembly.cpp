@@ -2,7 +2,11 @@
 
 #include "texgen/animation/frame_assembly.h"
 
+#include "texgen/animation/display_transform.h"
+#include "texgen/animation/shared_bubbles.h"
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 // Each frame is a request for one to four states. Requests are sorted by the last state that they
@@ -23,13 +27,53 @@ std::shared_ptr<const Frame> renumbered(const std::shared_ptr<const Frame>& fram
     return std::make_shared<const Frame>(std::move(copy));
 }
 
+double aspect_of(const ImageOptions& image) {
+    return static_cast<double>(image.width) / image.height;
+}
+
+FadeOrder fade_order_of(const Preset& preset) {
+    return FadeOrder({.bubbles = static_cast<double>(preset.seeding.bubbles),
+                      .spread = preset.loop.fade_spread,
+                      .aspect = aspect_of(preset.image),
+                      .seed = preset.seeding.seed});
+}
+
+// Moves a state, and the events of its record, by the current.
+void carry(const Current& current, double progress, DrawnState& state) {
+    FoamRecord record = *state.record;
+    for (RecordedEvent& event : record.events) {
+        event.position += current.displacement(event.position, state.frame->domain, progress);
+    }
+    state.record = std::make_shared<const FoamRecord>(std::move(record));
+    state.frame = std::make_shared<const Frame>(current.carried(*state.frame, progress));
+}
+
+// Moves two frames towards each other, so that shared bubbles are in the same places: the frame
+// that fades out by the fraction `passed` of the way, the other frame by the rest.
+void move_together(double passed,
+                   std::shared_ptr<const Frame>& out,
+                   std::shared_ptr<const Frame>& in) {
+    auto moved_out = std::make_shared<const Frame>(moved_towards(*out, *in, passed));
+    in = std::make_shared<const Frame>(moved_towards(*in, *out, 1.0 - passed));
+    out = std::move(moved_out);
+}
+
 }  // namespace
 
 FrameAssembly::FrameAssembly(const Preset& preset,
                              const std::vector<int>& numbers,
                              NextFrames next_frames,
                              FrameVisitor on_frame)
-    : includes_next_(next_frames == NextFrames::Included), on_frame_(std::move(on_frame)) {
+    : includes_next_(next_frames == NextFrames::Included),
+      loop_(preset.loop),
+      count_(preset.frames.count),
+      on_frame_(std::move(on_frame)) {
+    if (loop_.current > 0.0) {
+        current_.emplace(loop_, aspect_of(preset.image), preset.seeding.seed);
+    }
+    if (loop_.is_cross_faded()) {
+        fade_order_.emplace(fade_order_of(preset));
+    }
     if (preset.shape.kind == FoamKind::Patch) {
         uses_[1];  // makes states() include state 1
     }
@@ -76,13 +120,28 @@ void FrameAssembly::add(const SimulatedFrame& state) {
     total_.angle_error = state.effort.angle_error;
     const int number = state.frame->number;
     if (uses_.at(number) > 0) {
-        kept_.emplace(number, state).first->second.effort = total_;
+        kept_.emplace(number, prepared(state)).first->second.effort = total_;
     }
     while (emitted_ < requests_.size() && requests_[emitted_].states.back() <= number) {
         emit(requests_[emitted_]);
         release(requests_[emitted_]);
         ++emitted_;
     }
+}
+
+// Adds to a state of the simulation what its frames need. Ranks are those of the foam before the
+// drift and the current move it, so that a bubble keeps its rank.
+SimulatedFrame FrameAssembly::prepared(const SimulatedFrame& state) const {
+    SimulatedFrame frame = state;
+    const double progress = loop_progress(state.frame->number, loop_, count_);
+    if (fade_order_) {
+        frame.fade_ranks = fade_order_->ranks(
+            *state.frame, drift_displacement(state.frame->domain, loop_, progress));
+    }
+    if (current_) {
+        carry(*current_, progress, frame);
+    }
+    return frame;
 }
 
 void FrameAssembly::emit(const Request& request) {
@@ -92,11 +151,29 @@ void FrameAssembly::emit(const Request& request) {
     static_cast<DrawnState&>(frame) = drawn(shown.state, shown.next);
     frame.frame = renumbered(frame.frame, request.number);
     if (shown.is_cross_fade()) {
-        frame.fading_in = drawn(shown.fading_in, shown.next_fading_in());
-        frame.fading_in.frame = renumbered(frame.fading_in.frame, request.number);
-        frame.fade_progress = shown.fade_progress;
+        add_cross_fade(request, frame);
     }
     on_frame_(frame);
+}
+
+// Adds the foam that fades in. Bubbles that are in both foams are moved to common places, and
+// change from one foam to the other at once; all other bubbles grow.
+void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame) const {
+    const ShownStates& shown = request.shown;
+    const double passed = shown.fade_progress;
+    frame.fading_in = drawn(shown.fading_in, shown.next_fading_in());
+    frame.fading_in.frame = renumbered(frame.fading_in.frame, request.number);
+    const std::vector<std::optional<Vec2>> shared =
+        displacements_of_shared(*frame.fading_in.frame, *frame.frame);
+    for (std::size_t k = 0; k < shared.size(); ++k) {
+        const double growth = fade_order_->growth(frame.fading_in.fade_ranks[k], passed);
+        frame.fade_growth.push_back(shared[k] ? std::floor(growth + 0.5) : growth);
+    }
+    move_together(passed, frame.frame, frame.fading_in.frame);
+    if (includes_next_) {
+        const double step = 1.0 / (states_before_first_frame(loop_, count_) + 1);
+        move_together(std::min(passed + step, 1.0), frame.next, frame.fading_in.next);
+    }
 }
 
 DrawnState FrameAssembly::drawn(int state, int next) const {

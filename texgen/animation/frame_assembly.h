@@ -2,11 +2,14 @@
 
 #pragma once
 
+#include "texgen/animation/current.h"
+#include "texgen/animation/fade_order.h"
 #include "texgen/animation/shown_states.h"
 #include "texgen/animation/simulated_frame.h"
 #include "texgen/preset/preset.h"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace foam::texgen {
@@ -20,7 +23,7 @@ enum class NextFrames { Omitted, Included };
 /// passes it to the visitor, as soon as all states that it needs exist. The frames are emitted in
 /// increasing order, except in a pingpong: the second half shows states of the first half, so the
 /// frames of the second half are emitted among the frames of the first half. States are released
-/// when no further frame needs them.
+/// when no further frame needs them. Frames show the foam carried by the current of the loop.
 class FrameAssembly {
   public:
     /// Prepares the frames with the given numbers. `on_frame` is called for each of them.
@@ -45,13 +48,19 @@ class FrameAssembly {
         std::vector<int> states;  // states that the frame needs, in increasing order
     };
 
+    SimulatedFrame prepared(const SimulatedFrame& state) const;
     Request request_of(int number, const Preset& preset) const;
     void emit(const Request& request);
+    void add_cross_fade(const Request& request, SimulatedFrame& frame) const;
     DrawnState drawn(int state, int next) const;
     void release(const Request& request);
     FrameEffort effort_since_last(const FrameEffort& total);
 
     bool includes_next_;
+    LoopOptions loop_;
+    int count_;  // frames of the loop
+    std::optional<Current> current_;
+    std::optional<FadeOrder> fade_order_;
     FrameVisitor on_frame_;
     std::vector<Request> requests_;  // in the order in which their frames are emitted
     std::size_t emitted_ = 0;        // number of requests whose frames were emitted

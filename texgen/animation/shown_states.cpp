@@ -66,4 +66,9 @@ int frame_of_state(int state, const LoopOptions& loop, int count) {
     return std::max(state - states_before_first_frame(loop, count), 1);
 }
 
+double loop_progress(int state, const LoopOptions& loop, int count) {
+    const int number = state - states_before_first_frame(loop, count) + count;
+    return static_cast<double>((number - 1) % count) / count;
+}
+
 }  // namespace foam::texgen

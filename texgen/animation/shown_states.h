@@ -35,4 +35,8 @@ int states_before_first_frame(const LoopOptions& loop, int count);
 /// the state of frame 1.
 int frame_of_state(int state, const LoopOptions& loop, int count);
 
+/// Returns the fraction of the loop that precedes a state, from 0 (included) to 1. It is 0 for the
+/// state of frame 1, and repeats after `count` states.
+double loop_progress(int state, const LoopOptions& loop, int count);
+
 }  // namespace foam::texgen

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -27,12 +28,13 @@ struct FrameEffort {
 struct DrawnState {
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const FoamRecord> record;
-    std::shared_ptr<const Frame> next;  // the frame after `frame`; null if not requested
+    std::shared_ptr<const Frame> next;    // the frame after `frame`; null if not requested
+    std::vector<double> fade_ranks = {};  // of the bubbles (FadeOrder); only in a flow
 
-    /// Returns the input of FrameLayers, which borrows this state. `distance` lists the images of
-    /// the distance field that the maps need.
-    FrameInput input(const DistanceNeeds& distance) const {
-        return {*frame, *record, next.get(), distance};
+    /// Returns the input of FrameLayers, which borrows this state and the cross-fade. `distance`
+    /// lists the images of the distance field that the maps need.
+    FrameInput input(const DistanceNeeds& distance, const CrossFade* fade = nullptr) const {
+        return {*frame, *record, next.get(), distance, fade};
     }
 };
 
@@ -42,8 +44,14 @@ struct SimulatedFrame : DrawnState {
     FrameEffort effort;
     std::optional<View> view = {};             // view of a patch, the same in all frames
     std::optional<double> closing_error = {};  // Simulation::closing_error
-    DrawnState fading_in = {};   // state that fades in; null pointers if there is none
-    double fade_progress = 0.0;  // fraction of the fade that has passed, 0 to 1
+    DrawnState fading_in = {};  // state that fades in; null pointers if there is none
+    std::vector<double> fade_growth = {};      // how far each bubble of `fading_in` has grown, 0 to 1
+
+    /// Returns the cross-fade, which borrows the frames; nullopt if there is none.
+    std::optional<CrossFade> cross_fade() const {
+        return fading_in.frame ? std::optional(CrossFade{*frame, *fading_in.frame, fade_growth})
+                               : std::nullopt;
+    }
 };
 
 /// Receives each frame of a run, one at a time.

@@ -141,8 +141,7 @@ FoamRecord Simulation::record() const {
 }
 
 double Simulation::loop_progress() const {
-    const int number = number_ - states_before_first_frame(loop_, frames_.count) + frames_.count;
-    return static_cast<double>((number - 1) % frames_.count) / frames_.count;
+    return foam::texgen::loop_progress(number_, loop_, frames_.count);
 }
 
 // Runs cycles, at most loop_.cycles, until a cycle closes: its closing error is below kClosed, and

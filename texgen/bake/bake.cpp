@@ -9,7 +9,6 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/image/file_io.h"
-#include "texgen/maps/fade_order.h"
 
 #include <algorithm>
 #include <chrono>
@@ -37,14 +36,6 @@ FrameSource source_of(const Preset& preset, const BakeOptions& options) {
     return options.source ? options.source : simulation_of(preset, options.threads);
 }
 
-FadeOrder::Options fade_order_options(const Preset& preset) {
-    return {.width = preset.image.width,
-            .height = preset.image.height,
-            .bubbles = static_cast<double>(preset.seeding.bubbles),
-            .spread = preset.loop.fade_spread,
-            .seed = preset.seeding.seed};
-}
-
 /// Draws frames, writes their files and reports them. `write` may be called from several threads at
 /// once.
 class FrameWriter {
@@ -53,11 +44,7 @@ class FrameWriter {
         : preset_(preset),
           files_(preset),
           callbacks_(callbacks),
-          meter_(Phase::Frames, total, callbacks.on_progress) {
-        if (preset.loop.is_cross_faded()) {
-            fade_order_.emplace(fade_order_options(preset));
-        }
-    }
+          meter_(Phase::Frames, total, callbacks.on_progress) {}
 
     /// Returns Included if drawing a frame also needs the frame after it, otherwise Omitted.
     NextFrames next_frames() const {
@@ -87,10 +74,11 @@ class FrameWriter {
     void write(const SimulatedFrame& shown) {
         const Clock::time_point begin = Clock::now();
         const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
-        ShownLayers layers{.layers = FrameLayers(shown.input(files_.distance()), grid, 1)};
-        if (shown.fading_in.frame) {
-            layers.fading_in.emplace(shown.fading_in.input(files_.distance()), grid, 1);
-            layers.weights = fade_order_->weights(shown.fade_progress);
+        const std::optional<CrossFade> fade = shown.cross_fade();
+        const CrossFade* const shared = fade ? &*fade : nullptr;
+        ShownLayers layers{.layers = FrameLayers(shown.input(files_.distance(), shared), grid, 1)};
+        if (fade) {
+            layers.fading_in.emplace(shown.fading_in.input(files_.distance(), shared), grid, 1);
         }
         BakedFrame baked{shown, files_.write(layers), 0.0};
         baked.seconds = seconds_since(begin);
@@ -124,7 +112,6 @@ class FrameWriter {
 
     const Preset& preset_;
     FrameFiles files_;
-    std::optional<FadeOrder> fade_order_;
     const BakeCallbacks& callbacks_;
     std::mutex mutex_;
     std::vector<WrittenNumbers> numbers_;

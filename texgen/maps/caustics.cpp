@@ -85,9 +85,7 @@ class Floor {
 
 // Returns the light on the floor. `samples` is the number of rays per pixel in each direction.
 Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth, int samples) {
-    FrameLayers rays({layers.frame(), layers.record(), nullptr, {.smooth = true}},
-                     finer(layers.grid(), samples),
-                     layers.threads());
+    FrameLayers rays = layers.on_grid(finer(layers.grid(), samples), {.smooth = true});
     const Relief relief(rays, source, Relief::kFoot);
     const double diameter = relief.diameter() / samples;  // in pixels of the floor
     const double reach = depth * diameter * (1.0 - 1.0 / kIndex) * static_cast<double>(kUnit);

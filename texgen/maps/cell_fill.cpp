@@ -98,6 +98,26 @@ Image<float> covered_numbers_of(const Image<std::uint16_t>& steps, const Steps& 
     return image;
 }
 
+// In a cross-fade, paints the border as a film over an image of bubbles and films.
+void paint_border(FrameLayers& layers,
+                  double film_width,
+                  const Texel& film,
+                  Image<std::uint16_t>& image) {
+    const FadeBorder* const border = film_width > 0.0 ? layers.border() : nullptr;
+    if (border == nullptr) {
+        return;
+    }
+    const auto channels = static_cast<std::size_t>(image.channels());
+    for (std::size_t k = 0; k < border->distance.samples().size(); ++k) {
+        const float part = line_coverage(border->distance.samples()[k], film_width);
+        for (std::size_t c = 0; part > 0.0F && c < channels; ++c) {
+            std::uint16_t& sample = image.samples()[channels * k + c];
+            sample = static_cast<std::uint16_t>(std::lround(
+                std::lerp(static_cast<float>(sample), static_cast<float>(film[c]), part)));
+        }
+    }
+}
+
 }  // namespace
 
 ColorPixels fill_colors(FrameLayers& layers,
@@ -116,6 +136,7 @@ ColorPixels fill_colors(FrameLayers& layers,
         bleed_colors(image.view(), {values.film[0], values.film[1], values.film[2]});
     } else {
         fill_cells(cells, values, layers.threads(), image.view());
+        paint_border(layers, film_width, values.film, image);
     }
     return {std::move(image)};
 }
@@ -138,6 +159,7 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
         return covered_numbers_of(steps, scale);
     }
     fill_cells(cells, values, layers.threads(), steps.view());
+    paint_border(layers, film_width, values.film, steps);
     return numbers_of(steps, scale);
 }
 
@@ -167,6 +189,7 @@ Image<float> fill_coverage(FrameLayers& layers, Part part, double film_width) {
     const RasterGrid& grid = layers.grid();
     Image<std::uint16_t> steps(grid.width, grid.height, 1);
     fill_cells(layers.arcs(film_width), values, layers.threads(), steps.view());
+    paint_border(layers, film_width, values.film, steps);
     return numbers_of(steps, Steps({{0.0, 1.0}, 0.0}));
 }
 

@@ -103,8 +103,10 @@ MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options) {
     if (!shown.fading_in) {
         return image;
     }
-    return cross_fade(
-        std::move(image), map.draw(*shown.fading_in, options), shown.weights, map.mixing);
+    return cross_fade(std::move(image),
+                      map.draw(*shown.fading_in, options),
+                      shown.layers.border()->weights,
+                      map.mixing);
 }
 
 MapImage cross_fade(MapImage fading_out,

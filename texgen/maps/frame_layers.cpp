@@ -23,10 +23,38 @@ const Frame& FrameLayers::next() const {
 }
 
 const DistanceField& FrameLayers::distance() {
-    if (!distance_) {
+    if (!distance_ && input_.fade != nullptr) {
+        join_fields();
+    } else if (!distance_) {
         write_distance_field(frame(), grid_, input_.distance, threads_, distance_.emplace());
     }
     return *distance_;
+}
+
+const FadeBorder* FrameLayers::border() {
+    if (input_.fade == nullptr) {
+        return nullptr;
+    }
+    distance();
+    return &*border_;
+}
+
+// The border depends on the smooth distances from the films of both foams.
+void FrameLayers::join_fields() {
+    const CrossFade& fade = *input_.fade;
+    DistanceNeeds needs = input_.distance;
+    needs.smooth = true;
+    DistanceField out = distance_field(fade.fading_out, grid_, needs, threads_);
+    DistanceField in = distance_field(fade.fading_in, grid_, needs, threads_);
+    border_ = join_at_border(fade, grid_, threads_, out, in);
+    distance_ = &frame() == &fade.fading_in ? std::move(in) : std::move(out);
+}
+
+FrameLayers FrameLayers::on_grid(const RasterGrid& grid, const DistanceNeeds& distance) const {
+    FrameInput input = input_;
+    input.next = nullptr;
+    input.distance = distance;
+    return {input, grid, threads_};
 }
 
 const CellArcs& FrameLayers::arcs(double film_width) {

@@ -4,6 +4,7 @@
 
 #include "core/foam/frame.h"
 #include "texgen/maps/arc_distance.h"
+#include "texgen/maps/fade_border.h"
 #include "texgen/maps/foam_record.h"
 #include "texgen/maps/maze_graph.h"
 #include "texgen/raster/distance/distance_field.h"
@@ -15,12 +16,14 @@
 
 namespace foam::texgen {
 
-/// A frame, and everything else that maps need to draw it. Borrows both frames and the record.
+/// A frame, and everything else that maps need to draw it. Borrows the frames, the record and the
+/// cross-fade.
 struct FrameInput {
     const Frame& frame;
     const FoamRecord& record;
-    const Frame* next = nullptr;  // the frame after `frame`; null if no map needs it
-    DistanceNeeds distance{};     // images of the distance field that maps need
+    const Frame* next = nullptr;      // the frame after `frame`; null if no map needs it
+    DistanceNeeds distance{};         // images of the distance field that maps need
+    const CrossFade* fade = nullptr;  // in a cross-fade, of which `frame` is one of the two foams
 };
 
 /// A frame on a raster grid, and the intermediate results that its maps share. Each result is
@@ -43,8 +46,14 @@ class FrameLayers {
     /// Throws as cell_arcs does.
     const CellArcs& arcs(double film_width);
     /// Returns the distance field of the frame. It contains the ids, the distances and the images
-    /// that FrameInput::distance lists.
+    /// that FrameInput::distance lists. In a cross-fade, distances are those from the films of the
+    /// shown foam and from the border (join_at_border).
     const DistanceField& distance();
+    /// Returns the border of a cross-fade; nullptr without a cross-fade.
+    const FadeBorder* border();
+    /// Returns the layers of the same frame on another grid of the same tile or view. Maps that
+    /// need the next frame cannot be drawn from them. `distance` replaces FrameInput::distance.
+    FrameLayers on_grid(const RasterGrid& grid, const DistanceNeeds& distance) const;
     /// Returns the maze of the frame (find_maze).
     const Maze& maze(const MazeRule& rule);
     /// Returns the distances to the walls of the maze and to the circles of lone bubbles
@@ -56,11 +65,14 @@ class FrameLayers {
     }
 
   private:
+    void join_fields();
+
     FrameInput input_;
     RasterGrid grid_;
     int threads_;
     std::map<double, CellArcs> arcs_;  // the key is the film width
     std::optional<DistanceField> distance_;
+    std::optional<FadeBorder> border_;
     std::map<MazeRule, Maze> mazes_;
     std::map<std::pair<MazeRule, ArcDistanceNeeds>, ArcDistances> wall_distances_;
 };

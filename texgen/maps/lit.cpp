@@ -226,9 +226,7 @@ Keys<LitOptions> lit_keys() {
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface) {
     const int samples = samples_for(layers.grid(), options.samples);
     const AlbedoOptions fine_albedo = finer(surface.albedo, samples);
-    FrameLayers fine({layers.frame(), layers.record(), nullptr, {.smooth = true}},
-                     finer(layers.grid(), samples),
-                     layers.threads());
+    FrameLayers fine = layers.on_grid(finer(layers.grid(), samples), {.smooth = true});
     const ColorPixels drawn = draw_samples(
         fine, options, {fine_albedo, surface.thin_film, surface.relief, surface.occlusion});
     const int channels = drawn.pixels.channels();

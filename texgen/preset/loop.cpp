@@ -57,6 +57,21 @@ Keys<LoopOptions> loop_keys() {
             &LoopOptions::drift)
             .in("image widths and heights")
             .only_for("foam.domain", {"torus"}),
+        key("current",
+            Reals{0.0, 0.6},
+            "strength of a current that carries bubbles around and back in every loop, as the "
+            "typical strain; 0.1 is gentle, 0.3 clearly flows, more stretches bubbles",
+            &LoopOptions::current)
+            .in("strain")
+            .only_for("foam.domain", {"torus"}),
+        key("eddies",
+            Integers{1, 16},
+            "number of eddies of the current along the shorter side of the image; the current "
+            "moves "
+            "bubbles by about loop.current / 6 of the size of an eddy",
+            &LoopOptions::eddies)
+            .in("eddies")
+            .only_for("foam.domain", {"torus"}),
         key("cycles",
             Integers{1, 1000},
             "largest number of cycles that are simulated before frame 1 so that the loop "

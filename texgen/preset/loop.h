@@ -31,6 +31,9 @@ struct LoopOptions {
     double amplitude = 0.15;
     double boiling = 0.15;  // Boil: fraction of the bubbles that vanish and are born again
     std::array<int, 2> drift = {0, 0};  // motion per loop, in image widths and heights; y is up
+    double current =
+        0.0;         // root mean square strain of a current that carries the drawn foam around
+    int eddies = 1;  // of the current, along the shorter side of the image
     /// Breathe, Shear and Boil: cycles are simulated before frame 1 until the foam at the end of a
     /// cycle agrees with the foam at the start of this cycle. This is the largest number of these
     /// cycles.

@@ -6,7 +6,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace foam::texgen {
@@ -14,6 +16,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMinBoilFrames = 10;
+constexpr int kBubblesInEddy = 3;
 
 void check_torus(const Preset& preset, std::span<const Assignment> assignments) {
     const LoopOptions& loop = preset.loop;
@@ -47,6 +50,27 @@ void check_drift(const Preset& preset, std::span<const Assignment> assignments) 
             {"loop.drift", "loop.kind"},
             "loop.drift is only allowed with loop.kind = \"drift\", \"breathe\", \"shear\", "
             "\"boil\" or \"flow\"");
+    }
+}
+
+// The size of an eddy is at least kBubblesInEddy mean bubble widths, so that the current hardly
+// varies along a film and the film stays an arc.
+void check_current(const Preset& preset, std::span<const Assignment> assignments) {
+    const LoopOptions& loop = preset.loop;
+    if (loop.current == 0.0) {
+        return;
+    }
+    const double aspect = static_cast<double>(preset.image.width) / preset.image.height;
+    const double across = std::sqrt(preset.seeding.bubbles * std::min(aspect, 1.0 / aspect));
+    const int most = std::max(static_cast<int>(across / kBubblesInEddy), 1);
+    if (loop.eddies > most) {
+        reject_last(assignments,
+                    {"loop.eddies", "foam.bubbles", "image.size"},
+                    fmt::format("loop.eddies must be at most {} for {} bubbles, so that an eddy is "
+                                "at least {} bubbles wide",
+                                most,
+                                preset.seeding.bubbles,
+                                kBubblesInEddy));
     }
 }
 
@@ -105,6 +129,7 @@ void check_boil(const Preset& preset, std::span<const Assignment> assignments) {
 
 void check_loop(const Preset& preset, std::span<const Assignment> assignments) {
     check_drift(preset, assignments);
+    check_current(preset, assignments);
     if (preset.loop.kind == LoopKind::None) {
         return;
     }

@@ -5,6 +5,7 @@
 #include "tests/texgen/preset/rejection.h"
 #include "texgen/preset/preset_io.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -25,6 +26,10 @@ TEST(LoopCheck, LoopsThatCloseAreAccepted) {
     EXPECT_EQ(failure("[loop]\nkind = 'drift'\ndrift = [0, 1]\n"), "no failure");
     EXPECT_EQ(failure("[frames]\ncount = 24\n[loop]\nkind = 'pingpong'\n"), "no failure");
     EXPECT_EQ(failure("[foam]\ndomain = 'patch'\n[loop]\nkind = 'breathe'\n"), "no failure");
+    for (const char* kind : {"none", "breathe", "boil", "flow", "pingpong"}) {
+        EXPECT_EQ(failure(fmt::format("[loop]\nkind = '{}'\ncurrent = 0.3\neddies = 2\n", kind)),
+                  "no failure");
+    }
     EXPECT_EQ(failure("[loop]\nkind = 'flow'\nfade = 1\ngrowth = 12\ndrift = [1, 0]\n"),
               "no failure");
 }
@@ -67,6 +72,14 @@ TEST(LoopCheck, RejectsLoopsThatCannotClose) {
               "frames.step_growth = 1: its speed is constant");
     EXPECT_EQ(failure("[loop]\nkind = 'flow'\nfade = 0\n"),
               "test.toml:3: key 'loop.fade' = 0: must be a number from 0.01 to 1");
+    EXPECT_EQ(
+        failure("[foam]\nbubbles = 48\n[loop]\ncurrent = 0.2\neddies = 3\n"),
+        "test.toml:5: key 'loop.eddies' = 3: loop.eddies must be at most 2 for 48 bubbles, so "
+        "that an eddy is at least 3 bubbles wide");
+    EXPECT_EQ(
+        failure("[foam]\ndomain = 'patch'\n[loop]\ncurrent = 0.2\n"),
+        "test.toml:4: key 'loop.current' = 0.2: loop.current is only allowed with foam.domain = "
+        "\"torus\"");
     EXPECT_EQ(failure("[loop]\ndrift = [0.5, 1]\n"),
               "test.toml:2: key 'loop.drift' = [0.5, 1]: must be [x, y], each an integer from -100 "
               "to 100");

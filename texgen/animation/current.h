@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/animation/periodic_waves.h"
+#include "texgen/preset/loop.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A current on a torus, which carries the drawn foam around and back to its start in every loop.
+/// It is the flow of a stream function for a unit of time. The stream function is the sum of a few
+/// waves, each of which travels by one wavelength in a loop. The current has no seam, and it maps
+/// the torus to itself one to one and preserves areas (up to errors of 1e-5), whatever its
+/// strength.
+class Current {
+  public:
+    /// Uses the options `current` and `eddies` of the loop. `aspect` is the width of the torus
+    /// divided by its height.
+    Current(const LoopOptions& loop, double aspect, std::uint64_t seed);
+
+    /// Returns the displacement of a point of the foam after the fraction `progress` of the loop.
+    Vec2 displacement(const Vec2& point, const Domain& domain, double progress) const;
+
+    /// Returns the frame as the current shows it after the fraction `progress` of the loop
+    /// (displaced in displaced_frame.h). Precondition: the frame is on a torus.
+    Frame carried(const Frame& frame, double progress) const;
+
+  private:
+    double strength_;
+    std::vector<PeriodicWave> waves_;
+    std::vector<int> directions_;  // of travel, 1 or -1 for each wave
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/animation/displaced_frame.h"
+
+#include <cmath>
+
+namespace foam::texgen {
+
+// The half angle of the arc from a point over a second point to a third point is the angle by which
+// the path along the two chords turns left (inscribed angle theorem).
+Frame displaced(Frame frame,
+                const Indexed<JunctionId, Vec2>& of_junctions,
+                const Indexed<FilmId, Vec2>& of_middles) {
+    Network& network = frame.network;
+    for (const FilmId film : network.films()) {
+        FilmArc& arc = frame.arcs[film];
+        const Vec2& by_tail = of_junctions[network.tail(forward_side(film))];
+        const Vec2& by_head = of_junctions[network.head(forward_side(film))];
+        const Vec2 first = point_at(arc, 0.5) + of_middles[film] - by_tail;
+        const Vec2 chord = arc.chord + by_head - by_tail;
+        const Vec2 second = chord - first;
+        arc = {chord, std::atan2(cross(first, second), first.dot(second))};
+    }
+    for (const JunctionId junction : network.junctions()) {
+        const Vec2 at = frame.positions[junction] + of_junctions[junction];
+        const LatticeOffset cell = frame.domain.cell_of(at);
+        frame.positions[junction] = at - frame.domain.translation(cell);
+        if (cell != LatticeOffset{}) {
+            network.rebase(junction, cell);
+        }
+    }
+    return frame;
+}
+
+Vec2 mean_corner(const Frame& frame, BubbleId bubble) {
+    const Network& network = frame.network;
+    Vec2 at = frame.positions[network.tail(network.first(bubble))];
+    Vec2 sum = Vec2::Zero();
+    for (const HalfEdgeId h : network.around(bubble)) {
+        sum += at;
+        at += frame.arc(h).chord;
+    }
+    return sum / network.sides(bubble);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/frame.h"
+
+namespace foam::texgen {
+
+/// Returns the frame with its junctions, and the middles of its films, displaced. Each film becomes
+/// the arc through the new positions of its ends and its middle. Areas and pressures of bubbles
+/// stay as they are. Precondition: the frame is on a torus.
+Frame displaced(Frame frame,
+                const Indexed<JunctionId, Vec2>& of_junctions,
+                const Indexed<FilmId, Vec2>& of_middles);
+
+/// Returns the mean of the junctions of a bubble, in any lattice copy of the bubble. Precondition:
+/// the frame is on a torus.
+Vec2 mean_corner(const Frame& frame, BubbleId bubble);
+
+}  // namespace foam::texgen

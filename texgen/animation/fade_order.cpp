@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/animation/fade_order.h"
+
+#include "texgen/animation/displaced_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace foam::texgen {
+
+namespace {
+
+// The rank is a tileable random field. It is the sum of plane waves with whole numbers of periods
+// across the tile. Such a sum is nearly normally distributed. The cumulative distribution function
+// of the normal distribution therefore converts the sum to ranks that are spread almost evenly over
+// [0, 1].
+
+constexpr int kOrderWaves = 24;
+constexpr double kBubblesInWave = 6.0;  // typical wavelength, in mean bubble widths
+
+double sum_of(const std::vector<PeriodicWave>& waves, const Vec2& fractions) {
+    double sum = 0.0;
+    for (const PeriodicWave& wave : waves) {
+        const double turns = wave.across * fractions.x() + wave.up * fractions.y();
+        sum += std::cos(2.0 * std::numbers::pi * turns + wave.phase);
+    }
+    return sum;
+}
+
+}  // namespace
+
+FadeOrder::FadeOrder(const Options& options)
+    : spread_(options.spread),
+      waves_(periodic_waves(
+          {.count = kOrderWaves,
+           .number = std::sqrt(options.bubbles * std::min(options.aspect, 1.0 / options.aspect)) /
+                     kBubblesInWave,
+           .variation = 0.5,
+           .aspect = options.aspect,
+           .seed = options.seed})) {}
+
+std::vector<double> FadeOrder::ranks(const Frame& frame, const Vec2& displacement) const {
+    // Each wave has a mean square of 1/2, so the standard deviation of the sum is sqrt(kOrderWaves
+    // / 2).
+    const double deviations = 1.0 / std::sqrt(0.5 * kOrderWaves);
+    std::vector<double> ranks;
+    for (const BubbleId bubble : frame.network.bubbles()) {
+        const Vec2 at = mean_corner(frame, bubble) - displacement;
+        const double sum =
+            sum_of(waves_, {at.x() / frame.domain.width, at.y() / frame.domain.height});
+        ranks.push_back(0.5 * std::erfc(-deviations * sum / std::numbers::sqrt2));
+    }
+    return ranks;
+}
+
+double FadeOrder::growth(double rank, double passed) const {
+    return std::clamp((passed - spread_ * rank) / (1.0 - spread_), 0.0, 1.0);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/animation/shared_bubbles.h"
+
+#include "texgen/animation/displaced_frame.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace foam::texgen {
+
+namespace {
+
+using Displacements = std::vector<std::optional<Vec2>>;
+
+// Gives each bubble without a displacement the mean displacement of its neighbors that have one.
+Displacements spread_to_neighbors(const Frame& frame, const Displacements& known) {
+    Displacements all = known;
+    for (const BubbleId bubble : frame.network.bubbles()) {
+        Vec2 sum = Vec2::Zero();
+        int count = 0;
+        for (const HalfEdgeId h : frame.network.around(bubble)) {
+            if (const auto& neighbor = known[index_of(frame.network.right(h))]) {
+                sum += *neighbor;
+                ++count;
+            }
+        }
+        std::optional<Vec2>& own = all[index_of(bubble)];
+        if (!own && count > 0) {
+            own = sum / count;
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+Displacements displacements_of_shared(const Frame& from, const Frame& to) {
+    std::map<BubbleIdentity, BubbleId> places;
+    for (const BubbleId bubble : to.network.bubbles()) {
+        places.emplace(to.bubbles[bubble].identity, bubble);
+    }
+    const double mean_area = from.domain.area() / static_cast<double>(from.bubbles.size());
+    const double farthest = 2.0 * std::sqrt(mean_area / std::numbers::pi);
+    Displacements displacements(from.bubbles.size());
+    for (const BubbleId bubble : from.network.bubbles()) {
+        const auto place = places.find(from.bubbles[bubble].identity);
+        if (place == places.end()) {
+            continue;
+        }
+        const Vec2 by =
+            from.domain.nearest_copy(mean_corner(to, place->second) - mean_corner(from, bubble));
+        if (by.squaredNorm() <= farthest * farthest) {
+            displacements[index_of(bubble)] = by;
+        }
+    }
+    return displacements;
+}
+
+Frame moved_towards(const Frame& from, const Frame& to, double fraction) {
+    if (fraction == 0.0) {
+        return from;
+    }
+    constexpr int kRounds = 2;  // bubbles that are farther from shared bubbles stay in their places
+    Displacements of_bubbles = displacements_of_shared(from, to);
+    for (int round = 0; round < kRounds; ++round) {
+        of_bubbles = spread_to_neighbors(from, of_bubbles);
+    }
+    const Network& network = from.network;
+    Indexed<JunctionId, Vec2> of_junctions;
+    for (const JunctionId junction : network.junctions()) {
+        Vec2 sum = Vec2::Zero();
+        for (const HalfEdgeId h : network.leaving(junction)) {
+            sum += of_bubbles[index_of(network.left(h))].value_or(Vec2::Zero());
+        }
+        of_junctions.push_back(fraction / 3.0 * sum);
+    }
+    Indexed<FilmId, Vec2> of_middles;
+    for (const FilmId film : network.films()) {
+        const HalfEdgeId side = forward_side(film);
+        of_middles.push_back(0.5 *
+                             (of_junctions[network.tail(side)] + of_junctions[network.head(side)]));
+    }
+    return displaced(from, of_junctions, of_middles);
+}
+
+}  // namespace foam::texgen

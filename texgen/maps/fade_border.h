@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/image/image.h"
+#include "texgen/raster/coords/raster_grid.h"
+#include "texgen/raster/distance/distance_field.h"
+
+#include <span>
+
+namespace foam::texgen {
+
+/// A moment of a cross-fade between two foams on the same torus. Borrows its members.
+struct CrossFade {
+    const Frame& fading_out;
+    const Frame& fading_in;
+    /// How far each bubble of `fading_in` has grown, from 0 (not visible) to 1 (complete), in the
+    /// order of Frame::bubbles.
+    std::span<const double> growth;
+};
+
+/// The border between the places that show the foam that fades out and the places that show the
+/// foam that fades in. A place shows only one of the foams. Every bubble that fades in appears as a
+/// point, grows over the old foam, and in the end has its own films. The border consists of the
+/// rims of growing bubbles, and of the films between complete bubbles and others.
+struct FadeBorder {
+    /// The distance from the border in pixels: positive where the foam that fades in is shown,
+    /// negative elsewhere. The distance from the rim of a growing bubble is an approximation that
+    /// is exact for circles. Infinite far from the border and inside complete bubbles, minus
+    /// infinity far from the border in the foam that fades out.
+    Image<float> distance;
+    /// The weight of the foam that fades in, from 0 to 1: the fraction of the pixel that shows it.
+    Image<float> weights;
+};
+
+/// Finds the border and joins the distance fields of both foams at the border. In the results, the
+/// distances are those from the films of the shown foam and from the border, and equal in both
+/// fields; the ids do not change. Precondition: both fields have the same images, among them the
+/// smooth distances. If the grid is shifted, the results are shifted cyclically, and no bit of them
+/// changes. Throws std::invalid_argument if pixels_per_unit throws it.
+FadeBorder join_at_border(const CrossFade& fade,
+                          const RasterGrid& grid,
+                          int threads,
+                          DistanceField& out,
+                          DistanceField& in);
+
+/// Returns the fraction of a pixel that a film of the given width covers if its center line has the
+/// given distance from the center of the pixel. Both lengths are in pixels.
+float line_coverage(double distance, double width);
+
+}  // namespace foam::texgen
