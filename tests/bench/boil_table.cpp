@@ -5,7 +5,7 @@
 #include "core/dynamics/cycle.h"
 #include "core/foam/seeding.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -101,10 +101,17 @@ std::string median_and_largest(std::vector<ClosedBoil> boils, const char* unit, 
 
 void print_row(int bubbles, int seeds) {
     std::vector<ClosedBoil> boils;
+    std::vector<int> open;
     for (int seed = 1; seed <= seeds; ++seed) {
         if (const auto boil = close_boil(bubbles, static_cast<std::uint64_t>(seed))) {
             boils.push_back(*boil);
+        } else {
+            open.push_back(seed);
         }
+    }
+    if (!open.empty()) {
+        fmt::print(
+            stderr, "{} bubbles: not closed with the seeds {}\n", bubbles, fmt::join(open, ", "));
     }
     if (boils.empty()) {
         fmt::print("| {} | 0 of {} | | | | |\n", bubbles, seeds);
