@@ -18,7 +18,7 @@ namespace {
 // [0, 1].
 
 constexpr int kOrderWaves = 24;
-constexpr double kBubblesInWave = 6.0;  // typical wavelength, in mean bubble widths
+constexpr double kBubblesInWave = 6.0;  // typical wavelength, in square roots of the mean area
 
 double sum_of(const std::vector<PeriodicWave>& waves, const Vec2& fractions) {
     double sum = 0.0;
