@@ -3,6 +3,7 @@
 #include "texgen/animation/current.h"
 
 #include "core/foam/random.h"
+#include "core/geometry/elementary.h"
 #include "texgen/animation/displaced_frame.h"
 
 #include <cmath>
@@ -25,7 +26,7 @@ struct VelocityWave {
 Vec2 velocity(const std::vector<VelocityWave>& waves, const Vec2& point) {
     Vec2 sum = Vec2::Zero();
     for (const VelocityWave& wave : waves) {
-        sum += std::cos(wave.vector.dot(point) + wave.phase) * wave.amplitude;
+        sum += ieee::cos(wave.vector.dot(point) + wave.phase) * wave.amplitude;
     }
     return sum;
 }

@@ -2,7 +2,7 @@
 
 #include "texgen/animation/displaced_frame.h"
 
-#include <cmath>
+#include "core/geometry/elementary.h"
 
 namespace foam::texgen {
 
@@ -19,7 +19,7 @@ Frame displaced(Frame frame,
         const Vec2 first = point_at(arc, 0.5) + of_middles[film] - by_tail;
         const Vec2 chord = arc.chord + by_head - by_tail;
         const Vec2 second = chord - first;
-        arc = {chord, std::atan2(cross(first, second), first.dot(second))};
+        arc = {chord, ieee::atan2(cross(first, second), first.dot(second))};
     }
     for (const JunctionId junction : network.junctions()) {
         const Vec2 at = frame.positions[junction] + of_junctions[junction];

@@ -3,6 +3,7 @@
 #include "texgen/animation/periodic_waves.h"
 
 #include "core/foam/random.h"
+#include "core/geometry/elementary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,8 @@ std::vector<PeriodicWave> periodic_waves(const WaveOptions& options) {
         const double direction = std::numbers::pi * (k + random.uniform()) / options.count;
         const double number =
             options.number * (1.0 + options.variation * (2.0 * random.uniform() - 1.0));
-        PeriodicWave wave{static_cast<int>(std::lround(wide * number * std::cos(direction))),
-                          static_cast<int>(std::lround(high * number * std::sin(direction))),
+        PeriodicWave wave{static_cast<int>(std::lround(wide * number * ieee::cos(direction))),
+                          static_cast<int>(std::lround(high * number * ieee::sin(direction))),
                           2.0 * std::numbers::pi * random.uniform()};
         if (wave.across == 0 && wave.up == 0) {
             (options.aspect >= 1.0 ? wave.across : wave.up) = 1;
