@@ -2,16 +2,16 @@
 
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/image_folder.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/progress.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/standard_error.h"
-#include "texgen/manifest/manifest_file.h"
 #include "texgen/sheet/flipbook.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
@@ -29,7 +29,8 @@ constexpr const char* kFlipbookExamples = R"(Examples:
   foamtex flipbook out                          one sheet per map, and sea_foam_sheet.json
   foamtex flipbook out --maps albedo --gutter 4 --columns 6
   foamtex flipbook out --strip --frames 1-48x2  for texture arrays
-  foamtex flipbook out --out sheets             into another folder)";
+  foamtex flipbook out --out sheets             into another folder
+Without --preset, --size and --seed, the newest images of the folder are used.)";
 
 // The largest width and height, in pixels, of a texture that graphics hardware usually supports.
 constexpr int kLargestTexture = 16384;
@@ -37,7 +38,7 @@ constexpr int kLargestGutter = 1024;
 
 struct FlipbookArguments {
     std::filesystem::path given;  // a folder, or the manifest in it
-    std::string preset;
+    SetArguments set;
     std::optional<std::string> maps;
     std::optional<std::string> frames;
     std::optional<std::filesystem::path> out;
@@ -58,6 +59,17 @@ void warn_of_size(const SheetLayout& layout) {
     }
 }
 
+/// Prints a note on stderr if images of an earlier flipbook are no longer listed in the JSON file.
+void note_unlisted(const Flipbook& flipbook) {
+    if (!flipbook.unlisted.empty()) {
+        print_stderr(
+            "foamtex: note: '{}' no longer lists {}: these sheets have another layout, other "
+            "frames or images of another bake\n",
+            flipbook.files.back().string(),
+            fmt::join(flipbook.unlisted, ", "));
+    }
+}
+
 /// Prints the JSON object of the command. It contains the paths of the sheets and of the file that
 /// describes their layout.
 void print_report(const BakedSet& set, const std::vector<int>& frames, const Flipbook& flipbook) {
@@ -71,8 +83,9 @@ void print_report(const BakedSet& set, const std::vector<int>& frames, const Fli
 
 ExitCode run_flipbook(const FlipbookArguments& arguments) {
     const std::filesystem::path& given = arguments.given;
-    const Manifest manifest = read_manifest(given);
-    const BakedSet& set = choose_set(manifest, arguments.preset, given);
+    const Manifest manifest = read_image_manifest(given);
+    const BakedSet& set =
+        chosen_set(manifest, choice_of(arguments.set), given, arguments.quiet || arguments.json);
     const std::filesystem::path folder =
         std::filesystem::is_directory(given) ? given : given.parent_path();
     FlipbookOptions options = arguments.options;
@@ -86,6 +99,9 @@ ExitCode run_flipbook(const FlipbookArguments& arguments) {
             set, folder, options, arguments.out.value_or(folder), reporter.callback());
     }();
     warn_of_size(flipbook.layout);
+    if (!arguments.quiet) {
+        note_unlisted(flipbook);
+    }
     if (arguments.json) {
         print_report(set, options.frames, flipbook);
     } else if (!arguments.quiet) {
@@ -98,7 +114,7 @@ void add_choices(CLI::App& command, FlipbookArguments& arguments) {
     command.add_option("DIR", arguments.given, "Folder with the manifest.json of a bake")
         ->required()
         ->option_text(" ");
-    add_preset_name_option(command, arguments.preset);
+    add_set_options(command, arguments.set);
     add_maps_option(command, arguments.maps, "Maps, separated by commas (default: all)");
     add_frames_option(command, arguments.frames, "Frames (default: all)");
 }

@@ -148,7 +148,12 @@ ExitCode run_images(const Preset& preset,
                 options,
                 {.on_progress = reporter.callback(),
                  .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
-                arguments.resume ? Resume::Yes : Resume::No);
+                {.resume = arguments.resume ? Resume::Yes : Resume::No,
+                 .on_replace = [&](const std::vector<ReplacedFiles>& replaced) {
+                     if (verbosity != Verbosity::Quiet) {
+                         warn_of_replaced_files(replaced, preset);
+                     }
+                 }});
         } catch (const Interrupted&) {
             print_stderr("foamtex: to continue, run the same command with --resume");
             throw;

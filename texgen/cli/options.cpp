@@ -54,8 +54,7 @@ void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const 
 }
 
 void add_preset_name_option(CLI::App& command, std::string& preset) {
-    command
-        .add_option("--preset", preset, "Preset to use if the folder has images of several presets")
+    command.add_option("--preset", preset, "Preset of the images, if the folder has several")
         ->option_text("NAME");
 }
 

@@ -45,8 +45,8 @@ void add_frames_option(CLI::App& command,
 /// Adds --maps, names separated by commas.
 void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const char* meaning);
 
-/// Adds --preset, the name of the preset whose images are used if a folder contains images of
-/// several presets (choose_set).
+/// Adds --preset, the name of the preset whose images are used if a folder has images of several
+/// presets (image_folder.h).
 void add_preset_name_option(CLI::App& command, std::string& preset);
 
 /// Adds -o, --out: the output folder.

@@ -5,6 +5,7 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/image_folder.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
@@ -37,7 +38,8 @@ constexpr const char* kPreviewExamples = R"(Examples:
   foamtex preview out                         previews the images in the folder out/
   foamtex preview labyrinth --frames 1 --as tiling --set pressure.exaggeration=4
   foamtex preview out --maps albedo,normal --as loop --width 256
-  foamtex preview out --as mp4,gif            makes videos; needs ffmpeg)";
+  foamtex preview out --as mp4,gif            makes videos; needs ffmpeg
+Of a folder, the newest images are shown, or those that --preset, --size and --seed choose.)";
 
 constexpr int kMaxAnimationSize = 4096;
 
@@ -91,13 +93,16 @@ void print(const PreviewArguments& arguments, const Shown& shown, Json report) {
 
 ExitCode preview_folder(const PreviewArguments& arguments) {
     const std::filesystem::path folder = arguments.run.preset;
-    if (!arguments.run.sets.empty() || arguments.run.size || arguments.run.seed) {
-        throw std::invalid_argument(
-            "--set, --size and --seed are only allowed with a preset, not with a folder");
+    if (!arguments.run.sets.empty()) {
+        throw std::invalid_argument("--set is only allowed with a preset, not with a folder");
     }
     PreviewOptions options = options_of(arguments);
-    const Manifest manifest = read_manifest(folder);
-    const BakedSet& set = choose_set(manifest, arguments.shown_preset, folder);
+    const Manifest manifest = read_image_manifest(folder);
+    const BakedSet& set =
+        chosen_set(manifest,
+                   choice_of({arguments.shown_preset, arguments.run.size, arguments.run.seed}),
+                   folder,
+                   arguments.run.quiet || arguments.json);
     options.frames = arguments.run.frames ? parse_frame_range(*arguments.run.frames) : set.frames();
     Shown shown{set.preset, options.frames};
     {

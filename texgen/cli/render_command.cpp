@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "texgen/cache/cache.h"
+#include "texgen/cache/cache_files.h"
 #include "texgen/cache/simulation_keys.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/image_folder.h"
 #include "texgen/cli/image_run.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/image/file_io.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
+#include <string>
 
 namespace foam::texgen {
 
@@ -27,7 +33,22 @@ struct RenderArguments {
     ImageArguments images;
 };
 
+/// Throws InputError if the path is no cache. The message says how to make a cache.
+void check_is_cache(const std::string& path) {
+    if (std::filesystem::is_directory(path) && !is_cache(path)) {
+        throw InputError(fmt::format(
+            "'{}' has no {}: it is not a folder of simulated states", path, kCacheName));
+    }
+    if (is_preset_name(path)) {
+        throw InputError(fmt::format(
+            "'{0}' is a preset, not a folder of simulated states; 'foamtex simulate {0} "
+            "--cache FOLDER' makes one, and 'foamtex bake {0}' draws the preset",
+            path));
+    }
+}
+
 ExitCode run_render(const RenderArguments& arguments) {
+    check_is_cache(arguments.run.preset);
     const Cache cache(arguments.run.preset);
     const CacheInfo& info = cache.info();
     const Preset preset = changed(info.preset, arguments.run, assignments_of(arguments.images));

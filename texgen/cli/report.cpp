@@ -6,6 +6,7 @@
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
 #include "texgen/image/memory.h"
+#include "texgen/manifest/set_choice.h"
 #include "texgen/preset/event_frames.h"
 
 #include <fmt/format.h>
@@ -107,6 +108,21 @@ void warn_of_little_memory(std::uint64_t bytes) {
         print_stderr("foamtex: warning: only {} of memory are available, but {}",
                      amount_of_bytes(available),
                      memory_needed(bytes));
+    }
+}
+
+void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced, const Preset& preset) {
+    for (const ReplacedFiles& files : replaced) {
+        print_stderr(
+            "foamtex: warning: this replaces {} {} of another bake, {}; to keep both, give this "
+            "bake a folder of its own, such as --out '{}_{}x{}_{}/{{map}}.####.png'\n",
+            files.count,
+            files.count == 1 ? "image" : "images",
+            name_of(*files.set),
+            preset.name,
+            preset.image.width,
+            preset.image.height,
+            preset.seeding.seed);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "texgen/animation/simulate_frames.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cli/exit_code.h"
+#include "texgen/manifest/manifest.h"
 #include "texgen/preset/preset.h"
 #include "texgen/stats/files.h"
 
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -43,6 +45,9 @@ std::string memory_needed(std::uint64_t bytes);
 
 /// Prints a warning on stderr if a run needs more memory than is available.
 void warn_of_little_memory(std::uint64_t bytes);
+
+/// Prints a warning on stderr for each set of images of which a bake of the preset replaces files.
+void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced, const Preset& preset);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the
 /// run failed.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "texgen/cli/command.h"
+#include "texgen/cli/image_folder.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/progress.h"
 #include "texgen/cli/standard_output.h"
@@ -20,11 +21,14 @@ constexpr const char* kVerifyExamples = R"(Examples:
   foamtex verify out
   foamtex verify out --json > report.json
 Checks that every file has the pixels that the manifest records, that images of a torus tile
-without a seam, and that the last frame of a loop leads into the first.
+without a seam, and that the last frame of a loop leads into the first. Of each preset, only the
+newest images are checked, unless --all is given or --size and --seed choose older ones.
 Exit codes: 0 all checks passed, 6 a check failed, 4 the manifest cannot be read)";
 
 struct VerifyArguments {
     std::string path;
+    SetArguments set;
+    bool all = false;
     bool json = false;
     bool quiet = false;
     std::string progress;
@@ -33,7 +37,10 @@ struct VerifyArguments {
 ExitCode run_verify(const VerifyArguments& arguments) {
     const Verification found = [&] {
         ProgressReporter reporter(progress_options(arguments.quiet, arguments.progress));
-        return verify(arguments.path, reporter.callback());
+        return verify(read_image_manifest(arguments.path),
+                      arguments.path,
+                      {choice_of(arguments.set), arguments.all},
+                      reporter.callback());
     }();
     if (arguments.json) {
         write_stdout(to_json(found));
@@ -51,6 +58,9 @@ void add_verify_command(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<VerifyArguments>();
     command->add_option("DIR", arguments->path, "Folder with a manifest.json, or the file itself")
         ->required()
+        ->option_text(" ");
+    add_set_options(*command, arguments->set);
+    command->add_flag("--all", arguments->all, "Check older images of the same preset, too")
         ->option_text(" ");
     add_json_option(*command, arguments->json);
     CLI::Option* const quiet = add_quiet_option(

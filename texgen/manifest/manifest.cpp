@@ -124,12 +124,30 @@ void merge(Manifest& manifest, const BakedSet& set) {
     BakedSet* const same = find_same_set(manifest, set);
     if (same != nullptr) {
         merge_into(*same, set);
+        std::rotate(manifest.sets.begin() + (same - manifest.sets.data()),
+                    manifest.sets.begin() + (same - manifest.sets.data()) + 1,
+                    manifest.sets.end());
     } else {
         manifest.sets.push_back(set);
     }
     std::erase_if(manifest.sets, [&](const BakedSet& other) {
         return other.files.empty() && other.parameters != set.parameters;
     });
+}
+
+std::vector<ReplacedFiles> replaced_files(const Manifest& manifest,
+                                          std::string_view parameters,
+                                          const std::vector<std::string>& paths) {
+    const std::set<std::string> replaced(paths.begin(), paths.end());
+    std::vector<ReplacedFiles> found;
+    for (const BakedSet& set : manifest.sets) {
+        const auto count = std::ranges::count_if(
+            set.files, [&](const ManifestFile& file) { return replaced.contains(file.path); });
+        if (set.parameters != parameters && count > 0) {
+            found.push_back({&set, static_cast<std::size_t>(count)});
+        }
+    }
+    return found;
 }
 
 void remove_files(Manifest& manifest, const std::vector<std::string>& paths) {

@@ -4,6 +4,7 @@
 
 #include "texgen/bake/written_file.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -126,7 +127,8 @@ struct BakedSet {
     friend bool operator==(const BakedSet&, const BakedSet&) = default;
 };
 
-/// The manifest of a folder: all sets of images in it.
+/// The manifest of a folder: all sets of images in it. The set that was merged last is the last
+/// one.
 struct Manifest {
     std::vector<BakedSet> sets;
 
@@ -140,9 +142,21 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// Merges the set of a bake into a manifest. If the manifest has a set with the same parameters,
 /// the maps, files and frame statistics of `set` are added to that set. A file replaces the file
 /// with the same path, and the statistics of a frame replace its earlier statistics. Otherwise
-/// `set` is appended. Files with the same paths are removed from all other sets, and other sets
-/// that have no files are removed.
+/// `set` is appended. In either case, the set becomes the last one of the manifest. Files with the
+/// same paths are removed from all other sets, and other sets that have no files are removed.
 void merge(Manifest& manifest, const BakedSet& set);
+
+/// Files of a set that another bake replaces.
+struct ReplacedFiles {
+    const BakedSet* set = nullptr;
+    std::size_t count = 0;  // number of files
+};
+
+/// Returns how many of the files with the given paths belong to each set whose parameters differ
+/// from `parameters`. Sets without such files are left out.
+std::vector<ReplacedFiles> replaced_files(const Manifest& manifest,
+                                          std::string_view parameters,
+                                          const std::vector<std::string>& paths);
 
 /// Removes the files with the given paths, relative to the folder of the manifest, from all sets.
 /// This is done before a bake overwrites the files.

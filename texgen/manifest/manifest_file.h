@@ -13,16 +13,12 @@ namespace foam::texgen {
 /// The file name of a manifest (manifest_folder in recorded_bake.h returns its folder).
 inline constexpr std::string_view kManifestName = "manifest.json";
 
+/// Returns the path of a manifest. `path` is the manifest file or its folder.
+std::filesystem::path manifest_path(const std::filesystem::path& path);
+
 /// Reads a manifest. `path` is the manifest file or its folder. Throws InputError if the file is
 /// missing or unreadable, or if it is not a manifest.
 Manifest read_manifest(const std::filesystem::path& path);
-
-/// Returns the only set of the preset with the name `preset`, or, if `preset` is empty, the only
-/// set of the manifest. Throws InputError if there is no such set or more than one. `path` is the
-/// file or the folder of the manifest, for the message, which also lists all sets.
-const BakedSet& choose_set(const Manifest& manifest,
-                           std::string_view preset,
-                           const std::filesystem::path& path);
 
 /// Returns the manifest of a folder, or an empty manifest if the folder has none. Throws InputError
 /// if manifest.json in the folder is unreadable or not a manifest.

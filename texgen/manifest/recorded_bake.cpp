@@ -49,6 +49,23 @@ void check_names(const Preset& preset, const BakeOptions& options) {
     }
 }
 
+// Returns the paths, relative to the folder of the manifest, of the files that a bake will write.
+std::vector<std::string> written_paths(const Preset& preset,
+                                       const BakeOptions& options,
+                                       const std::filesystem::path& folder) {
+    const FrameFiles files(preset);
+    std::vector<std::string> paths;
+    for (const int frame : options.frames) {
+        if (options.existing_frames.contains(frame)) {
+            continue;
+        }
+        for (const std::filesystem::path& path : files.paths(frame)) {
+            paths.push_back(relative_path(path, folder));
+        }
+    }
+    return paths;
+}
+
 // Updates the manifest during a bake.
 class ManifestWriter {
   public:
@@ -56,7 +73,7 @@ class ManifestWriter {
     ManifestWriter(const Preset& preset, const BakeOptions& options)
         : folder_(manifest_folder(preset)),
           set_(describe(preset, options.frames)),
-          paths_(paths_of(preset, options)) {}
+          paths_(written_paths(preset, options, folder_)) {}
 
     /// Removes from the manifest the files that the bake will write, and adds the set of the bake.
     /// Only the first call has an effect.
@@ -89,22 +106,6 @@ class ManifestWriter {
     bool begun() const { return begun_; }
 
   private:
-    // Returns the paths, relative to the folder of the manifest, of the files that the bake will
-    // write.
-    std::vector<std::string> paths_of(const Preset& preset, const BakeOptions& options) const {
-        const FrameFiles files(preset);
-        std::vector<std::string> paths;
-        for (const int frame : options.frames) {
-            if (options.existing_frames.contains(frame)) {
-                continue;
-            }
-            for (const std::filesystem::path& path : files.paths(frame)) {
-                paths.push_back(relative_path(path, folder_));
-            }
-        }
-        return paths;
-    }
-
     void save() {
         const Clock::time_point begin = Clock::now();
         update_manifest(folder_, [&](Manifest& manifest) { merge(manifest, set_); });
@@ -224,6 +225,20 @@ void make_ranges_fixed(Preset& preset) {
     }
 }
 
+// Calls RecordOptions::on_replace if the bake replaces files of other sets.
+void report_replaced(const Preset& preset,
+                     const BakeOptions& options,
+                     const Manifest& manifest,
+                     const RecordOptions& record) {
+    const std::vector<ReplacedFiles> replaced =
+        replaced_files(manifest,
+                       describe(preset, options.frames).parameters,
+                       written_paths(preset, options, manifest_folder(preset)));
+    if (record.on_replace && !replaced.empty()) {
+        record.on_replace(replaced);
+    }
+}
+
 /// Returns the summary of a bake whose files all exist already. The closing error of the loop is
 /// read from the manifest.
 BakeSummary summary_of_existing(const Preset& preset,
@@ -246,7 +261,7 @@ BakeSummary summary_of_existing(const Preset& preset,
 BakeSummary bake_recorded(const Preset& given,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,
-                          Resume resume) {
+                          const RecordOptions& record) {
     check_bake(given, options);
     check_names(given, options);
     const std::filesystem::path folder = manifest_folder(given);
@@ -261,9 +276,10 @@ BakeSummary bake_recorded(const Preset& given,
     }
     const Manifest manifest = manifest_in(folder);
     BakeOptions effective = options;
-    if (resume == Resume::Yes) {
+    if (record.resume == Resume::Yes) {
         effective.existing_frames = existing_frames_of(preset, options.frames, folder, manifest);
     }
+    report_replaced(preset, effective, manifest, record);
     const bool all_exist =
         effective.existing_frames.size() == options.frames.size() && !callbacks.on_frame;
     if (!all_exist && sequence == animation) {

@@ -3,8 +3,11 @@
 #pragma once
 
 #include "texgen/bake/bake.h"
+#include "texgen/manifest/manifest.h"
 
 #include <filesystem>
+#include <functional>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -14,6 +17,14 @@ std::filesystem::path manifest_folder(const Preset& preset);
 
 /// Selects whether a bake keeps the files of an earlier bake that was stopped.
 enum class Resume { No, Yes };
+
+/// The options of bake_recorded that concern the images of earlier bakes.
+struct RecordOptions {
+    Resume resume = Resume::No;
+    // Called before the first frame is simulated if the bake replaces files of other sets of the
+    // manifest. May be empty.
+    std::function<void(const std::vector<ReplacedFiles>&)> on_replace = {};
+};
 
 /// Bakes a preset and records its images in a manifest. The manifest is written when the first
 /// frame has been simulated, repeatedly while files are written, and at the end of the bake. It is
@@ -35,6 +46,6 @@ enum class Resume { No, Yes };
 BakeSummary bake_recorded(const Preset& given,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,
-                          Resume resume = Resume::No);
+                          const RecordOptions& record = {});
 
 }  // namespace foam::texgen

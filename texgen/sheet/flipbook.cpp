@@ -4,6 +4,7 @@
 
 #include "texgen/animation/progress_meter.h"
 #include "texgen/image/file_io.h"
+#include "texgen/sheet/earlier_sheets.h"
 #include "texgen/sheet/flipbook_json.h"
 #include "texgen/sheet/map_sequence.h"
 #include "texgen/sheet/sheet_files.h"
@@ -52,7 +53,7 @@ Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& to,
                         const ProgressCallback& on_progress) {
     const std::vector<int> frames = options.frames.empty() ? set.frames() : options.frames;
-    Flipbook flipbook{{}, layout_of(set, options, frames.size())};
+    Flipbook flipbook{{}, layout_of(set, options, frames.size()), {}};
     const std::string stem = set.preset + (options.strip ? "_strip" : "_sheet");
     std::vector<MapSequence> sequences;
     for (const std::string& map : maps_of(set, options)) {
@@ -72,7 +73,9 @@ Flipbook write_flipbook(const BakedSet& set,
         images.push_back({name, sequence});
     }
     flipbook.files.push_back(to / (stem + ".json"));
-    const std::string json = flipbook_json(set, frames, flipbook.layout, images);
+    Json description = flipbook_json(set, frames, flipbook.layout, images);
+    flipbook.unlisted = keep_earlier_sheets(description, flipbook.files.back());
+    const std::string json = indented(description);
     staged.emplace_back(flipbook.files.back(), std::as_bytes(std::span(json)));
     for (StagedFile& file : staged) {
         file.publish();

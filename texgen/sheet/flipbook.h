@@ -30,12 +30,16 @@ struct FlipbookOptions {
 struct Flipbook {
     std::vector<std::filesystem::path> files;  // one image per map, then the JSON file
     SheetLayout layout;                        // the layout of all images
+    // The names of images of an earlier flipbook that the JSON file listed and that do not belong
+    // to this flipbook.
+    std::vector<std::string> unlisted;
 };
 
 /// Writes a flipbook of a baked set into the folder `to`. The folder is created if needed. Each map
 /// becomes an image {preset}_sheet_{map} or {preset}_strip_{map} in the format of the set's files.
-/// {preset}_sheet.json or {preset}_strip.json describes the images (flipbook_json.h). `folder` is
-/// the folder of the manifest. `on_progress` receives the phase Sheets. If an exception is thrown
+/// {preset}_sheet.json or {preset}_strip.json describes the images (flipbook_json.h) and the images
+/// of other maps that an earlier flipbook of the same frames has listed in it. `folder` is the
+/// folder of the manifest. `on_progress` receives the phase Sheets. If an exception is thrown
 /// before the last sheet is complete, there is no new file. Throws
 /// std::invalid_argument if a strip has a gutter or several columns. Also throws the exceptions of
 /// map_sequence, check_layout and stage_sheet, and OutputError if the JSON file cannot be written.

@@ -106,15 +106,16 @@ bool all_tile(std::span<const SheetImage> images) {
 
 }  // namespace
 
-std::string flipbook_json(const BakedSet& set,
-                          std::span<const int> frames,
-                          const SheetLayout& layout,
-                          std::span<const SheetImage> images) {
+Json flipbook_json(const BakedSet& set,
+                   std::span<const int> frames,
+                   const SheetLayout& layout,
+                   std::span<const SheetImage> images) {
     const FrameRate rate = playing_rate(set, frames);
     Json json{{"format", "foamtex-flipbook"},
               {"version", 1},
               {"foamtex", set.version},
               {"preset", set.preset},
+              {"parameters", set.parameters},
               {"seed", set.seed},
               {"frames", frames.size()},
               {"frame_numbers", format_frame_range(frames)},
@@ -127,7 +128,7 @@ std::string flipbook_json(const BakedSet& set,
     for (const SheetImage& image : images) {
         json["images"].push_back(image_value(image, set, frames));
     }
-    return indented(json);
+    return json;
 }
 
 }  // namespace foam::texgen

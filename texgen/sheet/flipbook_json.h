@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "texgen/json/json_writer.h"
 #include "texgen/manifest/manifest.h"
 #include "texgen/sheet/layout.h"
 #include "texgen/sheet/map_sequence.h"
@@ -19,9 +20,9 @@ struct SheetImage {
 
 /// Returns a JSON description of the sheets, for programs that play them. `frames` are the numbers
 /// of the frames in each sheet. README.md describes the members.
-std::string flipbook_json(const BakedSet& set,
-                          std::span<const int> frames,
-                          const SheetLayout& layout,
-                          std::span<const SheetImage> images);
+Json flipbook_json(const BakedSet& set,
+                   std::span<const int> frames,
+                   const SheetLayout& layout,
+                   std::span<const SheetImage> images);
 
 }  // namespace foam::texgen

@@ -3,7 +3,7 @@
 #include "texgen/json/json_writer.h"
 #include "texgen/verify/verify.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <optional>
 
@@ -144,6 +144,12 @@ std::string to_text(const Verification& found) {
     for (const VerifiedSet& set : found.sets) {
         text += text_of(set);
     }
+    if (!found.unchecked.empty()) {
+        text += fmt::format(
+            "not checked, since the folder has newer images of the same preset: {}; --all checks "
+            "them\n",
+            fmt::join(found.unchecked, ", "));
+    }
     return text.empty() ? "the manifest lists no images\n" : text;
 }
 
@@ -156,7 +162,8 @@ std::string to_json(const Verification& found) {
                       {"folder", found.folder.string()},
                       {"largest_tile_ratio", kLargestTileRatio},
                       {"largest_loop_ratio", kLargestLoopRatio},
-                      {"sets", sets}};
+                      {"sets", sets},
+                      {"unchecked", found.unchecked}};
     return json_text(report) + "\n";
 }
 

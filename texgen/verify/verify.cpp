@@ -228,6 +228,14 @@ VerifiedSet verify_set(const BakedSet& set,
     return found;
 }
 
+// Returns true if no later set of the list has the same preset.
+bool is_newest(const BakedSet& set, const std::vector<const BakedSet*>& sets) {
+    const auto newest = std::find_if(sets.rbegin(), sets.rend(), [&](const BakedSet* other) {
+        return other->preset == set.preset;
+    });
+    return *newest == &set;
+}
+
 }  // namespace
 
 bool VerifiedMap::holds() const {
@@ -239,19 +247,35 @@ bool Verification::holds() const {
     return !sets.empty() && std::ranges::all_of(sets, &VerifiedSet::holds);
 }
 
-Verification verify(const std::filesystem::path& path, const ProgressCallback& on_progress) {
-    const Manifest manifest = read_manifest(path);
+Verification verify(const Manifest& manifest,
+                    const std::filesystem::path& path,
+                    const VerifyOptions& options,
+                    const ProgressCallback& on_progress) {
+    if (!manifest.sets.empty()) {
+        newest_set(manifest, options.choice, path);  // throws if there is none
+    }
+    Verification found{std::filesystem::is_directory(path) ? path : path.parent_path(), {}};
+    const std::vector<const BakedSet*> selected = selected_sets(manifest, options.choice);
+    std::vector<const BakedSet*> checked;
     std::size_t files = 0;
-    for (const BakedSet& set : manifest.sets) {
-        files += set.files.size();
+    for (const BakedSet* const set : selected) {
+        if (options.all || is_newest(*set, selected)) {
+            checked.push_back(set);
+            files += set->files.size();
+        } else {
+            found.unchecked.push_back(name_of(*set));
+        }
     }
     ProgressMeter progress(Phase::Files, static_cast<int>(files), on_progress);
     progress.begin();
-    Verification found{std::filesystem::is_directory(path) ? path : path.parent_path(), {}};
-    for (const BakedSet& set : manifest.sets) {
-        found.sets.push_back(verify_set(set, found.folder, progress));
+    for (const BakedSet* const set : checked) {
+        found.sets.push_back(verify_set(*set, found.folder, progress));
     }
     return found;
+}
+
+Verification verify(const std::filesystem::path& path, const ProgressCallback& on_progress) {
+    return verify(read_manifest(path), path, {}, on_progress);
 }
 
 }  // namespace foam::texgen

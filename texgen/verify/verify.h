@@ -4,6 +4,7 @@
 
 #include "texgen/animation/progress.h"
 #include "texgen/manifest/manifest.h"
+#include "texgen/manifest/set_choice.h"
 #include "texgen/verify/steps.h"
 
 #include <filesystem>
@@ -54,10 +55,19 @@ struct VerifiedSet {
     bool holds() const { return problems.empty(); }
 };
 
+/// The sets of a manifest to check.
+struct VerifyOptions {
+    SetChoice choice = {};
+    bool all = false;  // false to check, of each preset, only the newest set of the choice
+};
+
 /// The result of checking a folder.
 struct Verification {
     std::filesystem::path folder;
     std::vector<VerifiedSet> sets;
+    // Names (name_of) of the sets of the choice that were not checked, since the manifest has a
+    // newer set of the same preset.
+    std::vector<std::string> unchecked = {};
 
     /// Returns true if no set has a problem. Returns false for a folder without sets.
     bool holds() const;
@@ -67,8 +77,15 @@ struct Verification {
 /// have the hash in the manifest. The ratios of the seams (Seam::ratio) of frames that tile and of
 /// loops must not exceed their limits. A loop is checked only if its period is at least 2 frames
 /// and all frames from 1 to its period have the recorded pixels; later frames are ignored. `path`
-/// is the folder or the manifest in it. Throws InputError if the manifest cannot be read; all other
-/// problems are part of the result. `on_progress` receives the phase Files.
+/// is the folder or the manifest in it. Throws InputError if the choice selects no set; all other problems are part of
+/// the result. `on_progress` receives the phase Files.
+Verification verify(const Manifest& manifest,
+                    const std::filesystem::path& path,
+                    const VerifyOptions& options,
+                    const ProgressCallback& on_progress = {});
+
+/// Reads the manifest of a folder and checks the newest set of each preset. Throws InputError if
+/// the manifest cannot be read.
 Verification verify(const std::filesystem::path& path, const ProgressCallback& on_progress = {});
 
 /// Returns the result as text for users, with a few lines per set.

@@ -37,6 +37,18 @@ TEST(FlipbookCommand, NamesItsFiles) {
     EXPECT_EQ(strip.height(), 3 * 32);
 }
 
+TEST(FlipbookCommand, KeepsSheetsOfOtherMapsOfTheSameFrames) {
+    const TemporaryFolder folder;
+    bake(folder, "--maps albedo,height");
+    ASSERT_EQ(run_program("flipbook out --maps albedo", folder).err, "");
+    ASSERT_EQ(run_program("flipbook out --maps height", folder).err, "");
+    const std::string both = file_content(folder.path() / "out" / "sea_foam_sheet.json");
+    EXPECT_NE(both.find("sea_foam_sheet_albedo.png"), std::string::npos);
+    EXPECT_EQ(run_program("flipbook out --maps height --frames 1-2", folder).err,
+              "foamtex: note: 'out/sea_foam_sheet.json' no longer lists sea_foam_sheet_albedo.png: "
+              "these sheets have another layout, other frames or images of another bake\n");
+}
+
 TEST(FlipbookCommand, WarnsOfSizesThatHardwareDoesNotSupport) {
     const TemporaryFolder folder;
     bake(folder);

@@ -6,6 +6,7 @@
 #include "tests/texgen/cli/run_program.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/set_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +40,7 @@ TEST(Interruption, ABakeRecordsItsFramesAndSaysHowToGoOn) {
               "\nfoamtex: stopping after the current step; a second signal stops at once\n"
               "foamtex: to continue, run the same command with --resume\n"
               "foamtex: interrupted\n");
-    const BakedSet set = choose_set(read_manifest(folder.path()), "", folder.path());
+    const BakedSet set = newest_set(read_manifest(folder.path()), {}, folder.path());
     EXPECT_EQ(set.failure, "interrupted");
     EXPECT_FALSE(set.files.empty());
     const Outcome resumed =

@@ -58,11 +58,15 @@ TEST(PreviewCommand, ShowsAFolder) {
 TEST(PreviewCommand, ABadRequestIsOneLine) {
     const TemporaryFolder folder;
     ASSERT_EQ(run_program(std::string("bake sea_foam -q ") + kSmall, folder).code, 0);
+    const Outcome set = run_program("preview out --set foam.seed=3", folder);
+    EXPECT_EQ(set.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(set.err, "foamtex: --set is only allowed with a preset, not with a folder\n");
     const Outcome seed = run_program("preview out --seed 3", folder);
-    EXPECT_EQ(seed.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(seed.code, static_cast<int>(ExitCode::BadInput));
     EXPECT_EQ(
         seed.err,
-        "foamtex: --set, --size and --seed are only allowed with a preset, not with a folder\n");
+        "foamtex: 'out/manifest.json' has no images of seed 3; must be one of: sea_foam (seed "
+        "1, 48 x 32)\n");
     EXPECT_EQ(run_program("preview out --as film", folder).code,
               static_cast<int>(ExitCode::BadRequest));
     EXPECT_EQ(run_program("preview beer", folder).code, static_cast<int>(ExitCode::BadRequest));

@@ -30,7 +30,8 @@ TEST(VerifyCommand, ReportsFailuresByItsExitCode) {
 TEST(VerifyCommand, AFolderWithoutAManifestIsCode4) {
     const Outcome outcome = run_program("verify .");
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::BadInput));
-    EXPECT_EQ(outcome.err, "foamtex: cannot read './manifest.json': No such file or directory\n");
+    EXPECT_EQ(outcome.err,
+              "foamtex: '.' has no manifest.json: foamtex has baked no images into this folder\n");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "texgen/image/png.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
+#include "texgen/manifest/set_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ std::set<int> resumed(const Preset& preset, const std::vector<int>& frames) {
         preset,
         {.frames = frames, .threads = 1},
         {.on_baked = [&](const BakedFrame& b) { drawn.insert(b.shown.frame->number); }},
-        Resume::Yes);
+        {Resume::Yes});
     EXPECT_EQ(static_cast<std::size_t>(summary.kept) + drawn.size(), frames.size());
     EXPECT_EQ(summary.files.size(), frames.size() * preset.image.maps.size());
     return drawn;
@@ -62,7 +63,7 @@ std::map<std::string, Bytes> images_of(const TemporaryFolder& folder) {
 
 /// Returns the only set of a manifest, with all times set to 0.
 BakedSet timeless_set(const std::filesystem::path& folder) {
-    BakedSet set = choose_set(read_manifest(folder), "", folder);
+    BakedSet set = newest_set(read_manifest(folder), {}, folder);
     for (FrameStatistics& frame : set.frame_statistics) {
         frame.simulating = frame.drawing = 0.0;
     }
@@ -95,9 +96,9 @@ TEST(Resume, DoesNothingIfAllFilesExist) {
     preset.loop.kind = LoopKind::Drift;
     preset.loop.drift = {1, 0};
     bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});
-    const BakedSet before = choose_set(read_manifest(folder.path()), "", "");
+    const BakedSet before = newest_set(read_manifest(folder.path()), {}, "");
     EXPECT_TRUE(resumed(preset, {1, 2}).empty());
-    EXPECT_EQ(choose_set(read_manifest(folder.path()), "", ""), before);
+    EXPECT_EQ(newest_set(read_manifest(folder.path()), {}, ""), before);
     EXPECT_EQ(resumed(preset, {1, 2, 3}), (std::set{3}));
 }
 

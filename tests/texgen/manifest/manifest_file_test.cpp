@@ -63,22 +63,5 @@ TEST(ManifestFile, DoesNotOverwriteFilesOfOtherPrograms) {
     EXPECT_EQ(manifest_in(folder.path() / "none"), Manifest{});
 }
 
-TEST(ManifestFile, SelectsASetByItsPreset) {
-    Manifest manifest{{small_set("a", {1}, {1})}};
-    EXPECT_EQ(&choose_set(manifest, "", "out"), &manifest.sets[0]);
-    manifest.sets.push_back(small_set("b", {1}, {1}));
-    EXPECT_EQ(&choose_set(manifest, "b", "out"), &manifest.sets[1]);
-    try {
-        choose_set(manifest, "", "out");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "'out' has several sets of images: "
-                     "a (seed 12, 64 x 32), b (seed 12, 64 x 32); choose one with --preset NAME");
-    }
-    EXPECT_THROW(choose_set(manifest, "c", "out"), InputError);
-    EXPECT_THROW(choose_set({}, "", "out"), InputError);
-}
-
 }  // namespace
 }  // namespace foam::texgen

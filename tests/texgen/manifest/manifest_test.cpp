@@ -69,6 +69,28 @@ TEST(Manifest, FilesBelongToTheirLastWriter) {
     EXPECT_EQ(manifest.sets.size(), 2U);
 }
 
+// The bake that wrote last is the last set, also if it added to an older set.
+TEST(Manifest, TheSetThatWasMergedLastIsTheLastOne) {
+    Manifest manifest;
+    merge(manifest, small_set("a", {1}, {1}));
+    merge(manifest, small_set("b", {1}, {1}));
+    merge(manifest, small_set("c", {1}, {1}));
+    merge(manifest, small_set("a", {2}, {2}));
+    ASSERT_EQ(manifest.sets.size(), 3U);
+    EXPECT_EQ(manifest.sets[0].preset, "b");
+    EXPECT_EQ(manifest.sets[1].preset, "c");
+    EXPECT_EQ(manifest.sets[2].preset, "a");
+}
+
+TEST(Manifest, CountsFilesOfOtherSetsThatAreReplaced) {
+    const Manifest manifest{{small_set("a", {1, 2}, {1, 2}), small_set("b", {1}, {1})}};
+    const std::vector<ReplacedFiles> replaced =
+        replaced_files(manifest, "of b", {"a_height.1.png", "b_height.1.png", "new.png"});
+    ASSERT_EQ(replaced.size(), 1U);
+    EXPECT_EQ(replaced.front().set, &manifest.sets.front());
+    EXPECT_EQ(replaced.front().count, 1U);
+}
+
 TEST(Manifest, AFailureIsKeptUntilTheSetIsComplete) {
     Manifest manifest;
     BakedSet broken = small_set("a", {1, 2}, {1});

@@ -10,6 +10,7 @@
 #include "texgen/image/pixel_hash.h"
 #include "texgen/image/png.h"
 #include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/set_choice.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/preset/preset_io.h"
 
@@ -26,7 +27,7 @@ namespace {
 constexpr const char* kPattern = "{map}/{preset}.####.png";
 
 BakedSet only_set(const std::filesystem::path& folder) {
-    return choose_set(read_manifest(folder), "", folder);
+    return newest_set(read_manifest(folder), {}, folder);
 }
 
 std::string hash_of_file(const std::filesystem::path& path) {
@@ -86,7 +87,7 @@ TEST(RecordedBake, AutomaticRangesFitTheWholeAnimation) {
     const auto range = *only_set(folder.path()).find_map("height")->samples->range;
     EXPECT_NE(range[1], preset.maps.height.full.value);
     const BakeSummary resumed =
-        bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {}, Resume::Yes);
+        bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {}, {Resume::Yes});
     EXPECT_EQ(resumed.kept, 1);
     EXPECT_EQ(*only_set(folder.path()).find_map("height")->samples->range, range);
     preset.image.maps = {"motion"};

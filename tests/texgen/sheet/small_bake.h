@@ -5,6 +5,7 @@
 #include "tests/texgen/small_preset.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
+#include "texgen/manifest/set_choice.h"
 
 #include <filesystem>
 #include <string>
@@ -41,7 +42,7 @@ inline BakedSet baked(const Preset& preset, const std::vector<std::string>& maps
     more.image.maps = maps;
     bake_recorded(more, {.frames = frames_to(preset.frames.count), .threads = 1}, {});
     const std::filesystem::path folder = manifest_folder(more);
-    return choose_set(read_manifest(folder), more.name, folder);
+    return newest_set(read_manifest(folder), {.preset = more.name}, folder);
 }
 
 }  // namespace foam::texgen
