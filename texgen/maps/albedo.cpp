@@ -6,9 +6,12 @@
 #include "texgen/maps/cell_color.h"
 #include "texgen/maps/cell_fill.h"
 #include "texgen/maps/film_coverage.h"
+#include "texgen/maps/grain.h"
 #include "texgen/maps/quantize.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 
 namespace foam::texgen {
 
@@ -22,6 +25,12 @@ ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
                        width);
 }
 
+// Returns a color whose brightness is changed by a fraction, and that stays displayable.
+LinearRgb grained(const LinearRgb& color, double change) {
+    const auto changed = [&](double x) { return std::clamp(x * (1.0 + change), 0.0, 1.0); };
+    return {changed(color.r), changed(color.g), changed(color.b)};
+}
+
 // Draws the colors of bubbles first; a pixel that bubbles share has their mean color. Then mixes
 // the shade beside films into these colors, and paints the films over the result.
 ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
@@ -29,9 +38,14 @@ ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
     const ColorPixels cells =
         fill_colors(layers, cell_colors(layers.frame(), layers.record(), options), film, 0.0);
     const auto channels = static_cast<std::size_t>(cells.pixels.channels());
+    std::optional<Grain> grain;
+    if (options.grain > 0.0) {
+        grain.emplace(layers, options.grain_size, GrainUse::Albedo);
+    }
     const auto color_at = [&](std::size_t k) {
         const auto pixel = cells.pixels.samples().subspan(channels * k, 3);
-        return LinearRgb{pixel[0] / kWhite, pixel[1] / kWhite, pixel[2] / kWhite};
+        const LinearRgb color{pixel[0] / kWhite, pixel[1] / kWhite, pixel[2] / kWhite};
+        return grain ? grained(color, options.grain * grain->at(k).value) : color;
     };
     if (options.shade == 0.0) {
         return paint_films(layers, options, color_at);
@@ -46,8 +60,8 @@ ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
 }  // namespace
 
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options) {
-    return film_distance_needs(options).smooth ? draw_shaded(layers, options)
-                                               : draw_flat(layers, options);
+    const bool is_flat = !film_distance_needs(options).smooth && options.grain == 0.0;
+    return is_flat ? draw_flat(layers, options) : draw_shaded(layers, options);
 }
 
 Image<std::uint8_t> albedo(const Frame& frame,

@@ -80,7 +80,19 @@ Keys<AlbedoOptions> bubble_keys() {
         key("shade",
             kFractions,
             "strength of the shade right beside a film; 0 disables it",
-            &Options::shade)};
+            &Options::shade),
+        key("grain",
+            kFractions,
+            "largest change of brightness by a fine grain that moves with each bubble, as a "
+            "fraction; 0 disables it",
+            &Options::grain)
+            .in("fraction of the brightness"),
+        key("grain_size",
+            Reals{0.01, 10.0},
+            "size of the largest features of the grain, in diameters of a mean bubble of the "
+            "seeded foam",
+            &Options::grain_size)
+            .in("mean bubble diameters of the seeded foam")};
 }
 
 Keys<AlbedoOptions> film_keys() {

@@ -60,7 +60,11 @@ struct AlbedoOptions {
     // The width of the shade on each side of a film, in diameters of a mean bubble of the seeded
     // foam.
     double shade_width = 0.3;
-    double shade = 0.0;  // weight of the shade's color at films, 0 to 1; 0 draws no shade
+    // The largest change of brightness by the grain (grain.h) of bubbles, as a fraction; 0 draws no
+    // grain.
+    double grain = 0.0;
+    double grain_size = 0.4;  // of the largest features, in diameters like shade_width
+    double shade = 0.0;       // weight of the shade's color at films, 0 to 1; 0 draws no shade
 };
 
 Keys<AlbedoOptions> albedo_keys();

@@ -4,12 +4,14 @@
 
 #include "core/geometry/vec2.h"
 #include "texgen/maps/frame_layers.h"
+#include "texgen/maps/grain.h"
 #include "texgen/maps/maze.h"
 #include "texgen/maps/relief_options.h"
 #include "texgen/maps/relief_section.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace foam::texgen {
@@ -22,10 +24,10 @@ struct ReliefSource {
 
 /// The relief of a frame: a surface whose height varies over the foam, at the centers of pixels.
 /// Heights come from the smooth distance and slopes from its gradient, so that there are creases
-/// only along films. If only the walls of a maze shape the relief (ReliefFilms::Walls), the
-/// distance to the nearest wall replaces the smooth distance, so that there are also creases where
-/// two walls are equally near. Around a patch the relief is flat, except for the outer half of
-/// ridges and wet films. Borrows the layers.
+/// only along films. A grain (grain.h) may be added, which fades out towards films. If only the
+/// walls of a maze shape the relief (ReliefFilms::Walls), the distance to the nearest wall replaces
+/// the smooth distance, so that there are also creases where two walls are equally near. Around a
+/// patch the relief is flat, except for the outer half of ridges and wet films. Borrows the layers.
 class Relief {
   public:
     /// `reach` is in units of the section (ReliefSection). Distances above it from the walls of a
@@ -61,6 +63,9 @@ class Relief {
     double diameter() const { return diameter_; }
 
   private:
+    /// Returns the height and the slope of the grain at a pixel, in pixels.
+    GrainValue grain_at(std::size_t index) const;
+
     ReliefSection section_;
     double strength_;
     double diameter_;
@@ -69,6 +74,8 @@ class Relief {
     const Image<float>* gradient_ = nullptr;     // of `smooth_`
     const Image<std::uint32_t>* ids_ = nullptr;  // of the distance field; only for domes
     std::vector<double> radii_;                  // units of domes, indexed by these ids
+    std::optional<Grain> grain_;
+    double grain_height_;  // factor on the values of the grain, pixels
 };
 
 }  // namespace foam::texgen

@@ -35,6 +35,20 @@ Keys<ReliefOptions> relief_keys() {
             &Options::width)
             .in(kReliefDiameters),
         key("strength", Reals{0.0, 100.0}, "factor that scales all heights", &Options::strength),
+        key("grain",
+            Reals{0.0, 10.0},
+            "height of a fine grain that moves with each bubble, in bubble diameters; 0 disables "
+            "it; shown by height, normal, lit and caustics",
+            &Options::grain)
+            .in(kReliefDiameters)
+            .only_for("relief.films", {"all"}),
+        key("grain_size",
+            Reals{0.01, 10.0},
+            "size of the largest features of the grain, in diameters of a mean bubble of the "
+            "seeded foam",
+            &Options::grain_size)
+            .in("mean bubble diameters of the seeded foam")
+            .only_for("relief.films", {"all"}),
         key("mean_bubble",
             kMeanBubbles,
             "the unit of heights and widths is the diameter of a mean bubble: of the seeded foam "

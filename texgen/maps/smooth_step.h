@@ -11,4 +11,10 @@ Number smooth_step(Number passed) {
     return passed * passed * (Number{3} - Number{2} * passed);
 }
 
+/// Returns the slope of smooth_step, 6 t - 6 t².
+template <class Number>
+Number smooth_step_slope(Number passed) {
+    return Number{6} * passed * (Number{1} - passed);
+}
+
 }  // namespace foam::texgen

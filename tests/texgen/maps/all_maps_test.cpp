@@ -59,6 +59,14 @@ MapOptions wet_and_shaded() {
     return options;
 }
 
+MapOptions grained() {
+    MapOptions options;
+    options.albedo.grain = 0.3;
+    options.albedo.grain_size = 0.2;
+    options.relief.grain = 0.05;
+    return options;
+}
+
 MapOptions lit_thin_film() {
     MapOptions options;
     options.lit.colors = LitColors::ThinFilm;
@@ -83,6 +91,9 @@ std::vector<MapCase> all_cases() {
     }
     for (const char* map : {"albedo", "thin_film", "lit", "film", "opacity", "roughness"}) {
         cases.push_back({map, "wet", wet_and_shaded()});
+    }
+    for (const char* map : {"albedo", "lit", "height", "normal"}) {
+        cases.push_back({map, "grained", grained()});
     }
     cases.push_back({"lit", "thin_film", lit_thin_film()});
     for (const char* map : {"lit", "height", "normal", "occlusion", "curvature"}) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/geometry/vec2.h"
+#include "texgen/maps/frame_layers.h"
+#include "texgen/raster/coords/fixed_point.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The use of a grain. Grains of different uses are independent of each other.
+enum class GrainUse : std::uint32_t { Relief, Albedo };
+
+/// A value of a grain.
+struct GrainValue {
+    double value = 0.0;            // about -1 to 1, with mean 0
+    Vec2 gradient = Vec2::Zero();  // of the value, per pixel; x to the right, y up
+};
+
+/// Returns gradient noise at a point, with octaves of half the size and half the height. The first
+/// octave has features of size 1. The gradient is per unit of the point. Noise depends on the point
+/// and on `seed` alone (K. Perlin, "Improving noise", 2002). Precondition: 1 <= octaves <= 30.
+GrainValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
+
+/// A fine texture of noise in every bubble. It moves with the centroid of the bubble, does not turn
+/// or stretch, and differs from bubble to bubble; there is no noise around a patch. Octaves of
+/// features smaller than two pixels are left out. Borrows the layers. A bubble of a torus that
+/// reaches farther than half the width or height of the image from its centroid has a visible step
+/// there.
+class Grain {
+  public:
+    /// `size` is the size of the largest features, in diameters of a mean bubble of the seeded
+    /// foam.
+    Grain(FrameLayers& layers, double size, GrainUse use);
+
+    /// Returns the value at the center of a pixel. `index` counts pixels row by row from the bottom
+    /// row.
+    GrainValue at(std::size_t index) const;
+
+  private:
+    /// The grain of one bubble.
+    struct Origin {
+        SubpixelPoint center{};  // centroid of the bubble on the unshifted grid
+        std::uint32_t seed = 0;  // 0 around a patch
+    };
+
+    std::vector<Origin> origins_of(FrameLayers& layers, GrainUse use) const;
+    Vec2 from_center(std::size_t index, SubpixelPoint center) const;
+
+    RasterGrid grid_;
+    bool is_periodic_;
+    std::int32_t shear_ = 0;  // of a torus, subpixels
+    double size_;             // of the largest features, pixels
+    int octaves_;
+    const Image<std::uint32_t>* ids_;
+    std::vector<Origin> origins_;  // indexed by the ids of the distance field
+};
+
+}  // namespace foam::texgen
