@@ -44,8 +44,8 @@ struct SimulatedFrame : DrawnState {
     FrameEffort effort;
     std::optional<View> view = {};             // view of a patch, the same in all frames
     std::optional<double> closing_error = {};  // Simulation::closing_error
-    DrawnState fading_in = {};  // state that fades in; null pointers if there is none
-    std::vector<double> fade_growth = {};      // how far each bubble of `fading_in` has grown, 0 to 1
+    DrawnState fading_in = {};             // state that fades in; null pointers if there is none
+    std::vector<double> fade_growth = {};  // how far each bubble of `fading_in` has grown, 0 to 1
 
     /// Returns the cross-fade, which borrows the frames; nullopt if there is none.
     std::optional<CrossFade> cross_fade() const {

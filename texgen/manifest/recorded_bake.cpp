@@ -7,13 +7,13 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/shown_text.h"
+#include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/existing_frames.h"
 #include "texgen/manifest/manifest_file.h"
 
 #include <fmt/core.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -27,12 +27,6 @@
 namespace foam::texgen {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// Approximate upper limit on the fraction of the duration of a bake that is spent on writing the
-// manifest.
-constexpr double kMaxSaveFraction = 0.05;
 
 // Throws std::invalid_argument if the names of the files cannot be recorded: a manifest is JSON and
 // therefore UTF-8. The name of its own folder does not matter.
@@ -48,78 +42,6 @@ void check_names(const Preset& preset, const BakeOptions& options) {
         }
     }
 }
-
-// Returns the paths, relative to the folder of the manifest, of the files that a bake will write.
-std::vector<std::string> written_paths(const Preset& preset,
-                                       const BakeOptions& options,
-                                       const std::filesystem::path& folder) {
-    const FrameFiles files(preset);
-    std::vector<std::string> paths;
-    for (const int frame : options.frames) {
-        if (options.existing_frames.contains(frame)) {
-            continue;
-        }
-        for (const std::filesystem::path& path : files.paths(frame)) {
-            paths.push_back(relative_path(path, folder));
-        }
-    }
-    return paths;
-}
-
-// Updates the manifest during a bake.
-class ManifestWriter {
-  public:
-    /// Prepares the description of the bake. Does not write the manifest yet.
-    ManifestWriter(const Preset& preset, const BakeOptions& options)
-        : folder_(manifest_folder(preset)),
-          set_(describe(preset, options.frames)),
-          paths_(written_paths(preset, options, folder_)) {}
-
-    /// Removes from the manifest the files that the bake will write, and adds the set of the bake.
-    /// Only the first call has an effect.
-    void begin() {
-        if (!begun_) {
-            begun_ = true;
-            update_manifest(folder_, [&](Manifest& manifest) {
-                remove_files(manifest, paths_);
-                merge(manifest, set_);
-            });
-        }
-    }
-
-    /// Adds a frame, and writes the manifest if enough time has passed since it was last written.
-    void add(const BakedFrame& baked) {
-        add_frame(set_, baked, folder_);
-        if (Clock::now() >= next_save_) {
-            save();
-        }
-    }
-
-    /// Writes the manifest at the end of the bake. `failure` is the reason why the bake ended
-    /// early, or empty.
-    void close(const std::string& failure) {
-        begin();
-        set_.failure = failure;
-        save();
-    }
-
-    bool begun() const { return begun_; }
-
-  private:
-    void save() {
-        const Clock::time_point begin = Clock::now();
-        update_manifest(folder_, [&](Manifest& manifest) { merge(manifest, set_); });
-        const Clock::time_point end = Clock::now();
-        next_save_ =
-            end + std::chrono::duration_cast<Clock::duration>((end - begin) / kMaxSaveFraction);
-    }
-
-    std::filesystem::path folder_;
-    BakedSet set_;
-    std::vector<std::string> paths_;
-    bool begun_ = false;
-    Clock::time_point next_save_{};
-};
 
 // Returns the message for a run that ended early because its loop does not close. `closing_error`
 // is infinite if, at the end of the cycle, a bubble is missing or has another number of sides.
@@ -150,7 +72,7 @@ std::string failure_of(const RunOutcome& outcome) {
 
 // Records the failure of a bake that ends with an exception, if at least one frame has been
 // simulated. Ignores further exceptions, so that the caller can rethrow the original exception.
-void close_after_failure(ManifestWriter& writer, const std::string& failure) {
+void close_after_failure(BakeRecorder& writer, const std::string& failure) {
     try {
         if (writer.begun()) {
             writer.close(failure);
@@ -172,7 +94,7 @@ namespace {
 BakeSummary bake_and_record(const Preset& preset,
                             const BakeOptions& options,
                             const BakeCallbacks& callbacks,
-                            ManifestWriter& writer) {
+                            BakeRecorder& writer) {
     BakeCallbacks recording = callbacks;
     recording.on_frame = [&](const SimulatedFrame& shown) {
         writer.begin();
@@ -285,7 +207,7 @@ BakeSummary bake_recorded(const Preset& given,
     if (!all_exist && sequence == animation) {
         fitted = fit_ranges(preset, options, sequence, callbacks);
     }
-    ManifestWriter writer(preset, effective);
+    BakeRecorder writer(preset, effective);
     try {
         BakeSummary summary;
         if (fitted.status != RunStatus::Complete) {

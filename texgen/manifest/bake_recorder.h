@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/bake/bake.h"
+#include "texgen/manifest/manifest.h"
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns the paths, relative to the folder of the manifest, of the files that a bake will write.
+std::vector<std::string> written_paths(const Preset& preset,
+                                       const BakeOptions& options,
+                                       const std::filesystem::path& folder);
+
+/// Records a bake in the manifest of its folder while the bake runs. The functions throw
+/// OutputError if the manifest cannot be written, and InputError if an existing one cannot be read.
+class BakeRecorder {
+  public:
+    /// Prepares the description of the bake. Does not write the manifest yet.
+    BakeRecorder(const Preset& preset, const BakeOptions& options);
+
+    /// Removes from the manifest the files that the bake will write, and adds the set of the bake.
+    /// Only the first call has an effect.
+    void begin();
+
+    /// Adds a frame, and writes the manifest if enough time has passed since it was last written.
+    void add(const BakedFrame& baked);
+
+    /// Writes the manifest at the end of the bake. `failure` is the reason why the bake ended
+    /// early, or empty.
+    void close(const std::string& failure);
+
+    bool begun() const { return begun_; }
+
+  private:
+    void save();
+
+    std::filesystem::path folder_;
+    BakedSet set_;
+    std::vector<std::string> paths_;  // of the files that the bake will write
+    bool begun_ = false;
+    std::chrono::steady_clock::time_point next_save_{};
+};
+
+}  // namespace foam::texgen
