@@ -100,8 +100,8 @@ TEST(ExrDecode, AMalformedFileIsNamed) {
         FAIL();
     } catch (const InputError& error) {
         const std::string message = error.what();
-        EXPECT_EQ(message.rfind("cannot read '" + path.string() + "': malformed EXR: ", 0), 0U);
-        EXPECT_EQ(message.find('\n'), std::string::npos);
+        EXPECT_EQ(message,
+                  "cannot read '" + path.string() + "': unreadable EXR: not an EXR of version 2");
     }
 }
 

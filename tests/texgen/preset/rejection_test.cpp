@@ -22,12 +22,12 @@ TEST(Rejection, NamesLocationKeyValueAndReason) {
               "a.toml:4: key 'foam.seed' = 3: too odd");
 }
 
-// In TOML the value begins with a quote and 58 letters. A letter of two bytes follows, which a cut
-// after 60 bytes would split. The value is therefore cut before this letter.
+// In TOML the value begins with a quote and 58 letters. The 60th character is a letter of two
+// bytes, which a cut after 60 bytes would split.
 TEST(Rejection, CutsALongValueAtAWholeCharacter) {
     const Assignment longest{"a", "k", {fmt::format("{:x<58}\u00e4{:y<40}", "", "")}};
     EXPECT_EQ(test::rejection_of([&] { reject(longest, "r"); }),
-              fmt::format("a: key 'k' = \"{:x<58}...: r", ""));
+              fmt::format("a: key 'k' = \"{:x<58}\u00e4...: r", ""));
 }
 
 TEST(Rejection, BlamesTheLastAssignmentThatMatters) {
