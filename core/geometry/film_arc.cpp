@@ -125,7 +125,7 @@ ArcShape arc_shape(double half_angle) {
 
 // Uses Newton's method. Up to 90 degrees it is applied to h, whose slope grows only from 2/3 to 2
 // there. Beyond 90 degrees it is applied to h^(-1/2), which is nearly linear in alpha up to 180
-// degrees. Near 180 degrees, h^(-1/2) tends to sin(alpha) / sqrt(pi).
+// degrees. Near 180 degrees, h^(-1/2) approaches sin(alpha) / sqrt(pi).
 double half_angle_of_segment(double h) {
     const double size = std::abs(h);
     const bool is_low = size < kHalfPi;  // kHalfPi is h at 90 degrees

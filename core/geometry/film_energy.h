@@ -16,8 +16,8 @@ namespace foam {
 /// there is no such arc (|s| > 1), the half angle is clamped to the limit and `at_limit` is set.
 /// The gradient is continuous at the limit, because the energy of a Laplace-Young arc is stationary
 /// in the half angle. So even a film that has no Laplace-Young arc exerts finite forces, which move
-/// the foam away from this state. A foam that has a film at the limit does not count as being in
-/// equilibrium.
+/// the foam away from states in which a film has no such arc. A foam that has a film at the limit
+/// does not count as being in equilibrium.
 struct FilmEnergy {
     double half_angle = 0.0;  // radians, clamped to the limit
     double value = 0.0;
@@ -33,7 +33,7 @@ struct FilmEnergyHessian {
     double pressure_pressure = 0.0;
 };
 
-/// The sine of the largest half angle of an inner film, 80 degrees. This angle is well above 60
+/// The sine of 80 degrees, the limit of the half angle of an inner film. The limit is well above 60
 /// degrees, the half angle of both films of a two-sided bubble on a straight film. It is well below
 /// 90 degrees, where the derivatives diverge.
 inline constexpr double kLargestSine = 0.984807753012208;
