@@ -20,8 +20,8 @@ std::vector<HalfEdgeId> predecessors(const Network& network) {
     return before;
 }
 
-// Assigns every half-edge without a bubble on its left to the ghost and sets its tail. Returns
-// these half-edges.
+// Makes the ghost the left bubble of every half-edge that has no bubble on its left, and sets the
+// tail of the half-edge. Returns these half-edges.
 std::vector<HalfEdgeId> take_outer_sides(Network& network, BubbleId ghost) {
     std::vector<HalfEdgeId> sides;
     for (const FilmId film : network.films()) {

@@ -11,7 +11,8 @@
 namespace foam {
 
 /// A vector with one value for each slot (network.h) of one kind of elements of a network:
-/// junctions, films or bubbles. It is indexed by the id.
+/// junctions, films or bubbles. The value of an element is at the index given by the id of the
+/// element.
 template <class Id, class T>
 class Indexed {
   public:

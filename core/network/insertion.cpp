@@ -5,8 +5,8 @@
 #include <array>
 
 // Each of the two insertions is the inverse of a T2 (t2.cpp). New films have a lattice offset of
-// zero: the new junctions are in the same cell of the torus (core/geometry/domain.h) as the old
-// junction or, for a lens, the old tail of h.
+// zero: they lead to the stored positions of the new junctions without a translation. The caller
+// sets these positions accordingly.
 
 namespace foam {
 

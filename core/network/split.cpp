@@ -11,7 +11,8 @@ namespace foam {
 
 namespace {
 
-// One bubble beside the torn film: its two outer films, which the torn film separates.
+// The two outer films that the torn film separates on one of its sides. Both are films of the
+// bubble on this side.
 struct TornSide {
     HalfEdgeId before;          // side of the bubble that ends at the torn film
     HalfEdgeId after;           // side of the bubble that begins at the torn film

@@ -8,8 +8,8 @@
 
 namespace foam {
 
-/// Returns true if the film is between two bubbles and has the ghost at both ends. Such a film
-/// cannot flip, because the flipped film would have the ghost on both sides. It may tear instead.
+/// Returns true if the film is an inner film with the ghost at both ends. Such a film cannot flip,
+/// because the flipped film would have the ghost on both sides. It may tear instead.
 bool can_split(const Network& network, FilmId film);
 
 /// The result of a split.
@@ -18,12 +18,12 @@ struct Split {
     std::vector<BubbleId> loose;  // bubbles beside the film that lost their last junction
 };
 
-/// Removes the film and both its junctions. On each side of the film, the two outer films that it
-/// separated become one. If a bubble beside the film has only one other film, that film and the
-/// bubble are also removed from the network. If both ends of the film were on the same boundary of
-/// the ghost, the two bubbles belong to different rafts afterwards. Otherwise, the boundaries at
-/// the two ends have become one; for example, a hole is now open to the outside. Precondition:
-/// can_split.
+/// Removes the film and both its junctions. The film separated two outer films on each of its
+/// sides; the two outer films of a side become one film. If a bubble beside the film has only one
+/// other film, that film and the bubble are also removed from the network. If both ends of the film
+/// were on the same boundary of the ghost, the two bubbles beside the film belong to different
+/// rafts afterwards. Otherwise, the boundaries at the two ends have become one; for example, a hole
+/// is now open to the outside. Precondition: can_split.
 Split split(Network& network, FilmId film);
 
 /// Sets the first half-edge of the ghost to one of its live half-edges, after a change that may

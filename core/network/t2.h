@@ -9,8 +9,9 @@
 namespace foam {
 
 /// Returns true if the bubble can vanish by a T2. It must have two or three sides and must not be
-/// its own neighbor, and each bubble around it must keep at least two sides. The films at the two
-/// corners of a two-sided bubble must be different films.
+/// its own neighbor, and each bubble around it must keep at least two sides. At each corner of the
+/// bubble, one film ends that is not a side of the bubble: the film at the corner. The films at the
+/// two corners of a two-sided bubble must be different films.
 bool can_vanish(const Network& network, BubbleId bubble);
 
 /// The result of a T2: the junction or film that replaces the bubble, and its former neighbors.
@@ -30,8 +31,9 @@ struct Vanished {
 /// junctions, and the films at its two corners become one film. Precondition: can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 
-/// Returns true if a hole can close, that is, if a bubble in its place could vanish (can_vanish).
-/// `boundary` contains the half-edges of the ghost around the hole, in order.
+/// Returns true if a hole can close. The conditions are the same as for a bubble with the boundary
+/// of the hole (can_vanish). `boundary` contains the half-edges of the ghost around the hole, in
+/// order.
 bool can_close_hole(const Network& network, const std::vector<HalfEdgeId>& boundary);
 /// Removes a hole as `vanish` removes a bubble; boundary.front() takes the role of first(bubble).
 /// Precondition: can_close_hole.

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <vector>
 
-// The order of the checks is: each half-edge, each junction, each bubble, the counts, and Euler's
-// relation. In the plane, the boundaries of the ghost and the lattice offsets are checked before
-// Euler's relation. Later checks rely on the earlier ones, for example when they follow successors.
+// The order of the checks is: each half-edge, each junction, each bubble, the counts; in the plane,
+// then the boundaries of the ghost and the lattice offsets; finally Euler's relation. Later checks
+// rely on the earlier ones, for example when they follow successors.
 
 namespace foam {
 
@@ -59,9 +59,9 @@ Fault junction_fault(const Network& network, JunctionId junction) {
     return std::nullopt;
 }
 
-// Checks the loop around a bubble. On a torus, a bubble may touch a periodic copy of itself: the
-// film then occurs twice in the loop, at different lattice offsets. If the film occurs twice at the
-// same offset, the bubble touches itself, which is a fault.
+// Checks the loop around a bubble. On a torus, a bubble may touch a periodic copy of itself. The
+// film between the two copies then occurs twice in the loop, at different lattice offsets. If a
+// film occurs twice at the same offset, the bubble touches itself, which is a fault.
 Fault loop_fault(const Network& network, BubbleId bubble) {
     std::set<std::array<std::size_t, 3>> seen;
     LatticeOffset at;
