@@ -16,15 +16,15 @@ struct ClippedCells {
 };
 
 /// Clips the cells of a diagram on a torus to the outline. Precondition: no lattice copy of a cell
-/// overlaps the outline, apart from the cell itself.
+/// at an offset other than zero overlaps the outline.
 ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram);
 
 /// Returns the area of a cell of the mesh.
 double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
 
 /// Merges every cell smaller than a tenth of the mean area into the neighbor with which it shares
-/// the longest border. If the boundary of their union is not a single loop, tries the neighbor with
-/// the next longest border. Removes the small cell if no neighbor is left to try.
+/// the longest border. If the boundary of the union of both is not a single loop, tries the
+/// neighbor with the next longest border. Removes the small cell if no neighbor is left to try.
 void merge_slivers(PolygonMesh& mesh);
 
 }  // namespace foam

@@ -9,12 +9,12 @@
 namespace foam {
 
 /// Returns the positions of the junctions of a bubble, counter-clockwise from the tail of its first
-/// half-edge. On a torus, each position is at the lattice copy that the film from the position
-/// before it reaches, so that positions may be outside of the fundamental cell.
+/// half-edge. Each position is the previous position plus the chord of the film between them. On a
+/// torus, positions may therefore be outside of the fundamental cell.
 std::vector<Vec2> corners_of(const Foam& foam, BubbleId bubble);
 
-/// Returns the mean of the junctions of a bubble. On a torus it may belong to any lattice copy of
-/// the bubble.
+/// Returns the mean of corners_of(foam, bubble). On a torus, this point may belong to any lattice
+/// copy of the bubble.
 Vec2 mean_corner(const Foam& foam, BubbleId bubble);
 
 }  // namespace foam

@@ -47,7 +47,7 @@ struct Foam {
     Indexed<FilmId, double> half_angles;
     std::vector<LoneBubble> lone_bubbles;  // only in a patch; by increasing identity
     // The topology events since the list was last cleared, in the order in which they happened. The
-    // code that reads the list also clears it. The list is not part of the physical state.
+    // list is not part of the physical state.
     std::vector<TopologyEvent> events;
 };
 

@@ -47,7 +47,7 @@ class PatchBuilder {
                 const Side side{corners[k], corners[(k + 1) % corners.size()]};
                 if (!sides_.insert(side).second) {
                     throw std::runtime_error(
-                        "polygon mesh: two cells share the same side of an edge");
+                        "polygon mesh: two cells are on the same side of an edge");
                 }
                 neighbors[side.first].push_back(side.second);
                 neighbors[side.second].push_back(side.first);

@@ -41,8 +41,8 @@ struct JoinedFilm {
     LoneBubble as_lone;  // replaces the bubble if it has no other film
 };
 
-// Returns the bubble on the left of h as a lone bubble, a circle that touches the film of h at the
-// tail of h.
+// Returns the bubble on the left of h as a lone bubble, a circle that is tangent to the film of h
+// at the tail of h.
 LoneBubble as_lone(const Foam& foam, HalfEdgeId h) {
     const BubbleId bubble = foam.network.left(h);
     LoneBubble lone{foam.identities[bubble], Vec2::Zero(), foam.target_areas[bubble]};

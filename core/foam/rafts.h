@@ -10,10 +10,10 @@ namespace foam {
 bool is_inside_double_bubble(const Network& network, FilmId film);
 
 /// Tears a film with the ghost at both ends (core/network/split.h) and records a T1. On each side
-/// of the torn film, two outer films become one arc. Its half angle is the mean of the two half
-/// angles that fit the old tangents at its tail and at its head. A bubble that no longer touches
-/// another bubble becomes a lone bubble, whose circle touches the old outer film of this bubble at
-/// one end. Precondition: can_split.
+/// of the torn film, two outer films become one arc. One half angle would keep the old tangent at
+/// the tail of the arc, another one the old tangent at its head; the arc gets the mean of both. A
+/// bubble that no longer touches another bubble becomes a lone bubble, whose circle is tangent to
+/// the old outer film of this bubble at one end of the film. Precondition: can_split.
 void tear_film(Foam& foam, FilmId film);
 
 /// Returns true if the outer film is at a hole of at most three films, all with chords shorter than

@@ -45,7 +45,7 @@ std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thre
 double t1_distance_at(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Returns the chord length below which the film counts as collapsed to a point where four films
-/// meet: 5 % of the T1 distance that the film has when it is armed.
+/// meet: 5 % of the T1 distance of the armed film (t1_distance_at), even if the film is disarmed.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Returns true if the film would stay open after a flip. At each end of the flipped film, two
@@ -60,9 +60,10 @@ bool flipped_pulls_apart(const Foam& foam, FilmId film);
 void flip_film(Foam& foam, FilmId film);
 
 /// Opens a film that has collapsed to a point where four films meet. Flips the film if it can flip
-/// and these four films would pull the flipped film harder than they pull the present film. Gives
-/// the film the direction of the pull and the given chord length, and keeps its midpoint. A flip is
-/// recorded as a T1 and disarms the film, as in flip_film. Returns true if the film was flipped.
+/// and if the four neighboring films would pull harder on the flipped film than on the present
+/// film. Gives the film the direction of the pull and the given chord length, and keeps its
+/// midpoint. A flip is recorded as a T1 and disarms the film, as in flip_film. Returns true if the
+/// film was flipped.
 bool reopen_film(Foam& foam, FilmId film, double length);
 
 /// Returns true if the film has the ghost at both ends (split.h) and both bubbles beside it have
@@ -72,8 +73,8 @@ bool can_tear(const Network& network, FilmId film);
 /// Returns true if the film can flip or tear.
 bool can_change(const Network& network, FilmId film);
 
-/// Arms each disarmed film (Foam::t1_armed) among the given films that is longer than twice the T1
-/// distance that it has when it is armed (t1_distance_at).
+/// Arms each of the given films that is disarmed (Foam::t1_armed) and has grown: its chord is
+/// longer than twice the T1 distance of the armed film (t1_distance_at).
 void rearm_grown_films(Foam& foam,
                        std::span<const FilmId> films,
                        const TopologyThresholds& thresholds);
