@@ -29,7 +29,7 @@ BlockVector central_difference(const JunctionBlock& block, Index unknown, double
     BlockVector difference = block.constraint_errors(change);
     change[unknown] = -step;
     difference -= block.constraint_errors(change);
-    // The last two constraints are angles, which are known up to multiples of 2 pi.
+    // The last two constraints are angles, which are known only up to multiples of 2 pi.
     for (double& turn : difference.tail<2>()) {
         turn = std::remainder(turn, 2.0 * std::numbers::pi);
     }

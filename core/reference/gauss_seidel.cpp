@@ -132,7 +132,8 @@ class Sweeps {
     }
 
     // Solves all blocks of a color before any change is applied, because a block also reads the
-    // pressures of the neighbors of its bubbles, and another block of the color may change them.
+    // pressures of the neighbors of its bubbles. Another block of the same color may change these
+    // pressures.
     void sweep_color(const std::vector<JunctionId>& color) {
         changes_.resize(color.size());
         parallel_for(color.size(),

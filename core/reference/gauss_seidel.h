@@ -24,9 +24,9 @@ struct GaussSeidelOptions {
     // Number of threads of colored sweeps, with the same meaning as in thread_count. The result has
     // the same bits for any number of threads.
     int threads = 0;
-    // Largest change of each pressure and of each half angle of a block, and largest displacement
-    // of its junction, in one sweep. Changes are in the dimensionless units of JunctionBlock. A
-    // step that exceeds this limit is scaled down as a whole.
+    // Limit of one Newton step of a block, in the dimensionless units of JunctionBlock. The limit
+    // applies to the change of each pressure, to the change of each half angle, and to the distance
+    // by which the junction moves. A step that exceeds the limit is scaled down as a whole.
     double largest_change = 0.4;
     DifferenceOptions differences{};
     TopologyThresholds thresholds{};
@@ -43,8 +43,9 @@ struct GaussSeidelSummary {
 };
 
 /// Runs the paper's solver (E5): sweeps over the junctions, with T1s (E7) between sweeps. The
-/// Newton step of a junction's block (block_step.h) changes the position of the junction, the
-/// pressures of its bubbles, and the half angles of the outer films of these bubbles together.
+/// Newton step of a junction's block (block_step.h) changes these unknowns together: the position
+/// of the junction, the pressures of its bubbles, and the half angles of the outer films of these
+/// bubbles.
 ///
 /// Stops as soon as the errors are below the tolerance, even if a film is then shorter than its T1
 /// distance. Stops after max_sweeps sweeps at the latest. Preconditions: the same as for

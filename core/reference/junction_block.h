@@ -23,16 +23,17 @@ using BlockMatrix = Eigen::MatrixXd;
 /// of the junction. The number of constraints is the same. The constraints are the areas of the
 /// bubbles, followed by two angles between films of the junction. These are the angles on the left
 /// of the first two half-edges of Network::leaving; the third angle follows from them (paper eq.
-/// 13). A bubble may meet itself at the junction, around the torus. It then counts once: the block
-/// has one pressure and one area fewer.
+/// 13). On a torus, two of the three bubbles at the junction may be periodic copies of one bubble.
+/// This bubble counts once: the block has one pressure and one area fewer.
 ///
 /// In a patch the ghost's pressure and area are left out of the block (paper eq. 15). Each outer
 /// film of the block's bubbles adds one unknown, the change of the film's half angle, and one
-/// constraint, Laplace-Young's law (E1) at the film. The half angles follow the pressures in the
-/// order of the unknowns; these constraints follow the areas in the order of the constraints. Below
-/// 90 degrees, where the law determines the half angle, the Newton step is the same as without
-/// these unknowns and constraints. At 90 degrees, where the half angle has no finite derivative
-/// with respect to the pressures, the step is still well defined.
+/// constraint, Laplace-Young's law (E1) at the film. In the order of the unknowns, the half angles
+/// come after the pressures and before x and y. In the order of the constraints, Laplace-Young's
+/// law comes after the areas and before the angles. Below 90 degrees, where the law determines the
+/// half angle, the Newton step is the same as without these unknowns and constraints. At 90
+/// degrees, where the half angle has no finite derivative with respect to the pressures, the step
+/// is still well defined.
 ///
 /// All quantities are dimensionless and of order one for bubbles of any size. The unit of a
 /// pressure is the film tension divided by the square root of the bubble's target area. The unit of
@@ -83,8 +84,8 @@ class JunctionBlock {
     Vec2 move(const BlockVector& change) const { return move_unit_ * change.tail<2>(); }
 
   private:
-    // A side of a film: either a side with one of the block's bubbles on its left, or a side whose
-    // tail is the junction.
+    // What the block stores of one half-edge. The half-edge has one of the block's bubbles on its
+    // left, or its tail is the junction.
     struct Side {
         Vec2 start{0.0, 0.0};  // tail, relative to the start of the traversal of the bubble
         Vec2 chord{0.0, 0.0};
