@@ -38,7 +38,8 @@ Buckets<Item> counting_sort(std::size_t buckets,
                             int threads,
                             const Visit& visit) {
     // The first pass counts the items of each part in each bucket. A prefix sum then replaces each
-    // count by the index in `sorted.items` of the part's first item in the bucket.
+    // count by an index in `sorted.items`: the index of the first item that the part puts into the
+    // bucket.
     std::vector<std::vector<std::size_t>> next(parts);
     parallel_for(parts, 1, threads, [&](std::size_t part, std::size_t) {
         std::vector<std::size_t> counts(buckets);

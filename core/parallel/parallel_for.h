@@ -17,12 +17,12 @@ int thread_count(int threads);
 /// Calls body(first, last) for each chunk of [0, count). The chunks are [0, grain), [grain, 2
 /// grain) and so on; the last one ends at `count`.
 ///
-/// The calls are made on up to thread_count(threads) threads including the caller's thread, but on
-/// at most 256. Chunks run in no particular order. The division into chunks does not depend on the
-/// number of threads. So a body that writes only to the elements of its own chunk gives the same
-/// result for any number of threads. Returns when all calls of `body` have returned. If a call
-/// throws, chunks that have not begun are skipped, and the first exception is rethrown to the
-/// caller. `body` may itself call parallel_for. Precondition: grain > 0.
+/// The calls are made on the caller's thread and on further threads. The total is at most
+/// thread_count(threads), and at most 256. Chunks run in no particular order. The division into
+/// chunks does not depend on the number of threads. So a body that writes only to the elements of
+/// its own chunk gives the same result for any number of threads. Returns when all calls of `body`
+/// have returned. If a call throws, chunks that have not begun are skipped, and the first exception
+/// is rethrown to the caller. `body` may itself call parallel_for. Precondition: grain > 0.
 void parallel_for(std::size_t count,
                   std::size_t grain,
                   int threads,

@@ -29,7 +29,7 @@ class WorkerPool {
 
     /// Calls work() on the caller's thread and concurrently on up to `helpers` threads of the pool,
     /// the helpers. Returns when all calls that have begun have returned. Once the call on the
-    /// caller's thread has returned, no further helper begins, so the caller then waits only for
+    /// caller's thread has returned, no further helper begins. The caller then waits only for
     /// helpers that are still inside work(). Therefore no deadlock can occur if work() itself calls
     /// run(), or if any number of threads call run() at once.
     ///
