@@ -12,11 +12,11 @@ struct DissectionOptions {
     // (SeparatorRefinement) if the part that they divide has at least this many rows.
     int min_refined_rows = 100;
 
-    // A separator that was found from positions is rejected if its number of rows, divided by the
-    // square root of the number of rows of the part that it divides, exceeds a limit. The limit is
-    // `heaviest_separator`, or `heaviest_refined` if the separator has been refined. After a
-    // rejection, this part and all parts into which it is divided are divided by the edges of the
-    // graph alone.
+    // A separator that was found from positions is rejected if its relative weight exceeds a limit.
+    // The relative weight is the number of rows of the separator, divided by the square root of the
+    // number of rows of the divided part. The limit is `heaviest_separator`, or `heaviest_refined`
+    // if the separator has been refined. After a rejection, this part and all parts into which it
+    // is divided are divided by the edges of the graph alone.
     double heaviest_separator = 5.0;
     double heaviest_refined = 2.5;
 };

@@ -66,7 +66,7 @@ struct FrontPlan {
                                                  // elimination
     std::vector<Front> fronts;                   // every front is stored after its children
     std::vector<std::uint32_t> border_rows;   // the borders of all fronts, each in increasing order
-    std::vector<std::uint32_t> border_slots;  // slots of these rows in the parent front
+    std::vector<std::uint32_t> border_slots;  // their slots in the parent front (see write_slots)
     std::vector<Entry> entries;               // sorted by front
     // Sizes of memory, in floating-point numbers.
     std::size_t panels_size = 0;     // all panels: the factor

@@ -13,10 +13,11 @@
 
 namespace foam {
 
-// Symbolic factorization. Each part of the dissection becomes a front. The border of a front is the
-// union of the later neighbors of its nodes and the borders of its children, without its own nodes.
-// One pass in postorder therefore finds all borders. Then the workspace is laid out, the slots of
-// the borders in the parent fronts are found, and each entry of the matrix gets its index in a
+// Symbolic factorization. Each part of the dissection becomes a front. The border of a front
+// consists of the neighbors of its nodes and of the borders of its children, as far as they are
+// later in the order of elimination than its own nodes. One pass in postorder therefore finds all
+// borders. Then three more steps follow. The workspace is laid out. Each row of a border gets its
+// slot in the parent front (FrontPlan::write_slots). Each entry of the matrix gets its index in a
 // panel.
 
 namespace {
@@ -58,8 +59,8 @@ class FrontBuilder {
     }
 
   private:
-    // Finds the position of each node in the order of elimination, the index of each matrix row in
-    // this order, and the first of these indices for each position.
+    // Finds the position of each node and the index of each matrix row in the order of elimination.
+    // Also finds, for each position, the index of the first row of its node.
     void order_rows(std::span<const SolverNode> nodes) {
         const std::vector<std::size_t> matrix_rows = first_rows_of(nodes);
         plan_.position_of_row.resize(matrix_rows.back());

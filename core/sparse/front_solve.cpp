@@ -82,9 +82,9 @@ class FrontSolve {
 
 // The two substitutions of all fronts. If the two subtrees of a front may be processed at the same
 // time (forks), the right subtree subtracts its contributions to the front's pivots and border from
-// a separate vector. This vector is then added to the result. The separate vector is used with any
-// number of threads, so that neither the order of the sums nor the bits of the result depend on
-// this number.
+// a separate vector. The separate vector is then added to the vectors that the left subtree
+// changes. It is used with any number of threads. Therefore neither the order of the sums nor the
+// bits of the result depend on the number of threads.
 template <class Real>
 class Substitution {
   public:

@@ -32,10 +32,10 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int max_weight) {
     return partners;
 }
 
-// Appends the edges of one coarse node, whose fine nodes are `members`. `edge_indices` holds, for
-// each coarse node, the index of the edge that leads to it from the node whose edges are appended.
-// The indices of earlier calls are not reset, but they are below `begin`, the index of the first
-// edge that this call appends.
+// Appends the edges of one coarse node, whose fine nodes are `members`. edge_indices[k] is the
+// index of the edge that this call has appended for the neighbor k, a coarse node. Values from
+// before this call are not reset. They are recognized because they are below `begin`, the index of
+// the first edge that this call appends, or are not the index of an edge to k.
 void append_edges(const WeightedGraph& fine,
                   std::span<const std::uint32_t> members,
                   CoarseGraph& coarse,
