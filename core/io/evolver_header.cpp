@@ -11,7 +11,7 @@ namespace foam::evolver {
 
 namespace {
 
-// The largest shear of a torus in widths. A larger one would leave few digits for coordinates.
+// The largest shear of a torus in widths. A larger shear would leave few digits for coordinates.
 constexpr double kMaxShear = 1e6;
 
 // Returns the keywords that are rejected, in lower case, each with a text. The error message

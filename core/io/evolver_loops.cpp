@@ -11,10 +11,10 @@
 #include <cstdlib>
 
 // Converts faces to loops of films. First, the loop of edges of each face is copied; if the body
-// refers to the reversed face, the loop is reversed. Then it is checked that the loops are closed
-// and that each side of an edge has one face; in the plane, one of the two sides may have none. If
-// the total area of all loops is negative, the loops are clockwise, and all of them are reversed.
-// Finally, each loop is split into films at the vertices of three edges.
+// refers to the reversed face, the loop is reversed. Then two checks are made: the loops must be
+// closed, and each side of an edge must have one face. In the plane, one of the two sides of an
+// edge may have no face. If the total area of all loops is negative, the loops are clockwise, and
+// all of them are reversed. Finally, each loop is split into films at the vertices of three edges.
 
 namespace foam::evolver {
 

@@ -26,11 +26,12 @@ struct FilmLoop {
 
 /// Returns the faces of a mesh on a torus or in the plane, in the same order, as loops of films. If
 /// no edge of the file has a wrap, each edge ends at the copy of its head that is nearest to its
-/// tail; on a sheared torus, the nearest row of copies is chosen first. Throws FormatError, with
-/// `file` as the name in its message, in these cases:
+/// tail; on a sheared torus, the nearest row of copies is chosen first. If some edges have a wrap,
+/// the wrap of all other edges is zero. Throws FormatError, with `file` as the name in its message,
+/// in these cases:
 /// - the faces do not cover the torus once;
-/// - an edge has two faces on the same side, or a side without a face; in the plane, one of its
-///   sides may have none;
+/// - an edge has two faces on one side, or no face on one side; in the plane, one of the two sides
+///   of an edge may have no face;
 /// - a vertex joins one edge or more than three;
 /// - a face is not a closed loop, or has no vertex of three edges;
 /// - a vertex is more than a million periods from the origin of a torus.

@@ -41,8 +41,8 @@ double parse_real(std::string_view text) {
     return result.ec == std::errc() ? value : std::strtod(std::string(text).c_str(), nullptr);
 }
 
-// Returns the value of the digits, or infinity if it does not fit 64 bits or if there are no
-// digits.
+// Returns the value of the digits. Returns infinity if the value does not fit into 64 bits or if
+// there are no digits.
 double parse_hexadecimal(std::string_view digits) {
     std::uint64_t value = 0;
     const std::from_chars_result result =

@@ -26,8 +26,8 @@ struct Token {
     bool starts_line = false;     // true for the first token of a line; line ends within a comment
                                   // or a quoted text do not count
     bool follows_space = false;   // true if white space or a comment is before the token
-    bool precedes_space = false;  // true if white space is after the token or, except for a
-                                  // Text, the end of the file
+    bool precedes_space = false;  // true if white space is after the token; also true at the end of
+                                  // the file, unless the token is a Text
 
     bool is_symbol(char symbol) const {
         return kind == TokenKind::Symbol && text.front() == symbol;

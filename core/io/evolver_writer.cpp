@@ -18,7 +18,7 @@ constexpr unsigned kWrapBits = 6;  // bits per axis in the numeric form of a wra
 constexpr std::int32_t kMinWrap = -16;
 constexpr std::int32_t kMaxWrap = 15;
 
-// Numbers the live elements from 1, as in the file. Returns the number of each.
+// Numbers the live elements from 1, as in the file. Returns the number of each element.
 template <class Id>
 Indexed<Id, int> numbers(const LiveRange<Id>& live, std::size_t slots) {
     Indexed<Id, int> result(slots, 0);
@@ -118,7 +118,8 @@ class Writer {
         }
     }
 
-    // Writes the wrap of an edge as symbols or, if it exceeds one period, as a number.
+    // Writes the wrap of an edge: as two symbols if it is at most one period along each axis,
+    // otherwise as a number.
     void write_wrap(int edge, LatticeOffset offset) {
         const auto is_symbol = [](std::int32_t periods) { return -1 <= periods && periods <= 1; };
         if (is_symbol(offset.i) && is_symbol(offset.j)) {

@@ -44,8 +44,8 @@ class JsonItem {
     /// Returns an integer from `min` to `max`.
     double integer(double min, double max) const;
     /// Returns an index from 0 to `count` - 1, which refers to another element. `kind` is the kind
-    /// of that element, such as "film"; if `count` is 0, the message says that there is none of
-    /// this kind.
+    /// of the other element, such as "film". If `count` is 0, the message says that the file has no
+    /// element of this kind.
     std::uint32_t index(std::size_t count, const char* kind) const;
     /// Returns true if this is the given text.
     bool is_text(const char* text) const;
