@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Bakes thousands of tiny frames and measures the memory of the program.
+
+Memory must not grow with the number of frames, apart from the list of files for the manifest: after the first tenth of the
+bake by less than 10 % plus 4 KiB per frame. The state of a frame takes more than 10 KiB, so that one kept state per frame
+would be found. The short form bakes 200 frames, the long form 10,000.
+"""
+import subprocess
+import time
+
+import lab as attack
+
+COMMAND = ["bake", "sea_foam", "-q", "--size", "16", "--set", "foam.bubbles=60", "--set", "loop.kind=none", "--set",
+           "dynamics.kappa=0", "--maps", "albedo", "--threads", "2", "--out", "out/{map}.#####.png"]
+KIB_PER_FRAME = 4
+STARTED_KIB = 16384  # of the program before its first frame, at most
+
+
+def resident_kib(process):
+    """Returns the resident memory of a process, or None if it has ended."""
+    try:
+        with open(f"/proc/{process.pid}/status", encoding="ascii") as status:
+            return next((int(line.split()[1]) for line in status if line.startswith("VmRSS:")), None)
+    except OSError:
+        return None
+
+
+def measure(process):
+    """Returns pairs of (seconds since the start, resident memory in KiB) until the process ends."""
+    start = time.monotonic()
+    samples = []
+    while process.poll() is None:
+        kib = resident_kib(process)
+        if kib is not None:
+            samples.append((time.monotonic() - start, kib))
+        time.sleep(0.02 if len(samples) < 100 else 0.5)
+    return samples
+
+
+def main():
+    lab = attack.lab_from_command_line(__doc__)
+    frames = 10000 if lab.long else 200
+    folder = lab.folder("work")
+    process = lab.start([*COMMAND, "--set", f"frames.count={frames}"], folder, stdout=subprocess.DEVNULL)
+    samples = measure(process)
+    lab.expect(process.returncode == 0, f"exit {process.returncode}")
+    lab.expect(lab.run(["verify", "out"], folder).code == 0, "the bake does not pass verify")
+    lab.expect(len(attack.images_in(folder)) == frames, "frames are missing")
+    first = max(STARTED_KIB, *(kib for at, kib in samples if at <= 0.1 * samples[-1][0]))
+    most = max(kib for _, kib in samples)
+    lab.expect(most < 1.1 * first + KIB_PER_FRAME * frames,
+               f"memory grows from {first} KiB in the first tenth to {most} KiB")
+    lab.finish(f"{frames} frames in {samples[-1][0]:.0f} s, {first} KiB in the first tenth, {most} KiB at most")
+
+
+
+main()

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Bakes tiny animations of random presets with random values of all keys.
+
+A bake must end with 0, with 2 (a combination of values that is not allowed) or 3 (no equilibrium, or an open loop), with
+one line that names the reason, and never with anything else. Every finished bake must pass verify. The short form bakes
+20 presets, the long form 2,000; preset K depends only on K.
+"""
+import json
+import random
+
+import lab as attack
+from random_preset import PresetMaker
+
+
+def bake(lab, schema, seed):
+    folder = lab.folder(f"preset-{seed}")
+    text = PresetMaker(schema, random.Random(seed)).make()
+    (folder / "foam.toml").write_text(text)
+    outcome = lab.run(["bake", "foam.toml", "-q", "--threads", "1"], folder)
+    before = len(lab.faults)
+    lab.expect_documented(outcome, f"preset {seed}", {0, 2, 3})
+    if outcome.code in (2, 3):
+        lab.expect(len(outcome.err) > len("foamtex: \n"), f"preset {seed}: no reason")
+        lab.reasons[outcome.err.strip()[-60:]] = lab.reasons.get(outcome.err.strip()[-60:], 0) + 1
+    if outcome.code == 0:
+        verified = lab.run(["verify", "out"], folder)
+        lab.expect(verified.code == 0, f"preset {seed}: verify: {verified.out[-600:]} {verified.err}")
+    if len(lab.faults) > before and lab.arguments.keep:
+        with open(f"{lab.arguments.keep}/soak-{seed}.toml", "w", encoding="utf-8") as kept:
+            kept.write(text)
+
+
+def add_options(parser):
+    parser.add_argument("--count", type=int, help="number of presets")
+    parser.add_argument("--keep", help="existing folder for the presets that found a fault")
+
+
+def main():
+    lab = attack.lab_from_command_line(__doc__, add_options)
+    lab.reasons = {}
+    schema = json.loads(lab.run(["presets", "keys", "--json-schema"], lab.root).out)
+    count = lab.arguments.count or (2000 if lab.long else 20)
+    for seed in range(lab.arguments.seed, lab.arguments.seed + count):
+        bake(lab, schema, seed)
+    if lab.long:
+        for reason, times in sorted(lab.reasons.items(), key=lambda item: -item[1])[:20]:
+            print(f"{times:5} {reason}")
+    lab.finish(f"{count} presets")
+
+
+main()
