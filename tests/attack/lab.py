@@ -6,6 +6,7 @@ import dataclasses
 import os
 import pathlib
 import random
+import resource
 import shutil
 import subprocess
 import sys
@@ -14,7 +15,8 @@ import tempfile
 NOBODY = 65534  # the id of the user without rights
 SKIPPED = 77  # the exit code that ctest counts as a skipped test
 DOCUMENTED = {0, 2, 3, 4, 5, 6, 130, 143}  # the exit codes of the program, except 1: a bug, or out of memory
-TIME_LIMIT = 120  # seconds; a run that takes longer counts as a hang
+PROCESSOR_TIME_LIMIT = 60  # seconds; the signal SIGXCPU ends a run that takes more
+TIME_LIMIT = 1200  # seconds; a run that takes longer counts as a hang
 
 # A bake of a second or less whose images have all sample types.
 SMALL = ["--set", "foam.bubbles=24", "--set", "foam.lloyd=2", "--size", "48", "--threads", "2", "-q"]
@@ -55,7 +57,9 @@ class Lab:
         if self.user is not None:
             options |= {"user": self.user, "group": self.user, "extra_groups": []}
         options.setdefault("stdin", subprocess.DEVNULL)
-        return subprocess.Popen([self.program, *map(str, arguments)], cwd=cwd, **options)
+        process = subprocess.Popen([self.program, *map(str, arguments)], cwd=cwd, **options)
+        resource.prlimit(process.pid, resource.RLIMIT_CPU, (PROCESSOR_TIME_LIMIT, PROCESSOR_TIME_LIMIT))
+        return process
 
     def run(self, arguments, cwd, **options):
         """Runs the program to its end. Options of subprocess.Popen may redirect its streams."""
@@ -82,7 +86,7 @@ class Lab:
 
     def expect_documented(self, outcome, what, codes=DOCUMENTED):
         """Expects one of the given exit codes, and exactly one line on stderr after a failure."""
-        self.expect(outcome.code in codes, f"{what}: exit {outcome.code}, not one of {sorted(codes)}: {outcome.err[:300]}")
+        self.expect(outcome.code in codes, f"{what}: exit {outcome.code}, not one of {sorted(codes)}: {outcome.err.strip()[:200]}")
         if outcome.code != 0:
             self.expect(outcome.err.count("\n") <= 1, f"{what}: more than one line: {outcome.err[:300]}")
 

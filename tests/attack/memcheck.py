@@ -20,7 +20,7 @@ def main():
     bakes = {"torus": ["sea_foam", "--maps", ",".join(names), "--stats", "--out", "torus/{map}.##.png"],
              "patch": ["soap_raft", "--maps", "albedo,height,id,motion", "--out", "patch/all.##.exr"]}
     program, lab.program = lab.program, valgrind
-    attack.TIME_LIMIT = 1200
+    attack.PROCESSOR_TIME_LIMIT = 1200
     for name, arguments in bakes.items():
         outcome = lab.run([*VALGRIND, program, "bake", *arguments, *SMALL], lab.root)
         lab.expect(outcome.code == 0, f"{name}: exit {outcome.code}: {outcome.err[:3000]}")

@@ -8,6 +8,7 @@ one line that names the reason, and never with anything else. Every finished bak
 """
 import json
 import random
+import shutil
 
 import lab as attack
 from random_preset import PresetMaker
@@ -27,8 +28,8 @@ def bake(lab, schema, seed):
         verified = lab.run(["verify", "out"], folder)
         lab.expect(verified.code == 0, f"preset {seed}: verify: {verified.out[-600:]} {verified.err}")
     if len(lab.faults) > before and lab.arguments.keep:
-        with open(f"{lab.arguments.keep}/soak-{seed}.toml", "w", encoding="utf-8") as kept:
-            kept.write(text)
+        shutil.copy(folder / "foam.toml", f"{lab.arguments.keep}/soak-{seed}.toml")
+    shutil.rmtree(folder)
 
 
 def add_options(parser):
@@ -43,6 +44,8 @@ def main():
     count = lab.arguments.count or (2000 if lab.long else 20)
     for seed in range(lab.arguments.seed, lab.arguments.seed + count):
         bake(lab, schema, seed)
+        if lab.long and seed % 100 == 0:
+            print(f"preset {seed}", flush=True)
     if lab.long:
         for reason, times in sorted(lab.reasons.items(), key=lambda item: -item[1])[:20]:
             print(f"{times:5} {reason}")
