@@ -20,6 +20,8 @@ POLYGONS = ["disc", "rectangle", "POLYGON((0 0, 4 0, 4 3, 0 3))", "POLYGON((0 0,
             "POLYGON((-2 -2, 2 -2, 2 -1, -1 -1, -1 2, -2 2))"]
 PATTERNS = ["out/{map}.####.png", "out/{map}.####.png", "out/{map}.%04d.exr", "out/{preset}_layers.@@@.exr", "out/{map}.png"]
 TEXTS = {"foam.outline": POLYGONS, "output.pattern": PATTERNS, "preset.description": ["", "foam of the caf\u00e9"]}
+# Values that 70 % of the presets have, because the others exclude many values of other keys.
+USUAL = {"loop.kind": '"none"', "frames.first": '"equilibrium"', "output.pattern": '"out/{map}.####.png"'}
 SKIPPED = {"extends", "event"}
 # Keys of every preset: without them, a bake takes too long.
 ALWAYS = {"foam.bubbles", "foam.domain", "foam.tolerance", "frames.count", "frames.time_step", "image.size", "loop.cycles"}
@@ -39,6 +41,8 @@ class PresetMaker:
         for table, content in self.schema["properties"].items():
             if table not in SKIPPED:
                 lines += [f"[{table}]", *self.table(table, content["properties"], density)]
+        if self.chosen.get("loop.kind", USUAL["loop.kind"]) != USUAL["loop.kind"]:
+            return "\n".join(lines) + "\n"  # most loops exclude events
         for _ in range(self.random.choice([0, 0, 0, 1, 2])):
             lines += ["[[event]]", *self.event()]
         return "\n".join(lines) + "\n"
@@ -55,6 +59,8 @@ class PresetMaker:
         """Returns true if the keys so far allow the key; sometimes also if not, so that presets are rejected."""
         if self.random.random() < 0.002:
             return True
+        if path == "loop.drift":
+            return "drift" in self.chosen.get("loop.kind", "")
         condition = key.get("x-only-for")
         if condition:
             other = self.property_at(condition["key"])
@@ -67,15 +73,20 @@ class PresetMaker:
         return self.schema["properties"][table]["properties"][name]
 
     def event(self):
-        kind = self.random.choice(self.schema["properties"]["event"]["items"]["anyOf"])["properties"]
-        when = self.random.choice(["frame", "frames", "time"])
-        for name, key in kind.items():
-            if name not in ("frame", "frames", "time") or name == when:
-                if name in ("kind", when) or self.random.random() < 0.6:
-                    yield f"{name} = {self.value('event.' + name, key)}"
+        """Yields the lines of an event, with one key that says when and one that says where."""
+        keys = self.random.choice(self.schema["properties"]["event"]["items"]["anyOf"])["properties"]
+        when = self.random.choice(["frame", "frames", "frame", "time"])
+        where = self.random.choice([name for name in ("at", "at", "bubble", "sides") if name in keys] or [None])
+        chosen = {"kind", when, where} | ({"count"} if where == "sides" else set())
+        groups = {"frame", "frames", "time", "at", "bubble", "sides", "count"}
+        for name, key in keys.items():
+            if name in chosen or (name not in groups and self.random.random() < 0.6):
+                yield f"{name} = {self.value('event.' + name, key)}"
 
     def value(self, path, key):
         """Returns a value of a key as TOML."""
+        if path in USUAL and self.random.random() < 0.7:
+            return USUAL[path]
         if path in TEXTS:
             return f'"{self.random.choice(TEXTS[path])}"'
         if "anyOf" in key:
