@@ -7,6 +7,7 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
+#include <boost/numeric/conversion/cast.hpp>
 
 #include <numbers>
 #include <stdexcept>
@@ -81,6 +82,19 @@ std::string reason_of(bg::validity_failure_type failure) {
     }
 }
 
+void check_validity(const Polygon& polygon) {
+    bg::validity_failure_type failure = bg::no_failure;
+    bool valid = false;
+    try {
+        valid = bg::is_valid(polygon, failure);
+    } catch (const boost::numeric::bad_numeric_cast&) {
+        throw std::invalid_argument("the coordinates are too large, or differ too much in size");
+    }
+    if (!valid) {
+        throw std::invalid_argument(reason_of(failure));
+    }
+}
+
 }  // namespace
 
 Outline outline_from_wkt(const std::string& text) {
@@ -92,10 +106,7 @@ Outline outline_from_wkt(const std::string& text) {
             "this is not written as a WKT polygon; check its brackets, commas and numbers");
     }
     bg::correct(polygon);
-    bg::validity_failure_type failure = bg::no_failure;
-    if (!bg::is_valid(polygon, failure)) {
-        throw std::invalid_argument(reason_of(failure));
-    }
+    check_validity(polygon);
     return outline_of(polygon);
 }
 

@@ -21,12 +21,24 @@ namespace {
 constexpr const char* kFormat = "foamtex-cache";
 constexpr int kVersion = 1;
 
-Preset preset_in(const JsonValue& root, const std::filesystem::path& file) {
+Preset preset_in(const JsonValue& root, const std::string& file) {
     try {
         return parse_preset(root["toml"].text(), root["preset"].name(), "toml");
     } catch (const PresetError& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", file.string(), error.what()));
+        throw InputError(fmt::format("cannot read '{}': {}", file, error.what()));
     }
+}
+
+CacheInfo info_in(const JsonDocument& document, const std::string& file) {
+    document.check_format("a cache", kFormat, kVersion);
+    const JsonValue root = document.root();
+    const auto closing_error = root.find("closing_error");
+    return {
+        .preset = preset_in(root, file),
+        .version = root["foamtex"].text(),
+        .simulation = root["simulation"].text(),
+        .frames = root["frames"].parsed(parse_frame_range, "a frame range such as 1-10 or 1-10x2"),
+        .closing_error = closing_error ? std::optional(closing_error->number()) : std::nullopt};
 }
 
 }  // namespace
@@ -57,18 +69,13 @@ void write_info(const CacheInfo& info, const std::filesystem::path& folder) {
     write_file(folder / kCacheName, std::as_bytes(std::span(text)), Durability::BeforeNaming);
 }
 
+CacheInfo parse_info(std::string_view text, const std::string& file) {
+    return info_in(JsonDocument(text, file), file);
+}
+
 CacheInfo read_info(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / kCacheName;
-    const JsonDocument document = JsonDocument::read(file);
-    document.check_format("a cache", kFormat, kVersion);
-    const JsonValue root = document.root();
-    const auto closing_error = root.find("closing_error");
-    return {
-        .preset = preset_in(root, file),
-        .version = root["foamtex"].text(),
-        .simulation = root["simulation"].text(),
-        .frames = root["frames"].parsed(parse_frame_range, "a frame range such as 1-10 or 1-10x2"),
-        .closing_error = closing_error ? std::optional(closing_error->number()) : std::nullopt};
+    return info_in(JsonDocument::read(file), file.string());
 }
 
 }  // namespace foam::texgen

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foam::texgen {
@@ -33,6 +34,11 @@ std::filesystem::path pressures_path(const std::filesystem::path& folder);
 
 /// Writes the description of a cache. Throws OutputError if the file cannot be written.
 void write_info(const CacheInfo& info, const std::filesystem::path& folder);
+
+/// Parses the description of a cache. `file` is the name of the file for error messages. Throws
+/// InputError if the text is not a description of a cache, or if the version of its file format is
+/// newer than this program supports.
+CacheInfo parse_info(std::string_view text, const std::string& file);
 
 /// Reads the description of a cache. Throws InputError if the folder is not a cache, or if the
 /// version of its file format is newer than this program supports.

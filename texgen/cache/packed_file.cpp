@@ -104,17 +104,6 @@ void check(const Header& header, const PackedLabel& label, std::span<const std::
     }
 }
 
-Bytes unpacked(std::span<const std::byte> file, const PackedLabel& label) {
-    if (file.size() < sizeof(Header)) {
-        throw BadContent(fmt::format("not a foamtex file of kind '{}'", label.kind));
-    }
-    Header header;
-    std::memcpy(&header, file.data(), sizeof(Header));
-    const auto packed = file.subspan(sizeof(Header));
-    check(header, label, packed);
-    return decompressed(packed, header.size);
-}
-
 }  // namespace
 
 void write_packed(const std::filesystem::path& path,
@@ -132,10 +121,21 @@ void write_packed(const std::filesystem::path& path,
     write_file(path, file);
 }
 
+Bytes unpack_file(std::span<const std::byte> file, const PackedLabel& label) {
+    if (file.size() < sizeof(Header)) {
+        throw BadContent(fmt::format("not a foamtex file of kind '{}'", label.kind));
+    }
+    Header header;
+    std::memcpy(&header, file.data(), sizeof(Header));
+    const auto packed = file.subspan(sizeof(Header));
+    check(header, label, packed);
+    return decompressed(packed, header.size);
+}
+
 Bytes read_packed(const std::filesystem::path& path, const PackedLabel& label) {
     const Bytes file = read_file(path, kStateInput);
     try {
-        return unpacked(file, label);
+        return unpack_file(file, label);
     } catch (const BadContent& error) {
         throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
     }
