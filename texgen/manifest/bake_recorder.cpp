@@ -5,6 +5,7 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/recorded_bake.h"
 
 namespace foam::texgen {
 
