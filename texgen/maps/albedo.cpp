@@ -25,14 +25,14 @@ ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
                        width);
 }
 
-// Returns a color whose brightness is changed by a fraction, and that stays displayable.
+// Multiplies each component of a color by 1 + change, and clamps it to [0, 1].
 LinearRgb grained(const LinearRgb& color, double change) {
     const auto changed = [&](double x) { return std::clamp(x * (1.0 + change), 0.0, 1.0); };
     return {changed(color.r), changed(color.g), changed(color.b)};
 }
 
-// Draws the colors of bubbles first; a pixel that bubbles share has their mean color. Then mixes
-// the shade beside films into these colors, and paints the films over the result.
+// Draws the colors of bubbles first; a pixel that bubbles share has their mean color. Then applies
+// the grain to these colors, mixes in the shade beside films, and paints the films over the result.
 ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
     const LinearRgb film = to_linear(parse_color(options.film_color));
     const ColorPixels cells =

@@ -19,8 +19,8 @@ inline constexpr MapTraits kAlbedoMap = {
     .channels = "R G B",
     .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// Draws the colors of bubbles and films. Films are drawn by fill_colors (cell_fill.h) if they are
-/// even and have no shade beside them, otherwise by paint_films (film_coverage.h). Throws as
+/// Draws the colors of bubbles and films. If films are even and there is neither shade nor grain,
+/// fill_colors (cell_fill.h) draws the map, otherwise paint_films (film_coverage.h) does. Throws as
 /// cell_colors and cell_arcs do. Also throws std::invalid_argument if the color of films is
 /// invalid, or if a shade is drawn and its color is invalid.
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options);

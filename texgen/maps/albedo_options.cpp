@@ -83,8 +83,8 @@ Keys<AlbedoOptions> bubble_keys() {
             &Options::shade),
         key("grain",
             kFractions,
-            "largest change of brightness by a fine grain that moves with each bubble, as a "
-            "fraction; 0 disables it",
+            "strength of a fine grain that moves with each bubble: the change of brightness rarely "
+            "exceeds this fraction; 0 disables it",
             &Options::grain)
             .in("fraction of the brightness"),
         key("grain_size",

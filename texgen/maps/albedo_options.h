@@ -15,8 +15,8 @@ namespace foam::texgen {
 /// The property of a bubble that determines its position on the scale of colors.
 enum class ColorBy {
     Pressure,  // the scale goes from pressure_low to pressure_high
-    // The position is a / (a + m), where a is the area of the bubble and m is the mean area of the
-    // frame. A bubble of the mean area is in the middle of the scale.
+    // The position is a / (a + m), where a is the area of the bubble and m is the mean area of all
+    // bubbles. A bubble of the mean area is in the middle of the scale.
     Area,
     Sides,   // the scale goes from three sides to nine sides
     Random,  // a pseudo-random position on the scale, which a bubble keeps for life
@@ -40,7 +40,8 @@ enum class WidthUnit {
     Diameters,  // diameters of a mean bubble of the seeded foam: a circle of area 1
 };
 
-/// The colors of bubbles, and the width and shape of films in all maps.
+/// The colors of bubbles, and the width and shape of films. The walls of mazes, the lines of the
+/// map contour, and the relief have widths of their own.
 struct AlbedoOptions {
     ColorBy color_by = ColorBy::Pressure;
     std::string colormap = "viridis";
@@ -60,10 +61,10 @@ struct AlbedoOptions {
     // The width of the shade on each side of a film, in diameters of a mean bubble of the seeded
     // foam.
     double shade_width = 0.3;
-    // The largest change of brightness by the grain (grain.h) of bubbles, as a fraction; 0 draws no
-    // grain.
+    // The factor on the grain (grain.h) of bubbles, as a fraction of the brightness; 0 draws no
+    // grain. The change of brightness rarely exceeds this fraction.
     double grain = 0.0;
-    double grain_size = 0.4;  // of the largest features, in diameters like shade_width
+    double grain_size = 0.4;  // of its largest features, in the unit of shade_width
     double shade = 0.0;       // weight of the shade's color at films, 0 to 1; 0 draws no shade
 };
 

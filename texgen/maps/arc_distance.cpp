@@ -78,8 +78,8 @@ PixelRange range_near(double position, double extent, PixelRange range) {
             static_cast<int>(std::min(last + 1.0, static_cast<double>(range.end)))};
 }
 
-// Stores the distance of `nearest` at a pixel if it is smaller than the distance stored there. Also
-// stores its gradient, if gradients are computed.
+// Stores the distance of `nearest` at a pixel if it is smaller than the distance stored there. Then
+// also stores the gradient of the distance, if gradients are needed.
 void lower_to(const NearestOnArc& nearest, int x, int y, ArcDistances& distances) {
     float& distance = distances.distance.pixel(x, y)[0];
     if (static_cast<float>(nearest.distance) >= distance) {
@@ -94,8 +94,8 @@ void lower_to(const NearestOnArc& nearest, int x, int y, ArcDistances& distances
     }
 }
 
-// Lowers the distances of the pixels of some rows to the distance from one copy of an arc, where
-// that copy is nearer.
+// Lowers the distances at the pixels of the given rows to the distance from one copy of an arc,
+// wherever this copy is nearer than the arcs added before.
 void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
     const PixelRange columns =
         range_near(copy.center.x(), copy.extent, {0, distances.distance.width()});

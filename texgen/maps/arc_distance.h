@@ -22,8 +22,8 @@ struct PlacedArc {
 struct NearestOnArc {
     double distance = 0.0;  // in pixels
     // The direction from the nearest point of the arc to the given point, as a vector of any
-    // length. If the given point is on the arc, the vector is a normal of the arc; if it is an end
-    // of the arc, the vector is zero.
+    // length. If the given point is on the arc, the vector is a normal of the arc; it is zero if
+    // the chord of the arc is zero, too.
     Vec2 direction{0.0, 0.0};
 };
 
@@ -59,16 +59,16 @@ ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const ArcDistanceNeeds& needs,
                                int threads);
 
-/// Returns the arguments with which distances_to_arcs computes the distances that stroke_coverage
-/// needs. `width` is the width of the strokes in pixels.
+/// Returns the value of `needs` with which distances_to_arcs computes the distances that
+/// stroke_coverage needs. `width` is the full width of the strokes in pixels.
 ArcDistanceNeeds stroke_needs(double width);
 
 /// Returns the fraction of every pixel that strokes with round ends cover, in one channel.
-/// `distance` contains the distances to the center lines of the strokes, computed with the
-/// arguments that stroke_needs returns; `width` is the full width in pixels. The fraction is
-/// approximate: at the edge of a stroke it falls linearly from 1 to 0 over the width of a pixel. A
-/// stroke narrower than a pixel is drawn one pixel wide, with its fractions multiplied by its
-/// width.
+/// `distance` contains the distances to the center lines of the strokes, which
+/// distances_to_arcs computes with the result of stroke_needs; `width` is the full width in pixels.
+/// The fraction is approximate: at the edge of a stroke it falls linearly from 1 to 0 over the
+/// width of a pixel. A stroke narrower than a pixel is drawn one pixel wide, with its fractions
+/// multiplied by its width.
 Image<float> stroke_coverage(Image<float> distance, double width);
 
 }  // namespace foam::texgen

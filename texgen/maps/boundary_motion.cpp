@@ -10,9 +10,9 @@ namespace foam::texgen {
 // Mean value coordinates (Floater 2003, Hormann and Floater 2006): the motion of the point is a
 // weighted mean of the motions of the corners. A corner at the distance r from the point has the
 // weight (tan(a / 2) + tan(b / 2)) / r, where a and b are the signed angles that the two sides at
-// the corner subtend at the point. The loop visits the sides. For each side, the tangent of half
-// its angle, divided by the distance r of an end, is added to the weight of this end. A point on a
-// corner or a side is handled separately, because weights are infinite there.
+// the corner subtend at the point. The loop visits the sides, and adds the term of each side,
+// tan(a / 2) / r, to the weights of both its ends. A point on a corner or a side is handled
+// separately, because weights are infinite there.
 Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point) {
     Vec2 sum = Vec2::Zero();
     double weights = 0.0;

@@ -30,7 +30,7 @@ constexpr double kIndex = 1.33;  // refractive index of water
 // Positions on the floor are in units of 1 / kUnit of a pixel. kUnit is a multiple of twice every
 // number of rays per pixel (1 to 8), so that rays start at whole units.
 constexpr std::int64_t kUnit = 1680;
-constexpr double kFarthest = 16384.0;  // largest motion of a ray, pixels
+constexpr double kFarthest = 16384.0;  // largest motion of a ray in x or y, pixels
 
 // The light that has reached every pixel of the floor, in units of 1 / kUnit² of a ray.
 class Floor {
@@ -55,8 +55,8 @@ class Floor {
         return a >= 0 ? a / b : -((b - 1 - a) / b);
     }
 
-    // Adds the part of a ray that falls on one row. A row of the plane beyond the upper border is
-    // the row of the next copy of the torus, which is displaced by the shear.
+    // Adds the part of a ray that falls on one row. On a torus, a row beyond the upper or lower
+    // border belongs to the next copy of the torus, which is displaced by the shear.
     void add_row(std::int64_t x, std::int64_t row, std::int64_t part) {
         const std::int64_t copy = floor_divide(row, light_.height());
         if (part == 0 || (copy != 0 && !wraps_)) {

@@ -23,7 +23,7 @@ struct EventDisk {
     std::size_t channel;  // channel of the image: 0 red, 1 green, 2 blue
 };
 
-// Paints one copy of a disk, with its center at `middle`.
+// Paints one periodic copy of a disk, with its center at `middle`.
 void paint_copy(const EventDisk& disk, SubpixelPoint middle, ImageView<float> image) {
     const auto reach = static_cast<std::int32_t>(std::ceil(disk.radius));
     const int left = std::max(pixel_of(middle.x) - reach, 0);

@@ -56,9 +56,9 @@ struct FoamRecord {
     /// which prevents flicker. The list is empty before this equilibrium, for example in a frame 1
     /// that shows the raw diagram.
     std::vector<double> first_pressures{};
-    /// The foam time of the birth of each bubble, indexed by the bubble's identity. A bubble born
-    /// between two frames has the time of the earlier frame. Seeded bubbles, and bubbles born
-    /// during the warm-up, have 0. In the loops `breathe`, `shear` and `boil`, a time that is more
+    /// The foam time of the birth of each bubble, indexed by the bubble's identity: 0 for a seeded
+    /// bubble, otherwise TopologyEvent::time, the start of the substep in which the bubble was
+    /// born. In the loops `breathe`, `shear` and `boil`, a time that is more
     /// than one period before the frame is replaced by the time one period before the frame.
     std::vector<double> births{};
     /// The foam time of the last change of each bubble's neighbors, indexed by the bubble's

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kMaxOctaves = 5;
 constexpr double kSmallestFeature = 2.0;  // pixels
-// Gradient noise of unit gradients is at most 1/sqrt(2). This factor spreads it to about -1 to 1.
+// The magnitude of gradient noise with unit gradients is at most 1/sqrt(2). This factor spreads one
+// octave to the range from -1 to 1.
 constexpr double kScale = 1.4142135623730951;
 
 // A hash of 32 bits (the finalizer of MurmurHash3, A. Appleby).
@@ -53,8 +54,8 @@ Vec2 lattice_gradient(std::int32_t x, std::int32_t y, std::uint32_t seed) {
     return {across, up};
 }
 
-// Gradient noise with features of size 1: a quintic blend of the planes at the four lattice points
-// around the point.
+// Returns gradient noise with features of size 1. Each of the four lattice points around the point
+// has a plane with its gradient; quintic polynomials blend these planes.
 GrainValue gradient_noise(const Vec2& point, std::uint32_t seed) {
     const double left = std::floor(point.x());
     const double bottom = std::floor(point.y());
@@ -80,9 +81,9 @@ GrainValue gradient_noise(const Vec2& point, std::uint32_t seed) {
                           slope(in.y()) * (p01 - p00 + u * twist))};
 }
 
-// Returns the centroid of the polygon of a bubble's junctions, in foam units, in the copy of the
-// bubble that begins at its first junction. Returns the mean of the junctions if the polygon has no
-// area, as a bubble of two sides.
+// Returns the centroid of the polygon of a bubble's junctions, in foam units. On a torus, this is
+// the copy of the bubble whose first junction is at its stored position. If the polygon has no
+// area, for example if the bubble has two sides, returns the mean of the junctions.
 Vec2 centroid_of(const Frame& frame, BubbleId bubble) {
     constexpr double kNoArea = 1e-6;
     Vec2 at = Vec2::Zero();  // relative to the first junction
@@ -122,13 +123,14 @@ int octaves_of(double size) {
     return octaves;
 }
 
-// A division with the remainder of smallest magnitude.
+// The result of a division of integers: the nearest quotient, and the remainder of smallest
+// magnitude.
 struct Nearest {
     std::int32_t rest;
     std::int32_t quotient;
 };
 
-// Returns n / d. Precondition: d > 0.
+// Divides n by d. Precondition: d > 0.
 Nearest nearest(std::int32_t n, std::int32_t d) {
     const std::int32_t quotient = floor_div(n + d / 2, d);
     return {n - quotient * d, quotient};

@@ -17,34 +17,35 @@ enum class GrainUse : std::uint32_t { Relief, Albedo };
 
 /// A value of a grain.
 struct GrainValue {
-    double value = 0.0;            // about -1 to 1, with mean 0
-    Vec2 gradient = Vec2::Zero();  // of the value, per pixel; x to the right, y up
+    double value = 0.0;            // rarely outside -1 to 1, never outside -2 to 2; mean 0
+    Vec2 gradient = Vec2::Zero();  // of the value; x to the right, y up
 };
 
-/// Returns gradient noise at a point, with octaves of half the size and half the height. The first
-/// octave has features of size 1. The gradient is per unit of the point. Noise depends on the point
-/// and on `seed` alone (K. Perlin, "Improving noise", 2002). Precondition: 1 <= octaves <= 30.
+/// Returns the sum of several octaves of gradient noise at a point (K. Perlin, "Improving noise",
+/// 2002). The first octave has features of size 1; each further octave has half the size and half
+/// the height of the octave before it. The gradient is the derivative with respect to `point`. The
+/// noise depends only on the arguments. Precondition: 1 <= octaves <= 30.
 GrainValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
 
 /// A fine texture of noise in every bubble. It moves with the centroid of the bubble, does not turn
-/// or stretch, and differs from bubble to bubble; there is no noise around a patch. Octaves of
-/// features smaller than two pixels are left out. Borrows the layers. A bubble of a torus that
-/// reaches farther than half the width or height of the image from its centroid has a visible step
-/// there.
+/// or stretch, and differs from bubble to bubble. There is no noise around a patch. The first
+/// octave is always used; further octaves are left out if their features are smaller than two
+/// pixels. If a bubble of a torus extends beyond half the width or height of the image from its
+/// centroid, the noise has a visible step at this distance. Borrows the layers.
 class Grain {
   public:
     /// `size` is the size of the largest features, in diameters of a mean bubble of the seeded
     /// foam.
     Grain(FrameLayers& layers, double size, GrainUse use);
 
-    /// Returns the value at the center of a pixel. `index` counts pixels row by row from the bottom
-    /// row.
+    /// Returns the value at the center of a pixel; its gradient is per pixel. `index` counts pixels
+    /// row by row from the bottom row.
     GrainValue at(std::size_t index) const;
 
   private:
     /// The grain of one bubble.
     struct Origin {
-        SubpixelPoint center{};  // centroid of the bubble on the unshifted grid
+        SubpixelPoint center{};  // centroid of the bubble, without the shift of the grid
         std::uint32_t seed = 0;  // 0 around a patch
     };
 

@@ -30,9 +30,10 @@ namespace {
 // reflects windows and the sky at the horizon like a mirror; their brightness is a function of the
 // reflected direction (J. F. Blinn and M. E. Newell, "Texture and reflection in computer generated
 // images", 1976). Direct light is divided by its value on flat ground, and the highlight and the
-// reflection of flat ground are subtracted, so that flat ground keeps its color. The glowing
-// fraction of the color of films, and of the shade beside them, is not shaded. The picture is drawn
-// on a finer grid, whose pixels are called samples, and squares of samples are averaged.
+// reflection of flat ground are subtracted, so that flat ground keeps its color if the whole sky is
+// visible from it. The fraction LitOptions::glow of the color of films, of the shade beside them
+// and of the walls of a maze is not shaded. The picture is drawn on a finer grid, whose pixels are
+// called samples, and squares of samples are averaged.
 
 // Returns the options for the finer grid: if the film width is in pixels, it is multiplied by
 // `samples`.

@@ -35,9 +35,9 @@ struct LitOptions {
     double shininess = 40.0;  // exponent of highlights; larger values make them smaller
     double rim = 0.0;         // brightness added to steep slopes, such as the rims of bubbles
     ReflectionOptions reflections{};
-    // The fraction of the color that is emitted light. It applies to films and to the shade beside
-    // them (AlbedoOptions::shade): at each pixel it is multiplied by the coverage of the film or by
-    // the weight of the shade, whichever is larger.
+    // The fraction of the color of films that is emitted light. At each pixel it is multiplied by
+    // the coverage of films or by the weight of the shade beside them (AlbedoOptions::shade),
+    // whichever is larger. For LitColors::Maze it is multiplied by the coverage of walls instead.
     double glow = 0.0;
     // Samples per pixel in each direction; a pixel shows their mean. Fewer are used if a side of
     // the image of samples would exceed kLargestSide.

@@ -34,7 +34,7 @@ struct MapTraits {
     std::string_view unit;                   // unit of the values, and what a PNG stores
     std::string_view channels;               // such as "R G B"; colors of a patch also have "A"
     int png_bits = 8;                        // bits per sample of a PNG
-    PngFilter png_filter = PngFilter::None;  // Up if the values vary smoothly within a bubble
+    PngFilter png_filter = PngFilter::None;  // PngEncoding::filter of its PNGs
     bool needs_next = false;                 // true if drawing needs the next frame
     SmoothDistance smooth_distance = SmoothDistance::Unused;
     Mixing mixing = Mixing::Values;

@@ -29,8 +29,9 @@ Keys<MazeOptions> maze_keys() {
             &Options::seed),
         key("loops",
             kFractions,
-            "fraction of the walls that are opened in addition; with 0, exactly one path connects "
-            "any two bubbles",
+            "fraction of the walls between bubbles that are opened in addition; with 0, exactly "
+            "one "
+            "path connects any two bubbles of a torus or of a raft",
             &Options::loops)
             .in("fraction of the walls"),
         key("wall_width",
@@ -51,8 +52,8 @@ Keys<MazeOptions> maze_keys() {
 }
 
 MazeRule maze_rule(const MazeOptions& options) {
-    // Walls end in half disks, so the gap at an open film is its length minus the width of a wall.
-    // A film whose gap is smaller than kSmallestGap counts as narrow.
+    // Walls end in half disks, so the gap at an open film is the length of the film minus the width
+    // of a wall. A film with a gap smaller than kSmallestGap counts as narrow.
     constexpr double kSmallestGap = 0.5;                     // in widths of a wall
     const double diameter = 2.0 * std::numbers::inv_sqrtpi;  // of a mean bubble, in foam units
     const double width = options.wall_width * diameter;

@@ -27,7 +27,7 @@ inline constexpr MapTraits kMazeSolutionMap = {.name = "maze_solution",
 struct MazeOptions {
     double chance = 0.4;       // weight of chance in the choice of openings; pressure has the rest
     std::int64_t seed = 1;     // seed of the random choices
-    double loops = 0.0;        // fraction (0 to 1) of the walls that are opened in addition
+    double loops = 0.0;        // fraction (0 to 1) of inner walls that are opened in addition
     double wall_width = 0.22;  // full width of walls, in diameters of a seeded mean bubble
     std::string wall_color = "#16262f";  // colors are sRGB
     std::string passage_color = "#f4efe2";
@@ -37,8 +37,8 @@ struct MazeOptions {
 
 Keys<MazeOptions> maze_keys();
 
-/// Returns the rule by which the maps build their maze. A film counts as narrow (MazeRule::narrow)
-/// if opening it would leave almost no gap between walls of the width options.wall_width.
+/// Returns the rule by which the maps build their maze. MazeRule::narrow is one and a half times
+/// options.wall_width: a shorter film leaves almost no gap between the walls at its ends.
 MazeRule maze_rule(const MazeOptions& options);
 
 /// Returns the fraction of every pixel that walls cover, in one channel.

@@ -85,7 +85,7 @@ struct Wall {
     FilmId film;
     bool is_narrow;  // MazeRule::narrow
     double weight;   // the spanning tree opens films of small weight first, but narrow films last
-    double number;   // random; decides which walls are opened in addition
+    double number;   // random; a part of the weight; its order is that of additional openings
 };
 
 // Returns true if a film is narrow (MazeRule::narrow): if it is shorter than `width`, or if a
@@ -137,7 +137,7 @@ struct SpanningTree {
                                                  // if all rafts have one bubble
 };
 
-// Opens films until exactly one path leads from any bubble to any other of its raft.
+// Opens films until exactly one path connects any two bubbles of a torus, or of a raft of a patch.
 SpanningTree spanning_tree(const Frame& frame, const MazeRule& rule) {
     std::vector<Wall> walls = walls_of(frame, rule);
     std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) {

@@ -39,10 +39,10 @@ struct Maze {
 
 /// Builds a maze. The open films between bubbles form a minimum spanning tree (J. B. Kruskal, "On
 /// the shortest spanning subtree of a graph and the traveling salesman problem", 1956): exactly one
-/// path leads from any bubble to any other. The weight of a film is a mix of the difference of the
-/// pressures on its sides and of a random number that depends on the seed and on the identities of
-/// both bubbles, so that passages follow bubbles of similar pressure. If rule.loops is above 0,
-/// further films are opened, and several paths may connect two bubbles.
+/// path connects any two bubbles of a torus, or of a raft of a patch. The weight of a film is a mix
+/// of the difference of the pressures on its sides and of a random number that depends on the seed
+/// and on the identities of both bubbles, so that passages follow bubbles of similar pressure. If
+/// rule.loops is above 0, further films are opened, and several paths may connect two bubbles.
 ///
 /// The ends of the solution are two bubbles that are as far apart in the tree as possible. On a
 /// torus any bubble can be an end. On a patch the ends are at the rim or beside a hole, and the

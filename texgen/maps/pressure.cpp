@@ -151,9 +151,9 @@ Keys<PressureOptions> pressure_keys() {
     return {
         key("scaling",
             kScalings,
-            "how pressures become tones: by the fixed range low to high; by percentiles or by rank "
+            "how pressures become tones. range: by the fixed range low to high. percentile, rank: "
             "among the pressures at the end of the warm-up (frames.warm_up) or, if pressures are "
-            "smoothed or flattened, among the pressures of the frame; or by the share of the "
+            "smoothed or flattened, among the pressures of the frame. share: by the share of the "
             "frame's area in which the pressure is lower",
             &Options::scaling),
         key("percentile",

@@ -19,13 +19,13 @@ inline constexpr MapTraits kPressureMap = {
     .png_bits = 16};
 
 /// The scale that converts pressures to tones. Its ends have the tones 0 and 1. Percentiles and
-/// ranks refer to FoamRecord::first_pressures, so that all frames have the same scale, unless
-/// pressures are smoothed or flattened: then they refer to the resulting pressures of the frame.
+/// ranks are measured among FoamRecord::first_pressures, so that all frames have the same scale. If
+/// pressures are smoothed or flattened, they are measured among the resulting pressures of the
+/// frame.
 enum class PressureScaling {
     Range,       // from PressureOptions::low to PressureOptions::high
-    Percentile,  // from a low to a high percentile of the first pressures
-    Rank,        // the rank among the first pressures, which spreads the bubbles evenly over all
-                 // tones
+    Percentile,  // from a low to a high percentile of these pressures
+    Rank,        // the rank among these pressures, which spreads the bubbles evenly over all tones
     Share,       // the fraction of the area of the frame's bubbles in which the pressure is lower,
                  // which spreads the area evenly over all tones
 };

@@ -31,32 +31,32 @@ double soft_edge(double x, double softness) {
 
 Keys<ReflectionOptions> reflection_keys() {
     using Options = ReflectionOptions;
-    return {
-        key("windows",
-            Integers{0, 2},
-            "number of windows that every bubble reflects: the first in the direction of the "
-            "light, the second, fainter one opposite to it",
-            &Options::windows)
-            .in("windows"),
-        key("window_size",
-            Reals{1.0, 120.0},
-            "width and height of a window, degrees",
-            &Options::window_size)
-            .in("degrees"),
-        key("window_softness",
-            kFractions,
-            "width of the soft border of a window, as a fraction of its size",
-            &Options::window_softness)
-            .in("fraction of the size"),
-        key("window_brightness",
-            Reals{0.0, 1000.0},
-            "brightness of the reflection of the first window",
-            &Options::window_brightness),
-        key("horizon",
-            Reals{0.0, 1000.0},
-            "brightness of the reflected sky at the horizon, which appears as a ring in every dome "
-            "that is steep enough",
-            &Options::horizon)};
+    return {key("windows",
+                Integers{0, 2},
+                "number of windows that every bubble reflects: the first in the direction of the "
+                "light, the second, fainter one opposite to it",
+                &Options::windows)
+                .in("windows"),
+            key("window_size",
+                Reals{1.0, 120.0},
+                "width and height of a window, degrees",
+                &Options::window_size)
+                .in("degrees"),
+            key("window_softness",
+                kFractions,
+                "width of the soft border of a window, as a fraction of its size",
+                &Options::window_softness)
+                .in("fraction of the size"),
+            key("window_brightness",
+                Reals{0.0, 1000.0},
+                "brightness of the reflection of the first window",
+                &Options::window_brightness),
+            key("horizon",
+                Reals{0.0, 1000.0},
+                "factor on the brightness of the reflected sky, which is brightest near the "
+                "horizon and "
+                "appears as a ring in every dome that is steep enough",
+                &Options::horizon)};
 }
 
 Direction direction_of(double azimuth, double elevation) {
@@ -106,7 +106,7 @@ double Reflections::around(const Direction& direction) const {
         window_brightness *= kSecondWindow;
     }
     const double above = std::clamp(direction.z(), 0.0, 1.0);
-    const double steep = 1.0 - above;  // the sky darkens with its fourth power
+    const double steep = 1.0 - above;  // the brightness of the sky is its fourth power
     const double sky = smooth_step(std::clamp(0.5 + 0.5 * direction.z() / kHaze, 0.0, 1.0));
     return sum + options_.horizon * sky * (steep * steep) * (steep * steep);
 }

@@ -11,15 +11,17 @@
 namespace foam::texgen {
 
 /// The options of the reflections in the map lit. The surface reflects up to two windows like a
-/// mirror, and a sky that is brightest at the horizon. The first window is in the direction of the
-/// light. The second one is opposite to it and fainter, as the reflection from the back of a bubble
-/// is.
+/// mirror, and a sky that is brightest just above the horizon. The first window is in the direction
+/// of the light. The second one is opposite to it and fainter, as the reflection from the back of a
+/// bubble is.
 struct ReflectionOptions {
     int windows = 0;
     double window_size = 30.0;       // width and height of a window, degrees
     double window_softness = 0.4;    // width of its soft border, as a fraction of its size
     double window_brightness = 1.0;  // brightness of the first window
-    double horizon = 0.0;            // brightness of the sky at the horizon
+    // Factor on the brightness of the sky. Haze halves the brightness at the horizon itself; the
+    // largest brightness, slightly above the horizon, is two thirds of this factor.
+    double horizon = 0.0;
 };
 
 Keys<ReflectionOptions> reflection_keys();
@@ -48,7 +50,7 @@ class Window {
 };
 
 /// The surroundings that a mirror reflects (ReflectionOptions). The ground below the horizon is
-/// black. Borrows the options.
+/// black, with a soft transition to the sky. Borrows the options.
 class Reflections {
   public:
     /// `azimuth` and `elevation` are those of the light, in degrees.

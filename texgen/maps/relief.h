@@ -24,10 +24,11 @@ struct ReliefSource {
 
 /// The relief of a frame: a surface whose height varies over the foam, at the centers of pixels.
 /// Heights come from the smooth distance and slopes from its gradient, so that there are creases
-/// only along films. A grain (grain.h) may be added, which fades out towards films. If only the
-/// walls of a maze shape the relief (ReliefFilms::Walls), the distance to the nearest wall replaces
-/// the smooth distance, so that there are also creases where two walls are equally near. Around a
-/// patch the relief is flat, except for the outer half of ridges and wet films. Borrows the layers.
+/// only along films. A grain (grain.h), which fades out towards films, is added if
+/// ReliefOptions::grain is above 0. If only the walls of a maze shape the relief
+/// (ReliefFilms::Walls), there is no grain, and the distance to the nearest wall replaces the
+/// smooth distance. There are then also creases where two walls are equally near. Around a patch
+/// the relief is flat, except for the outer half of ridges and wet films. Borrows the layers.
 class Relief {
   public:
     /// `reach` is in units of the section (ReliefSection). Distances above it from the walls of a
@@ -63,7 +64,7 @@ class Relief {
     double diameter() const { return diameter_; }
 
   private:
-    /// Returns the height and the slope of the grain at a pixel, in pixels.
+    /// Returns the height of the grain at a pixel, in pixels, and its gradient.
     GrainValue grain_at(std::size_t index) const;
 
     ReliefSection section_;

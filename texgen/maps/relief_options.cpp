@@ -31,14 +31,15 @@ Keys<ReliefOptions> relief_keys() {
             Reals{0.001, 10.0},
             "width of a ridge from film to foot, or radius of Plateau borders, in bubble "
             "diameters; "
-            "half of maze.wall_width gives ridges as wide as painted walls",
+            "with relief.mean_bubble = \"seed\", half of maze.wall_width gives ridges as wide as "
+            "painted walls",
             &Options::width)
             .in(kReliefDiameters),
-        key("strength", Reals{0.0, 100.0}, "factor that scales all heights", &Options::strength),
+        key("strength", Reals{0.0, 100.0}, "factor on all heights", &Options::strength),
         key("grain",
             Reals{0.0, 10.0},
-            "height of a fine grain that moves with each bubble, in bubble diameters; 0 disables "
-            "it; shown by height, normal, lit and caustics",
+            "height of a fine grain that moves with each bubble, in bubble diameters, scaled by "
+            "relief.strength; 0 disables it; shown by height, normal, lit and caustics",
             &Options::grain)
             .in(kReliefDiameters)
             .only_for("relief.films", {"all"}),
