@@ -58,7 +58,7 @@ class Lab:
             options |= {"user": self.user, "group": self.user, "extra_groups": []}
         options.setdefault("stdin", subprocess.DEVNULL)
         process = subprocess.Popen([self.program, *map(str, arguments)], cwd=cwd, **options)
-        resource.prlimit(process.pid, resource.RLIMIT_CPU, (PROCESSOR_TIME_LIMIT, PROCESSOR_TIME_LIMIT))
+        resource.prlimit(process.pid, resource.RLIMIT_CPU, (PROCESSOR_TIME_LIMIT, PROCESSOR_TIME_LIMIT + 5))
         return process
 
     def run(self, arguments, cwd, **options):
