@@ -13,7 +13,7 @@ Keys<AgeOptions> age_keys() {
         {{{"birth", AgeSince::Birth}, {"change", AgeSince::Change}}}};
     return {key("since",
                 kSince,
-                "start of the age: birth of the bubble (time 0 for seeded ones), or the last "
+                "start of the age: birth of the bubble (time 0 for seeded bubbles), or the last "
                 "change of its neighbors",
                 &AgeOptions::since),
             key("full",

@@ -11,8 +11,7 @@
 namespace foam::texgen {
 
 /// Returns the arcs of the films for which is_chosen(film) is true. Also returns the circles of all
-/// lone bubbles, each as two arcs. `threads` is the number of threads. Throws std::invalid_argument
-/// if pixels_per_unit throws it.
+/// lone bubbles, each as two arcs. Throws std::invalid_argument as pixels_per_unit does.
 std::vector<PlacedArc> arcs_of_films(const Frame& frame,
                                      const RasterGrid& grid,
                                      int threads,

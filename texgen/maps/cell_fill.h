@@ -37,8 +37,8 @@ struct CellNumbers {
 /// channel. Throws as cell_arcs and fill_cells do.
 Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, double film_width);
 
-/// Returns the image that the function above returns for a film width of 0, so that only bubbles
-/// count.
+/// Returns the image that the function above returns for a film width of 0, in which films cover
+/// nothing.
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles);
 
 /// Returns a table of values indexed by the ids of a DistanceField. The values of the bubbles of

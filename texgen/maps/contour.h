@@ -20,7 +20,8 @@ inline constexpr MapTraits kContourMap = {
 
 struct ContourOptions {
     std::int64_t levels = 2;  // equal parts of the scale of tones
-    double width = 0.2;       // full width of lines, in diameters of a seeded mean bubble
+    // The full width of lines, in diameters of a mean bubble of the seeded foam.
+    double width = 0.2;
     std::string line_color = "#16262f";  // colors are sRGB
     std::string ground_color = "#f4efe2";
 };

@@ -21,7 +21,9 @@ inline constexpr MapTraits kCurvatureMap = {
     .full_key = "curvature.full"};
 
 struct CurvatureOptions {
-    double radius = 0.08;  // radius of the neighborhood, in diameters of the relief's mean bubble
+    // The distance between a point and the two points with whose heights its height is compared, in
+    // diameters of the relief's mean bubble.
+    double radius = 0.08;
     AutoReal full{10.0,
                   true};  // curvature stored as the largest code of a PNG; code 0 stands for -full
 };

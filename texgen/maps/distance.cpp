@@ -18,7 +18,7 @@ Keys<DistanceOptions> distance_keys() {
     return {key("kind",
                 kKinds,
                 "plain: distance from the center line of the nearest film; signed: distance from "
-                "its edge, negative inside films and around a patch",
+                "the edge of this film, negative inside films and around a patch",
                 &DistanceOptions::kind),
             key("unit", kUnits, "foam units or pixels", &DistanceOptions::unit),
             key("full",

@@ -20,8 +20,8 @@ Image<float> film_coverage(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Returns the fraction of every pixel that films and bubbles cover together, in one channel.
 Image<float> foam_coverage(FrameLayers& layers, const AlbedoOptions& options);
-/// Returns the same fraction as the function above. `films` is the result of film_coverage. It is
-/// used only for wet films in a patch; in all other cases an empty image is allowed.
+/// Returns the same fraction as the function above, but takes the result of film_coverage as
+/// `films`. This image is used only for wet films in a patch; in all other cases it may be empty.
 Image<float> foam_coverage(FrameLayers& layers,
                            const AlbedoOptions& options,
                            const Image<float>& films);

@@ -58,8 +58,9 @@ struct FoamRecord {
     std::vector<double> first_pressures{};
     /// The foam time of the birth of each bubble, indexed by the bubble's identity: 0 for a seeded
     /// bubble, otherwise TopologyEvent::time, the start of the substep in which the bubble was
-    /// born. In the loops `breathe`, `shear` and `boil`, a time that is more
-    /// than one period before the frame is replaced by the time one period before the frame.
+    /// last born. (A boiling bubble is born again with its old identity.) In the loops `breathe`,
+    /// `shear` and `boil`, a time that is more than one period before the frame is replaced by the
+    /// time one period before the frame.
     std::vector<double> births{};
     /// The foam time of the last change of each bubble's neighbors, indexed by the bubble's
     /// identity. If the neighbors have never changed, this is the time of the birth. In loops,

@@ -10,7 +10,8 @@
 
 namespace foam::texgen {
 
-/// Returns the center of a pixel, in subpixels of the shifted grid.
+/// Returns the center of a pixel, in subpixels (1 / kSubpixel of a pixel) of the shifted grid
+/// (RasterGrid::shift_x, shift_y).
 inline SubpixelPoint pixel_center(int x, int y) {
     return {x * kSubpixel + kSubpixel / 2, y * kSubpixel + kSubpixel / 2};
 }

@@ -14,9 +14,10 @@ inline constexpr MapTraits kIdColorMap = {
     .unit = "light",
     .channels = "R G B"};
 
-/// Returns the color that a bubble has for life. Consecutive identities have distant hues and
-/// different lightnesses: hue and lightness in OKLCh (Ottosson 2020) follow a low-discrepancy
-/// sequence (identity_number), and the chroma is constant. All colors are within sRGB.
+/// Returns the color that a bubble has for life. Consecutive identities have very different
+/// hues, and different lightnesses: hue and lightness in OKLCh (Ottosson 2020) follow a
+/// low-discrepancy sequence (identity_number), and the chroma is constant. All colors are within
+/// sRGB.
 LinearRgb identity_color(BubbleIdentity identity);
 
 /// Draws every bubble in its identity_color, without films. The surroundings of a patch are

@@ -16,8 +16,8 @@ namespace {
 // therefore identified by its corner: the identities of its three bubbles in cyclic order. If
 // several junctions of the next frame have the same corner, the nearest one is used. A junction
 // whose corner does not exist in the next frame gets the mean motion of its neighbors. Such motions
-// are computed ring by ring: first for the neighbors of the junctions whose motion is known, then
-// for the neighbors of these, and so on.
+// are computed ring by ring: first for the neighbors of the junctions that have been found in
+// the next frame, then for the neighbors of the first ring, and so on.
 
 using Corner = std::array<BubbleIdentity, 3>;
 using Motion = Indexed<JunctionId, std::optional<Vec2>>;

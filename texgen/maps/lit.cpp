@@ -73,7 +73,8 @@ class Lighting {
     }
 
   private:
-    // Returns the highlight minus that of flat ground, or 0 if it is not brighter.
+    // Returns the brightness of the highlight minus the brightness of the highlight of flat ground,
+    // but at least 0.
     double highlight(const Direction& normal) const {
         const double cosine = normal.dot(halfway_);
         return cosine > halfway_.z()

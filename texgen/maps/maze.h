@@ -25,20 +25,23 @@ inline constexpr MapTraits kMazeSolutionMap = {.name = "maze_solution",
                                                .png_filter = PngFilter::Up};
 
 struct MazeOptions {
-    double chance = 0.4;       // weight of chance in the choice of openings; pressure has the rest
-    std::int64_t seed = 1;     // seed of the random choices
-    double loops = 0.0;        // fraction (0 to 1) of inner walls that are opened in addition
-    double wall_width = 0.22;  // full width of walls, in diameters of a seeded mean bubble
+    double chance = 0.4;    // weight of chance in the choice of openings; pressure has the rest
+    std::int64_t seed = 1;  // seed of the random choices
+    double loops = 0.0;     // fraction (0 to 1) of the inner walls opened in addition
+    // The full width of walls, in diameters of a mean bubble of the seeded foam.
+    double wall_width = 0.22;
     std::string wall_color = "#16262f";  // colors are sRGB
     std::string passage_color = "#f4efe2";
-    double solution_width = 0.26;  // full width of the line, in diameters of a seeded mean bubble
+    // The full width of the line of the solution, in diameters of a mean bubble of the seeded foam.
+    double solution_width = 0.26;
     std::string solution_color = "#e2472c";
 };
 
 Keys<MazeOptions> maze_keys();
 
 /// Returns the rule by which the maps build their maze. MazeRule::narrow is one and a half times
-/// options.wall_width: a shorter film leaves almost no gap between the walls at its ends.
+/// the width of walls, in foam units: a shorter film leaves almost no gap between the walls at its
+/// ends.
 MazeRule maze_rule(const MazeOptions& options);
 
 /// Returns the fraction of every pixel that walls cover, in one channel.

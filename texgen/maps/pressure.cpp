@@ -158,7 +158,7 @@ Keys<PressureOptions> pressure_keys() {
             &Options::scaling),
         key("percentile",
             Reals{0.0, 49.0},
-            "for \"percentile\": percentage of bubbles excluded at each end",
+            "for \"percentile\": percentage of bubbles beyond each end of the scale",
             &Options::percentile)
             .in("percent of the bubbles"),
         key("low", kPressures, "for \"range\": pressure of tone 0", &Options::low)

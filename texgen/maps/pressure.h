@@ -20,8 +20,8 @@ inline constexpr MapTraits kPressureMap = {
 
 /// The scale that converts pressures to tones. Its ends have the tones 0 and 1. Percentiles and
 /// ranks are measured among FoamRecord::first_pressures, so that all frames have the same scale. If
-/// pressures are smoothed or flattened, they are measured among the resulting pressures of the
-/// frame.
+/// pressures are smoothed or flattened, percentiles and ranks are measured among the resulting
+/// pressures of the frame.
 enum class PressureScaling {
     Range,       // from PressureOptions::low to PressureOptions::high
     Percentile,  // from a low to a high percentile of these pressures
@@ -36,18 +36,19 @@ struct PressureOptions {
     PressureUnit unit = PressureUnit::Current;  // the unit of low and high, for Range
     double low = -0.5;                          // pressure of tone 0, for Range
     double high = 0.5;                          // pressure of tone 1, for Range
-    double percentile = 2.0;    // for Percentile: percentage of bubbles left out at each end
-    int smoothing = 0;          // rounds of averaging with neighbors (average_with_neighbors)
-    int flattening = 0;         // rounds of a wider average that is subtracted; 0 subtracts nothing
-    double exaggeration = 1.0;  // factor on the difference from the middle tone, 0.5
+    double percentile = 2.0;  // for Percentile: percentage of bubbles beyond each end of the scale
+    int smoothing = 0;        // rounds of averaging with neighbors (average_with_neighbors)
+    int flattening = 0;       // rounds of a wider average that is subtracted; 0 subtracts nothing
+    double exaggeration = 1.0;      // factor on the difference from the middle tone, 0.5
     std::string colormap = "none";  // "none" draws the tones as numbers
 };
 
 Keys<PressureOptions> pressure_keys();
 
 /// Returns the tone of every bubble: the position of its pressure on the scale, with its difference
-/// from 0.5 multiplied by options.exaggeration. Tones are 0.5 if both percentiles are equal, or if
-/// percentiles and ranks are unknown because FoamRecord::first_pressures is empty. Throws
+/// from 0.5 multiplied by options.exaggeration. Tones are 0.5 in two cases: if the scale goes from
+/// a percentile to an equal percentile; and if percentiles or ranks are unknown because
+/// FoamRecord::first_pressures is empty. Throws
 /// std::invalid_argument if options.low is not below options.high, even if the scaling is not
 /// Range.
 PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options);

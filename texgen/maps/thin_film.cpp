@@ -213,36 +213,37 @@ class FilmColors {
 }  // namespace
 
 Keys<ThinFilmOptions> thin_film_keys() {
-    return {key("thickness",
-                Reals{0.0, 3000.0},
-                "thickness of the soap film in the middle of a bubble, nanometers",
-                &ThinFilmOptions::thickness)
-                .in("nanometers"),
-            key("variation",
-                Reals{0.0, 2.0},
-                "width of the range of thicknesses among bubbles, as a fraction of the thickness",
-                &ThinFilmOptions::variation)
-                .in("fraction of the thickness"),
-            key("drainage",
-                Reals{0.0, 10.0},
-                "added thickness at the rim of a bubble, as a fraction of the thickness",
-                &ThinFilmOptions::drainage)
-                .in("fraction of the thickness"),
-            key("gravity",
-                Reals{0.0, 10.0},
-                "added thickness at the bottom of a bubble, and removed thickness at its top, as a "
-                "fraction of the thickness",
-                &ThinFilmOptions::gravity)
-                .in("fraction of the thickness"),
-            key("swirl",
-                Reals{0.0, 10.0},
-                "amplitude of swirls in the thickness, as a fraction of the thickness",
-                &ThinFilmOptions::swirl)
-                .in("fraction of the thickness"),
-            key("exposure",
-                Reals{0.0, 100.0},
-                "factor on the reflected light; a soap film reflects at most 8 % of the light",
-                &ThinFilmOptions::exposure)};
+    return {
+        key("thickness",
+            Reals{0.0, 3000.0},
+            "thickness of the soap film in the middle of a bubble, mean over bubbles, nanometers",
+            &ThinFilmOptions::thickness)
+            .in("nanometers"),
+        key("variation",
+            Reals{0.0, 2.0},
+            "width of the range of thicknesses among bubbles, as a fraction of the thickness",
+            &ThinFilmOptions::variation)
+            .in("fraction of the thickness"),
+        key("drainage",
+            Reals{0.0, 10.0},
+            "added thickness at the rim of a bubble, as a fraction of the thickness",
+            &ThinFilmOptions::drainage)
+            .in("fraction of the thickness"),
+        key("gravity",
+            Reals{0.0, 10.0},
+            "added thickness at the bottom of a bubble, and removed thickness at its top, as a "
+            "fraction of the thickness",
+            &ThinFilmOptions::gravity)
+            .in("fraction of the thickness"),
+        key("swirl",
+            Reals{0.0, 10.0},
+            "amplitude of swirls in the thickness, as a fraction of the thickness",
+            &ThinFilmOptions::swirl)
+            .in("fraction of the thickness"),
+        key("exposure",
+            Reals{0.0, 100.0},
+            "factor on the reflected light; a soap film reflects at most 8 % of the light",
+            &ThinFilmOptions::exposure)};
 }
 
 LinearRgb film_reflectance(double nanometers) {
