@@ -82,8 +82,10 @@ inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
 // Returns log x times a factor. For x = 0, infinity, NaN or x < 0 the result is that of IEEE 754.
 [[gnu::always_inline]] inline double scaled_logarithm(double x, const TwoDoubles& factor) {
     const TwoDoubles scaled = product(logarithm(x), factor);
-    const double finite = x > 0.0 ? scaled.high + scaled.low : (x == 0.0 ? -kInfinity : kNoNumber);
-    return x == kInfinity ? kInfinity : finite;
+    const double unbounded = x == 0.0 ? -kInfinity : kInfinity;
+    const double finite = scaled.high + scaled.low;
+    const double number = x > 0.0 && x < kInfinity ? finite : unbounded;
+    return x >= 0.0 ? number : kNoNumber;
 }
 
 }  // namespace detail

@@ -26,7 +26,7 @@ inline constexpr TwoDoubles kQuarterTurn = {0x1.921fb54442d18p+0, 0x1.1a62633145
 // `quarters` quarter turns.
 struct ReducedAngle {
     TwoDoubles angle;
-    std::uint64_t quarters;
+    std::uint64_t quarters = 0;
 };
 
 // Angles of which the size is up to this are reduced without integer arithmetic.

@@ -14,6 +14,7 @@
 #include "texgen/cli/standard_output.h"
 #include "texgen/image/format.h"
 #include "texgen/image/memory.h"
+#include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/stats/files.h"

@@ -21,8 +21,8 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kReadBlock = 1 << 16;  // bytes
-constexpr std::size_t kLongestPlainName = 200;    // bytes; file systems allow 255
+constexpr std::size_t kReadBlock = 1 << 16;     // bytes
+constexpr std::size_t kLongestPlainName = 200;  // bytes; file systems allow 255
 
 std::string reason(int error) {
     return std::generic_category().message(error);

@@ -2,10 +2,10 @@
 
 #include "texgen/manifest/bake_recorder.h"
 
+#include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/manifest_file.h"
-#include "texgen/manifest/recorded_bake.h"
 
 namespace foam::texgen {
 
@@ -18,6 +18,10 @@ using Clock = std::chrono::steady_clock;
 constexpr double kMaxSaveFraction = 0.05;
 
 }  // namespace
+
+std::filesystem::path manifest_folder(const Preset& preset) {
+    return FilePattern(preset.output.pattern).folder(preset.name);
+}
 
 std::vector<std::string> written_paths(const Preset& preset,
                                        const BakeOptions& options,

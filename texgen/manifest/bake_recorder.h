@@ -12,6 +12,10 @@
 
 namespace foam::texgen {
 
+/// Returns the folder of the manifest of a bake of a preset: the deepest folder that contains all
+/// images of the preset, whichever maps and frames are baked.
+std::filesystem::path manifest_folder(const Preset& preset);
+
 /// Returns the paths, relative to the folder of the manifest, of the files that a bake will write.
 std::vector<std::string> written_paths(const Preset& preset,
                                        const BakeOptions& options,

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// The file name of a manifest (manifest_folder in recorded_bake.h returns its folder).
+/// The file name of a manifest (manifest_folder in bake_recorder.h returns its folder).
 inline constexpr std::string_view kManifestName = "manifest.json";
 
 /// Returns the path of a manifest. `path` is the manifest file or its folder.

@@ -2,7 +2,6 @@
 
 #include "texgen/manifest/recorded_bake.h"
 
-#include "texgen/bake/file_pattern.h"
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/image/file_io.h"
@@ -81,14 +80,6 @@ void close_after_failure(BakeRecorder& writer, const std::string& failure) {
         return;
     }
 }
-
-}  // namespace
-
-std::filesystem::path manifest_folder(const Preset& preset) {
-    return FilePattern(preset.output.pattern).folder(preset.name);
-}
-
-namespace {
 
 // Bakes a preset and updates the manifest in the callbacks of the bake.
 BakeSummary bake_and_record(const Preset& preset,

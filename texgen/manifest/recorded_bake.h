@@ -11,10 +11,6 @@
 
 namespace foam::texgen {
 
-/// Returns the folder of the manifest of a bake of a preset: the deepest folder that contains all
-/// images of the preset, whichever maps and frames are baked.
-std::filesystem::path manifest_folder(const Preset& preset);
-
 /// Selects whether a bake keeps the files of an earlier bake that was stopped.
 enum class Resume { No, Yes };
 

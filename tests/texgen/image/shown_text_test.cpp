@@ -2,6 +2,7 @@
 
 #include "texgen/image/shown_text.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -27,11 +28,11 @@ TEST(ShownText, ReplacesCharactersThatControlATerminal) {
 }
 
 TEST(ShownText, ReplacesBytesThatAreNotUtf8) {
-    for (const std::string bytes : {"\xFF",     // never occurs
-                                    "\xC3",     // ends too early
-                                    "\x80",     // a continuation alone
-                                    "\xF5"}) {  // beyond Unicode
-        EXPECT_EQ(shown_text("a" + bytes + "b"),
+    for (const char* bytes : {"\xFF",     // never occurs
+                              "\xC3",     // ends too early
+                              "\x80",     // a continuation alone
+                              "\xF5"}) {  // beyond Unicode
+        EXPECT_EQ(shown_text(fmt::format("a{}b", bytes)),
                   "a\xEF\xBF\xBD"
                   "b");
         EXPECT_FALSE(is_utf8(bytes));
