@@ -59,7 +59,7 @@ PartBox PartDivider::box_of_all() const {
 
 ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>& box) {
     if (box) {
-        const ZoneBoxes boxes = divide_by_position(part, rows, *box);
+        ZoneBoxes boxes = divide_by_position(part, rows, *box);
         const double limit = rows >= options_.min_refined_rows ? options_.heaviest_refined
                                                                : options_.heaviest_separator;
         if (rows_of(part, Zone::Outside) <= limit * std::sqrt(rows)) {

@@ -24,6 +24,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <new>
 #include <utility>
 #include <vector>
@@ -141,6 +142,12 @@ ExitCode run_images(const Preset& preset,
     }
     const FilePattern pattern(preset.output.pattern);
     Recorder recorder(preset);
+    std::function<void(const std::vector<ReplacedFiles>&)> on_replace;
+    if (verbosity != Verbosity::Quiet) {
+        on_replace = [&](const std::vector<ReplacedFiles>& replaced) {
+            warn_of_replaced_files(replaced, preset);
+        };
+    }
     const BakeSummary summary = [&] {
         try {
             ProgressReporter reporter(progress);
@@ -149,12 +156,7 @@ ExitCode run_images(const Preset& preset,
                 options,
                 {.on_progress = reporter.callback(),
                  .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
-                {.resume = arguments.resume ? Resume::Yes : Resume::No,
-                 .on_replace = [&](const std::vector<ReplacedFiles>& replaced) {
-                     if (verbosity != Verbosity::Quiet) {
-                         warn_of_replaced_files(replaced, preset);
-                     }
-                 }});
+                {.resume = arguments.resume ? Resume::Yes : Resume::No, .on_replace = on_replace});
         } catch (const Interrupted&) {
             print_stderr("foamtex: to continue, run the same command with --resume");
             throw;

@@ -29,14 +29,15 @@ Key<AlbedoOptions> colormap_key() {
     return colormap;
 }
 
+constexpr Choices<ColorBy, 4> kColorBys = {{{{"pressure", ColorBy::Pressure},
+                                             {"area", ColorBy::Area},
+                                             {"sides", ColorBy::Sides},
+                                             {"random", ColorBy::Random}}}};
+constexpr Choices<ColorMix> kColorMixes = {
+    {{{"blend", ColorMix::Blend}, {"pick", ColorMix::Pick}}}};
+
 Keys<AlbedoOptions> bubble_keys() {
     using Options = AlbedoOptions;
-    constexpr Choices<ColorBy, 4> kColorBys = {{{{"pressure", ColorBy::Pressure},
-                                                 {"area", ColorBy::Area},
-                                                 {"sides", ColorBy::Sides},
-                                                 {"random", ColorBy::Random}}}};
-    constexpr Choices<ColorMix> kColorMixes = {
-        {{{"blend", ColorMix::Blend}, {"pick", ColorMix::Pick}}}};
     return {
         key("color_by",
             kColorBys,

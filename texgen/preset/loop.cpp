@@ -31,10 +31,11 @@ Key<LoopOptions> kind_key() {
                &LoopOptions::kind);
 }
 
+constexpr int kMaxPeriods = 100;  // largest number of widths or heights of `drift`
+
 }  // namespace
 
 Keys<LoopOptions> loop_keys() {
-    constexpr int kMaxPeriods = 100;
     // A key stores its meaning as a string_view, so the text must be static.
     static const std::string amplitude_meaning = fmt::format(
         "for \"breathe\": relative amplitude of every bubble's area; for \"boil\": relative "

@@ -62,7 +62,7 @@ TEST(ShownText, ShowsSeveralLines) {
 TEST(ShownText, CutsBetweenCharacters) {
     EXPECT_EQ(cut_text("äöü", 3), "äöü");
     EXPECT_EQ(cut_text("äöü", 2), "äö...");
-    EXPECT_EQ(cut_text(std::string(61, 'a')), std::string(60, 'a') + "...");
+    EXPECT_EQ(cut_text(std::string(61, 'a')), fmt::format("{}...", std::string(60, 'a')));
 }
 
 RC_GTEST_PROP(ShownText, AnyBytesBecomeHarmless, (const std::string& bytes)) {

@@ -12,7 +12,7 @@ namespace {
 // coordinates are of type Real, with the line at `at`.
 template <class Real, class Crossing>
 inline void find_of(const CrossingSolver<Real> arc,
-                    const ArcCrossings query,
+                    ArcCrossings query,
                     const Crossing& crossing,
                     std::int32_t* to) {
     for (std::size_t from = 0; from < query.count; from += ArcCrossings::kLanes) {

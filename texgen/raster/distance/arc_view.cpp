@@ -81,7 +81,7 @@ void ArcView::evaluate(std::span<const DistanceArc> arcs, const Vec2& point) {
     size_ = arcs.size();
     grow(blocks_, (size_ + kLanes - 1) / kLanes);
     at_simd_level([arcs, x = point.x(), y = point.y(), to = blocks_.data()] {
-        ArcBlock lanes;
+        ArcBlock lanes{};
         for (std::size_t first = 0; first < arcs.size(); first += kLanes) {
             for (std::size_t k = 0; k < kLanes; ++k) {
                 const DistanceArc& arc = arcs[min_value(first + k, arcs.size() - 1)];

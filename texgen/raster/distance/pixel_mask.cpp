@@ -97,6 +97,7 @@ void PixelMask::reset(int columns, PixelRows rows, bool full) {
 // Computes the crossings with the middles of rows in groups of kRows. If the last group extends
 // beyond the arc, the words of the rows beyond it are written back unchanged. Rounding depends only
 // on the film, never on the side, so two neighboring regions compute the same crossings.
+// NOLINTNEXTLINE(readability-function-size): a vectorized kernel keeps its loops in one function
 void PixelMask::flip_right_of(std::span<const OutlineArc> outline,
                               const Vec2& offset,
                               bool is_chain) {
@@ -119,8 +120,8 @@ void PixelMask::flip_right_of(std::span<const OutlineArc> outline,
             const double beyond = last * kSubpixel + kHalfPixel - low_y;
             for (int row = first_row_from(low_y, rows); row < last; row += kRows) {
                 const double y = row * kSubpixel + kHalfPixel - low_y;
-                std::array<std::uint64_t, kRows> columns;
-                std::array<std::uint64_t, kRows> crossed;
+                std::array<std::uint64_t, kRows> columns{};
+                std::array<std::uint64_t, kRows> crossed{};
 #pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
                 for (std::size_t k = 0; k < kRows; ++k) {
                     const double at = y + static_cast<int>(k) * static_cast<double>(kSubpixel);

@@ -53,7 +53,7 @@ class TorusRegions {
     struct alignas(64) Film {
         PixelArc arc;                       // of the forward side
         std::array<SubpixelPoint, 2> tail;  // in the fundamental cell
-        std::array<Side, 2> next;           // the next side around the bubble
+        std::array<Side, 2> next{};         // the next side around the bubble
         SubpixelPoint offset;               // the film's lattice offset as a translation
     };
     static_assert(sizeof(Film) == 64);
