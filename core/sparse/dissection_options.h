@@ -14,8 +14,8 @@ struct DissectionOptions {
 
     // A separator that was found from positions is rejected if its relative weight exceeds a limit.
     // The relative weight is the number of rows of the separator, divided by the square root of the
-    // number of rows of the divided part. The limit is `heaviest_separator`, or `heaviest_refined`
-    // if the separator has been refined. After a rejection, this part and all parts into which it
+    // number of rows of the divided part. The limit is `heaviest_separator` before refinement, and
+    // `heaviest_refined` after it. After a rejection, this part and all parts into which it
     // is divided are divided by the edges of the graph alone.
     double heaviest_separator = 5.0;
     double heaviest_refined = 2.5;

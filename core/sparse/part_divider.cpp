@@ -59,24 +59,26 @@ PartBox PartDivider::box_of_all() const {
 
 ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>& box) {
     if (box) {
-        ZoneBoxes boxes = divide_by_position(part, rows, *box);
-        const double limit = rows >= options_.min_refined_rows ? options_.heaviest_refined
-                                                               : options_.heaviest_separator;
-        if (rows_of(part, Zone::Outside) <= limit * std::sqrt(rows)) {
-            return boxes;
+        ZoneBoxes boxes = divide_by_position(part, *box);
+        const double root = std::sqrt(rows);
+        if (rows_of(part, Zone::Outside) <= options_.heaviest_separator * root) {
+            if (rows < options_.min_refined_rows) {
+                return boxes;
+            }
+            refine(part, rows);
+            if (rows_of(part, Zone::Outside) <= options_.heaviest_refined * root) {
+                return boxes;
+            }
         }
     }
     divide_by_graph(part);
     return {};
 }
 
-ZoneBoxes PartDivider::divide_by_position(Nodes part, int rows, const PartBox& box) {
+ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
     const Eigen::Index axis = box.high.x() - box.low.x() < box.high.y() - box.low.y() ? 1 : 0;
     const double cut = split_at_median(part, box, axis);
     separate_halves(part);
-    if (rows >= options_.min_refined_rows) {
-        refine(part, rows);
-    }
     PartBox low_box = box;
     PartBox high_box = box;
     low_box.high[axis] = high_box.low[axis] = cut;

@@ -72,7 +72,7 @@ class PartDivider {
   private:
     using Nodes = std::span<std::uint32_t>;
 
-    ZoneBoxes divide_by_position(Nodes part, int rows, const PartBox& box);
+    ZoneBoxes divide_by_position(Nodes part, const PartBox& box);
     double split_at_median(Nodes part, const PartBox& box, Eigen::Index axis);
     void separate_halves(Nodes part);
     void refine(Nodes part, int rows);
