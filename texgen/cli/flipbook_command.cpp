@@ -64,7 +64,7 @@ void note_unlisted(const Flipbook& flipbook) {
     if (!flipbook.unlisted.empty()) {
         print_stderr(
             "foamtex: note: '{}' no longer lists {}: these sheets have another layout, other "
-            "frames or images of another bake\n",
+            "frames or images of another bake",
             flipbook.files.back().string(),
             fmt::join(flipbook.unlisted, ", "));
     }

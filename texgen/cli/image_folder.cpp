@@ -114,7 +114,7 @@ const BakedSet& chosen_set(const Manifest& manifest,
         }
         print_stderr(
             "foamtex: note: '{}' has the images of several bakes; the newest are used, {}; older "
-            "ones are {}, which --preset, --size or --seed can choose\n",
+            "ones are {}, which --preset, --size or --seed can choose",
             path.string(),
             name_of(set),
             fmt::join(older, ", "));

@@ -115,7 +115,7 @@ void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced, const Pr
     for (const ReplacedFiles& files : replaced) {
         print_stderr(
             "foamtex: warning: this replaces {} {} of another bake, {}; to keep both, give this "
-            "bake a folder of its own, such as --out '{}_{}x{}_{}/{{map}}.####.png'\n",
+            "bake a folder of its own, such as --out '{}_{}x{}_{}/{{map}}.####.png'",
             files.count,
             files.count == 1 ? "image" : "images",
             name_of(*files.set),
