@@ -22,6 +22,10 @@ TIME_LIMIT = 1200  # seconds; a run that takes longer counts as a hang
 SMALL = ["--set", "foam.bubbles=24", "--set", "foam.lloyd=2", "--size", "48", "--threads", "2", "-q"]
 
 
+def limit_processor_time():
+    resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_TIME_LIMIT, PROCESSOR_TIME_LIMIT + 5))
+
+
 @dataclasses.dataclass
 class Outcome:
     code: int  # the exit code; minus the number of the signal that ended the program
@@ -57,9 +61,10 @@ class Lab:
         if self.user is not None:
             options |= {"user": self.user, "group": self.user, "extra_groups": []}
         options.setdefault("stdin", subprocess.DEVNULL)
-        process = subprocess.Popen([self.program, *map(str, arguments)], cwd=cwd, **options)
-        resource.prlimit(process.pid, resource.RLIMIT_CPU, (PROCESSOR_TIME_LIMIT, PROCESSOR_TIME_LIMIT + 5))
-        return process
+        # The limit is set in the new process, since changing that of another user's process takes a privilege.
+        prepare = options.pop("preexec_fn", lambda: None)
+        options["preexec_fn"] = lambda: (limit_processor_time(), prepare())
+        return subprocess.Popen([self.program, *map(str, arguments)], cwd=cwd, **options)
 
     def run(self, arguments, cwd, **options):
         """Runs the program to its end. Options of subprocess.Popen may redirect its streams."""

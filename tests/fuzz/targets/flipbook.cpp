@@ -2,6 +2,7 @@
 
 #include "tests/fuzz/fuzz_target.h"
 #include "texgen/image/file_io.h"
+#include "texgen/json/json_writer.h"
 #include "texgen/manifest/manifest_json.h"
 #include "texgen/sheet/flipbook_json.h"
 
@@ -29,7 +30,7 @@ void describe_sheets(const texgen::BakedSet& set) {
     const texgen::SheetLayout layout{.frames = static_cast<int>(frames.size()),
                                      .frame_width = set.width,
                                      .frame_height = set.height};
-    const std::string json = texgen::flipbook_json(set, frames, layout, images);
+    const std::string json = texgen::indented(texgen::flipbook_json(set, frames, layout, images));
     require(nlohmann::json::accept(json), "the description of a flipbook is JSON");
 }
 
