@@ -21,8 +21,8 @@ inline constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
 inline constexpr InputKind kPresetInput{"a preset or a file of tolerances", kMebibyte};
 inline constexpr InputKind kFoamInput{"a foam", 1024 * kMebibyte};
-inline constexpr InputKind kDescriptionInput{"a manifest or the description of a cache",
-                                             512 * kMebibyte};
+inline constexpr InputKind kDescriptionInput{
+    "a manifest or the description of a cache or a flipbook", 512 * kMebibyte};
 inline constexpr InputKind kStateInput{"a state of a cache", 1024 * kMebibyte};
 inline constexpr InputKind kImageInput{"an image", 4096 * kMebibyte};
 

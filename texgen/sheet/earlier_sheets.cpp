@@ -16,7 +16,7 @@ Json description_in(const std::filesystem::path& file) {
     if (!std::filesystem::exists(file)) {
         return nullptr;
     }
-    const Bytes bytes = read_file(file);
+    const Bytes bytes = read_file(file, kDescriptionInput);
     const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
     return json.is_object() && json.value("images", Json()).is_array() ? json : Json();
 }
