@@ -143,11 +143,14 @@ void report_replaced(const Preset& preset,
                      const BakeOptions& options,
                      const Manifest& manifest,
                      const RecordOptions& record) {
+    if (!record.on_replace || manifest.sets.empty()) {
+        return;
+    }
     const std::vector<ReplacedFiles> replaced =
         replaced_files(manifest,
                        describe(preset, options.frames).parameters,
                        written_paths(preset, options, manifest_folder(preset)));
-    if (record.on_replace && !replaced.empty()) {
+    if (!replaced.empty()) {
         record.on_replace(replaced);
     }
 }
