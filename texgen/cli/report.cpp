@@ -5,6 +5,7 @@
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
+#include "texgen/image/file_io.h"
 #include "texgen/image/memory.h"
 #include "texgen/manifest/set_choice.h"
 #include "texgen/preset/event_frames.h"
@@ -82,12 +83,8 @@ void note_late_events(const Preset& preset, std::span<const int> frames) {
 
 void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder) {
     std::error_code error;
-    std::filesystem::path existing =
-        std::filesystem::absolute(folder.empty() ? "." : folder, error);
-    while (!std::filesystem::exists(existing, error) && existing.has_relative_path()) {
-        existing = existing.parent_path();
-    }
-    const std::filesystem::space_info space = std::filesystem::space(existing, error);
+    const std::filesystem::space_info space =
+        std::filesystem::space(nearest_existing(folder), error);
     if (!error && space.capacity > 0 && size > space.available) {
         print_stderr(
             "foamtex: warning: the files need about {}, but the disk of '{}' has only {} left",

@@ -237,14 +237,19 @@ bool is_existing(const std::filesystem::path& path) {
     return exists;
 }
 
-// Checks the folder itself or, if it does not exist, the nearest folder above it that does.
-void check_writable(const std::filesystem::path& folder) {
+std::filesystem::path nearest_existing(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::path existing = folder.empty() ? std::filesystem::current_path(error)
                                                     : std::filesystem::absolute(folder, error);
     while (!is_existing(existing) && existing.has_relative_path()) {
         existing = existing.parent_path();
     }
+    return existing;
+}
+
+void check_writable(const std::filesystem::path& folder) {
+    std::error_code error;
+    const std::filesystem::path existing = nearest_existing(folder);
     const bool is_folder = std::filesystem::is_directory(existing, error);
     if (!is_folder || ::access(existing.c_str(), W_OK | X_OK) != 0) {
         throw OutputError(fmt::format(

@@ -89,6 +89,11 @@ void write_file(const std::filesystem::path& path,
 /// example because the path is too long.
 bool is_existing(const std::filesystem::path& path);
 
+/// Returns a folder itself as an absolute path or, if it does not exist, the nearest existing
+/// folder or file above it. An empty path means the working directory. Throws OutputError if the
+/// system cannot tell.
+std::filesystem::path nearest_existing(const std::filesystem::path& folder);
+
 /// Throws OutputError if files cannot be written into a folder, or if the folder does not exist and
 /// cannot be created, for example because its path is too long. Creates nothing, so that a long
 /// computation can check its output first. An empty path means the working directory.
