@@ -20,7 +20,8 @@ struct BoilingBubble {
     int birth = 0;
     double peak_area = 0.0;  // largest rise of the target area above the area at birth (area_at)
     double min_peak_area = 0.0;  // Cycle::calm does not reduce peak_area below this area
-    // Where the bubble vanished last; before it has vanished for the first time, its center.
+    // The position at which the bubble vanished last. Before it has vanished for the first time,
+    // its center.
     Vec2 last_position{0.0, 0.0};
     // The bubbles between which it vanished last; empty before it has vanished for the first time.
     std::set<BubbleIdentity> neighbors{};

@@ -110,7 +110,8 @@ inline double log10(double x) {
 /// Returns x^y for x >= 0, with an error below 1 ulp. Results that doubles represent are exact, for
 /// example powers of 10. Loops over this function can be vectorized.
 [[gnu::always_inline]] inline double pow_of_positive(double x, double y) {
-    // Of y beyond these limits, the results are 0, 1 or infinity. The limits prevent an overflow.
+    // Exponents beyond these limits give the same results as the limits: 0, 1 or infinity. The
+    // limits prevent an overflow.
     const double above = y < -0x1p100 ? -0x1p100 : y;
     const double exponent = above > 0x1p100 ? 0x1p100 : above;
     const double power = detail::exponential(product(detail::logarithm(x), {exponent, 0.0}));

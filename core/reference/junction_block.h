@@ -84,8 +84,8 @@ class JunctionBlock {
     Vec2 move(const BlockVector& change) const { return move_unit_ * change.tail<2>(); }
 
   private:
-    // What the block stores of one half-edge. The half-edge has one of the block's bubbles on its
-    // left, or its tail is the junction.
+    // The data that the block stores for one half-edge. The half-edge has one of the block's
+    // bubbles on its left, or its tail is the junction.
     struct Side {
         Vec2 start{0.0, 0.0};  // tail, relative to the start of the traversal of the bubble
         Vec2 chord{0.0, 0.0};

@@ -14,8 +14,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest absolute value of a number of a state, in foam units. A mean bubble has an area near
-// 1 divided by the number of bubbles, at most 1e6.
+// The largest absolute value of a number of a state, in foam units. The mean area of the seeded
+// foam is 1, and a foam has at most 1e6 bubbles, so that all its numbers are far below this limit.
 constexpr double kLargestNumber = 1e15;
 
 using Fault = std::optional<std::string>;

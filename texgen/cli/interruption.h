@@ -17,10 +17,10 @@ class Interrupted : public std::runtime_error {
     int signal_;
 };
 
-/// From now on, the first SIGINT, SIGTERM or SIGHUP makes throw_if_interrupted throw instead of
-/// ending the process, and prints on stderr that the run will stop after its current step. A second
-/// signal of the same kind ends the process immediately. A SIGHUP that is ignored, as by nohup,
-/// stays ignored.
+/// Installs handlers for SIGINT, SIGTERM and SIGHUP. The first signal then makes
+/// throw_if_interrupted throw instead of ending the process, and prints on stderr that the run will
+/// stop after its current step. A second signal of the same kind ends the process immediately. A
+/// SIGHUP that is ignored, as by nohup, stays ignored.
 void handle_stop_signals();
 
 /// Throws Interrupted if handle_stop_signals has been called and a signal has arrived since then.

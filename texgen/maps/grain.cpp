@@ -97,9 +97,9 @@ Vec2 centroid_of(const Frame& frame, BubbleId bubble) {
             first = frame.positions[frame.network.tail(h)];
         }
         const Vec2 next = at + frame.arc(h).chord;
-        const double cross = at.x() * next.y() - at.y() * next.x();
-        area += cross;
-        weighted += cross * (at + next);
+        const double twice_triangle = cross(at, next);
+        area += twice_triangle;
+        weighted += twice_triangle * (at + next);
         sum += at;
         at = next;
         ++count;

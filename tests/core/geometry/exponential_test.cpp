@@ -14,10 +14,10 @@ namespace {
 
 using test::are_same;
 using test::Draws;
+using test::kInfinity;
+using test::kTiny;
 using test::largest_error;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTiny = std::numeric_limits<double>::denorm_min();
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 double exponential(double x) {

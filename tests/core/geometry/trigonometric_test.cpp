@@ -15,10 +15,9 @@ namespace {
 
 using test::are_same;
 using test::Draws;
+using test::kInfinity;
+using test::kTiny;
 using test::largest_error;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTiny = std::numeric_limits<double>::denorm_min();
 
 double sine(double x) {
     return ieee::sin(x);

@@ -13,6 +13,9 @@
 
 namespace foam::test {
 
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kTiny = std::numeric_limits<double>::denorm_min();
+
 /// A number of MPFR, which computes elementary functions with any precision.
 class Reference {
   public:
@@ -40,7 +43,7 @@ inline double ulp_error(double computed, Reference& exact) {
         return 0.0;
     }
     if (!std::isfinite(nearest) || !std::isfinite(computed) || nearest == 0.0) {
-        return nearest == computed ? 0.0 : std::numeric_limits<double>::infinity();
+        return nearest == computed ? 0.0 : kInfinity;
     }
     const int exponent = std::max(std::ilogb(nearest), -1022);
     Reference difference(kReferenceBits);
@@ -92,7 +95,7 @@ class Draws {
     }
     /// Returns a finite number with random bits, of any sign and exponent.
     double any() {
-        double x = std::numeric_limits<double>::infinity();
+        double x = kInfinity;
         while (!std::isfinite(x)) {
             x = std::bit_cast<double>(engine_());
         }
