@@ -2,10 +2,11 @@
 
 #pragma once
 
+#include <string_view>
+
 namespace foam::texgen {
 
-/// Returns the content of charts.gp, the gnuplot script that draws charts of stats.csv and
-/// sides.csv.
-const char* charts_script_text();
+/// The content of charts.gp, the gnuplot script that draws charts of stats.csv and sides.csv.
+extern const std::string_view kChartsScriptText;
 
 }  // namespace foam::texgen
