@@ -47,12 +47,13 @@ std::string loop_line(const VerifiedSet& found) {
     const std::string measured =
         list.empty()
             ? fmt::format(
-                  "not checked: needs frames 1 to {} (at least two), unchanged since the bake",
+                  "not checked: needs at least {} frames, and frames 1 to {} unchanged since the bake",
+                  kShortestLoop,
                   loop.period)
             : fmt::format(
-                  "{}  (step from last to first frame / largest step between frames, at most {})",
+                  "{}  (step from last to first frame / largest step between frames, at most {:.3g})",
                   list,
-                  kLargestLoopRatio);
+                  largest_loop_ratio(loop.period));
     const std::string closing =
         loop.closing_error
             ? fmt::format("; the end of the loop is {:.1e} mean bubble diameters from its start",
@@ -132,7 +133,12 @@ Json value_of(const VerifiedSet& found) {
             {"complete", set.complete()},
             {"files", set.files.size()},
             {"files_same", found.files_same},
-            {"loop", {{"kind", set.loop.kind}, {"called", set.loop.description}}},
+            {"loop",
+             {{"kind", set.loop.kind},
+              {"called", set.loop.description},
+              {"largest_ratio",
+               set.loop.period >= kShortestLoop ? Json(largest_loop_ratio(set.loop.period))
+                                                : Json(nullptr)}}},
             {"maps", maps},
             {"problems", found.problems}};
 }
@@ -161,7 +167,6 @@ std::string to_json(const Verification& found) {
     const Json report{{"status", found.holds() ? "holds" : "failed"},
                       {"folder", found.folder.string()},
                       {"largest_tile_ratio", kLargestTileRatio},
-                      {"largest_loop_ratio", kLargestLoopRatio},
                       {"sets", sets},
                       {"unchecked", found.unchecked}};
     return json_text(report) + "\n";

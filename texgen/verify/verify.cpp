@@ -2,6 +2,7 @@
 
 #include "texgen/verify/verify.h"
 
+#include "core/geometry/elementary.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/image/file_io.h"
@@ -15,6 +16,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 namespace foam::texgen {
@@ -52,13 +54,15 @@ class MapCheck {
         }
     }
 
-    // Returns the result. The loop is checked only if its period is at least 2 and all frames of
-    // the period were added.
+    // Returns the result. The loop is checked only if its period is at least kShortestLoop and all
+    // frames of the period were added.
     VerifiedMap finish() {
-        const bool has_all_frames = period_ > 1 && first_frame_ == 1 && steps_ == period_ - 1;
+        const bool has_all_frames = 
+            period_ >= kShortestLoop && first_frame_ == 1 && steps_ == period_ - 1;
         if (has_all_frames) {
             loop_.across = step(*last_, *first_);
             found_.loop = loop_;
+            found_.largest_loop_ratio = largest_loop_ratio(period_);
         }
         if (const Border& border = worse_border(); border.frame > 0) {
             found_.tile = border.seam;
@@ -174,7 +178,7 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
                         map.tile_frame,
                         map.tile->ratio()));
     }
-    if (map.loop && map.loop->ratio() > kLargestLoopRatio) {
+    if (map.loop && map.loop->ratio() > map.largest_loop_ratio) {
         problems.push_back(
             fmt::format("{}: does not loop: the step from its last frame to its first is {:.3g} "
                         "times the largest step between frames",
@@ -238,9 +242,13 @@ bool is_newest(const BakedSet& set, const std::vector<const BakedSet*>& sets) {
 
 }  // namespace
 
+double largest_loop_ratio(int period) {
+    return 1.1 / ieee::cos(2.0 * std::numbers::pi / period);
+}
+
 bool VerifiedMap::holds() const {
     return (!tile || tile->ratio() <= kLargestTileRatio) &&
-           (!loop || loop->ratio() <= kLargestLoopRatio);
+           (!loop || loop->ratio() <= largest_loop_ratio);
 }
 
 bool Verification::holds() const {

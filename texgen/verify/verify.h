@@ -21,9 +21,16 @@ inline constexpr double kLargestTileRatio = 1.25;
 /// The smallest width and height, in pixels, of images whose tiling is checked. Smaller images have
 /// too few columns or rows for a comparison.
 inline constexpr int kSmallestTile = 64;
-/// The largest allowed Seam::ratio of a loop. The ratio is the step from the last frame to the
-/// first, divided by the largest step between successive frames.
-inline constexpr double kLargestLoopRatio = 1.1;
+/// The smallest period, in frames, of loops that are checked. In a shorter loop, the step from the
+/// last frame to the first may be any number of times as large as the others.
+inline constexpr int kShortestLoop = 5;
+
+/// Returns the largest allowed Seam::ratio of a loop with a period of `period` >= kShortestLoop
+/// frames. The ratio is the step from the last frame to the first, divided by the largest step
+/// between successive frames. If every pixel changes like a sine, the steps before and after the
+/// largest step are cos(2 pi / period) times as large. 1.1 times the inverse of this number is
+/// allowed: 1.11 for 48 frames, 1.56 for 8 frames.
+double largest_loop_ratio(int period);
 
 /// The result of checking the seams of a map. A seam that was not checked is nullopt. `tile` is the
 /// seam of the columns or the seam of the rows, whichever has the larger ratio.
@@ -32,13 +39,14 @@ struct VerifiedMap {
     std::optional<Seam> tile;
     int tile_frame = 0;  // the frame with the largest step across this seam; 0 without `tile`
     std::optional<Seam> loop;
+    double largest_loop_ratio = 0.0;  // the largest allowed ratio of `loop`; 0 without `loop`
     // The smallest and the largest number in all files of the map, and the largest fraction of the
     // samples of a file that are clipped, that is, outside of the range of the map. Clipped samples
     // do not count as a problem. nullopt if the manifest does not record these numbers.
     std::optional<NumberExtent> numbers{};
 
     /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop` is
-    /// at most kLargestLoopRatio. A seam that was not checked does not count.
+    /// at most `largest_loop_ratio`. A seam that was not checked does not count.
     bool holds() const;
 };
 
@@ -75,8 +83,8 @@ struct Verification {
 
 /// Checks the images of a folder against its manifest. Every file must exist, and its pixels must
 /// have the hash in the manifest. The ratios of the seams (Seam::ratio) of frames that tile and of
-/// loops must not exceed their limits. A loop is checked only if its period is at least 2 frames
-/// and all frames from 1 to its period have the recorded pixels; later frames are ignored. `path`
+/// loops must not exceed their limits. A loop is checked only if its period is at least
+/// kShortestLoop frames and all frames from 1 to its period have the recorded pixels; later frames are ignored. `path`
 /// is the folder or the manifest in it. Throws InputError if the choice selects no set; all other
 /// problems are part of the result. `on_progress` receives the phase Files.
 Verification verify(const Manifest& manifest,

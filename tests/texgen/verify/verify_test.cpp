@@ -14,6 +14,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -158,13 +160,40 @@ TEST(Verify, FindsALoopThatJumps) {
     EXPECT_EQ(found.problems[0].find("albedo: does not loop: "), 0U);
 }
 
+// A pixel changes like a sine. Its largest step is the one from the last frame to the first.
+TEST(Verify, TheLimitOfALoopAllowsPixelsThatChangeLikeASine) {
+    for (const int period : {5, 7, 9, 15, 47}) {
+        const auto value = [&](int frame) {
+            return std::sin(2.0 * std::numbers::pi * (frame + 0.5) / period);
+        };
+        double largest_within = 0.0;
+        for (int frame = 0; frame + 1 < period; ++frame) {
+            largest_within = std::max(largest_within, std::abs(value(frame + 1) - value(frame)));
+        }
+        const double across = std::abs(value(0) - value(period - 1));
+        EXPECT_GT(across, largest_within) << period;
+        EXPECT_LT(across / largest_within, largest_loop_ratio(period)) << period;
+    }
+    EXPECT_LT(largest_loop_ratio(48), 1.11);
+}
+
+TEST(Verify, ALoopOfLessThanFiveFramesIsNotChecked) {
+    const TemporaryFolder folder;
+    Preset preset = breathing_loop(folder.path());
+    preset.frames.count = 4;
+    bake_small(preset, frames_to(4));
+    const VerifiedSet found = verified(folder.path());
+    EXPECT_TRUE(found.holds());
+    EXPECT_FALSE(found.maps.front().loop);
+}
+
 TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
     const TemporaryFolder folder;
     bake_small(breathing_loop(folder.path()), {1, 2, 3, 4, 5, 6, 7});
     const VerifiedSet found = verified(folder.path());
     EXPECT_TRUE(found.holds());
     EXPECT_FALSE(found.maps.front().loop);
-    EXPECT_NE(to_text(verify(folder.path())).find("not checked: needs frames 1 to 8"),
+    EXPECT_NE(to_text(verify(folder.path())).find("not checked: needs at least 5 frames, and frames 1 to 8"),
               std::string::npos);
 }
 
