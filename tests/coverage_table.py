@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Prints a table of coverage from a file in the format of lcov, which tests/coverage.sh makes.
+
+Usage: tests/coverage_table.py FILE.lcov [--missing] [--reader TARGET]
+
+Prints one row per folder, and fails if the tests execute fewer than 92 % of the lines. --missing also lists the lines that
+are not executed. --reader prints one row, for the sources that the fuzz target TARGET must cover.
+"""
+import argparse
+import collections
+import itertools
+import os
+import sys
+
+SMALLEST_SHARE = 0.92  # of the lines of core and texgen
+
+# The sources of the reader that a fuzz target attacks.
+READERS = {
+    "cache_file": ["texgen/cache/packed_file.cpp"],
+    "cache_info": ["texgen/cache/cache_files.cpp", "texgen/json/json_value.cpp"],
+    "cache_state": ["texgen/cache/state_codec.cpp", "texgen/cache/frame_codec.cpp", "texgen/cache/byte_stream.h"],
+    "evolver": ["core/io/evolver_expression.cpp", "core/io/evolver_header.cpp", "core/io/evolver_loops.cpp",
+                "core/io/evolver_mesh.cpp", "core/io/evolver_reader.cpp", "core/io/evolver_tokens.cpp"],
+    "exr": ["texgen/image/exr_decode.cpp", "texgen/image/exr_stream.h"],
+    "file_pattern": ["texgen/bake/file_pattern.cpp"],
+    "flipbook": ["texgen/sheet/flipbook_json.cpp", "texgen/sheet/map_sequence.cpp"],
+    "foam_state": ["core/io/foam_json_reader.cpp", "core/io/json_item.cpp", "core/io/json_tree.cpp"],
+    "frame_range": ["texgen/bake/frame_range.cpp"],
+    "manifest": ["texgen/manifest/manifest_reader.cpp", "texgen/json/json_value.cpp"],
+    "png": ["texgen/image/png_decode.cpp", "texgen/image/png_session.h"],
+    "preset": ["texgen/preset/assignment.cpp", "texgen/preset/preset_io.cpp", "texgen/preset/event_io.cpp",
+               "texgen/preset/rejection.cpp"],
+    "set_argument": ["texgen/preset/assignment.cpp"],
+    "tolerances": ["texgen/verify/tolerances.cpp", "texgen/verify/limit_keys.cpp"],
+    "wkt_polygon": ["core/foam/outline.cpp"],
+}
+
+
+class Counts:
+    """How many lines and branches there are, and how many were executed."""
+
+    def __init__(self):
+        self.lines = {}  # executions by the number of the line
+        self.branches = [0, 0]  # number of branches, and of those that were taken
+
+    def row(self, name):
+        lines, executed = len(self.lines), sum(count > 0 for count in self.lines.values())
+        all_branches, taken = self.branches
+        return f"| {name} | {lines} | {share(executed, lines)} | {share(taken, all_branches)} |"
+
+
+def share(part, whole):
+    return f"{part / whole:.1%}" if whole else "-"
+
+
+def read_lcov(path):
+    """Returns the counts of each source, by its path from the root of the checkout."""
+    sources = collections.defaultdict(Counts)
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            kind, _, rest = line.strip().partition(":")
+            if kind == "SF":
+                counts = sources[os.path.relpath(rest)]
+            elif kind == "DA":
+                number, executions = map(int, rest.split(",")[:2])
+                counts.lines[number] = max(executions, counts.lines.get(number, 0))
+            elif kind == "BRDA":
+                counts.branches[0] += 1
+                counts.branches[1] += rest.split(",")[3] not in ("-", "0")
+    return sources
+
+
+def total(all_counts):
+    """Returns the sum of the counts of several sources."""
+    result = Counts()
+    for k, counts in enumerate(all_counts):
+        result.lines |= {(k, number): executions for number, executions in counts.lines.items()}
+        result.branches = [a + b for a, b in zip(result.branches, counts.branches)]
+    return result
+
+
+def ranges(numbers):
+    """Returns line numbers as text, such as 7, 12-15."""
+    groups = itertools.groupby(enumerate(sorted(numbers)), lambda item: item[1] - item[0])
+    runs = [[number for _, number in group] for _, group in groups]
+    return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
+
+
+def print_missing(sources):
+    for path, counts in sorted(sources.items()):
+        missing = [number for number, executions in counts.lines.items() if executions == 0]
+        if missing:
+            print(f"{path}: {ranges(missing)}")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("lcov")
+    parser.add_argument("--missing", action="store_true")
+    parser.add_argument("--reader")
+    arguments = parser.parse_args()
+    sources = read_lcov(arguments.lcov)
+    if arguments.reader:
+        sources = {path: sources[path] for path in READERS[arguments.reader]}
+        print(total(sources.values()).row(arguments.reader))
+    else:
+        print("| folder | lines | executed | branches taken |\n|---|---|---|---|")
+        for folder, paths in itertools.groupby(sorted(sources), os.path.dirname):
+            print(total(sources[path] for path in paths).row(folder))
+        print(total(sources.values()).row("core and texgen"))
+    if arguments.missing:
+        print_missing(sources)
+    every = total(sources.values()).lines.values()
+    return 0 if arguments.reader or sum(count > 0 for count in every) >= SMALLEST_SHARE * len(every) else 1
+
+
+if __name__ == "__main__":
+    os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+    sys.exit(main())
