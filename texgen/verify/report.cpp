@@ -44,16 +44,16 @@ std::string loop_line(const VerifiedSet& found) {
         return loop.description;
     }
     const std::string list = ratios(found, &VerifiedMap::loop);
-    const std::string measured =
-        list.empty()
-            ? fmt::format(
-                  "not checked: needs at least {} frames, and frames 1 to {} unchanged since the bake",
-                  kShortestLoop,
-                  loop.period)
-            : fmt::format(
-                  "{}  (step from last to first frame / largest step between frames, at most {:.3g})",
-                  list,
-                  largest_loop_ratio(loop.period));
+    const std::string measured = list.empty() ? fmt::format(
+                                                    "not checked: needs at least {} frames, and "
+                                                    "frames 1 to {} unchanged since the bake",
+                                                    kShortestLoop,
+                                                    loop.period)
+                                              : fmt::format(
+                                                    "{}  (step from last to first frame / largest "
+                                                    "step between frames, at most {:.3g})",
+                                                    list,
+                                                    largest_loop_ratio(loop.period));
     const std::string closing =
         loop.closing_error
             ? fmt::format("; the end of the loop is {:.1e} mean bubble diameters from its start",

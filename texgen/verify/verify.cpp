@@ -57,7 +57,7 @@ class MapCheck {
     // Returns the result. The loop is checked only if its period is at least kShortestLoop and all
     // frames of the period were added.
     VerifiedMap finish() {
-        const bool has_all_frames = 
+        const bool has_all_frames =
             period_ >= kShortestLoop && first_frame_ == 1 && steps_ == period_ - 1;
         if (has_all_frames) {
             loop_.across = step(*last_, *first_);

@@ -84,9 +84,9 @@ struct Verification {
 /// Checks the images of a folder against its manifest. Every file must exist, and its pixels must
 /// have the hash in the manifest. The ratios of the seams (Seam::ratio) of frames that tile and of
 /// loops must not exceed their limits. A loop is checked only if its period is at least
-/// kShortestLoop frames and all frames from 1 to its period have the recorded pixels; later frames are ignored. `path`
-/// is the folder or the manifest in it. Throws InputError if the choice selects no set; all other
-/// problems are part of the result. `on_progress` receives the phase Files.
+/// kShortestLoop frames and all frames from 1 to its period have the recorded pixels; later frames
+/// are ignored. `path` is the folder or the manifest in it. Throws InputError if the choice selects
+/// no set; all other problems are part of the result. `on_progress` receives the phase Files.
 Verification verify(const Manifest& manifest,
                     const std::filesystem::path& path,
                     const VerifyOptions& options,

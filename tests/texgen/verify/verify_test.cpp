@@ -193,7 +193,8 @@ TEST(Verify, ALoopIsCheckedOnlyAsAWhole) {
     const VerifiedSet found = verified(folder.path());
     EXPECT_TRUE(found.holds());
     EXPECT_FALSE(found.maps.front().loop);
-    EXPECT_NE(to_text(verify(folder.path())).find("not checked: needs at least 5 frames, and frames 1 to 8"),
+    EXPECT_NE(to_text(verify(folder.path()))
+                  .find("not checked: needs at least 5 frames, and frames 1 to 8"),
               std::string::npos);
 }
 
