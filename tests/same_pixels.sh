@@ -4,9 +4,9 @@
 # Bakes the same presets with several builds of foamtex, at each SIMD level, and with versions of the C library's
 # functions for older processors, and checks that all pixels are the same.
 #
-#     tests/same_pixels.sh PROGRAM...      for example build/release/texgen/foamtex build/clang/texgen/foamtex
-#     tests/same_pixels.sh                 builds three programs first: GCC -O3, GCC -O0 and Clang -O1
-#     FOAM_RUNNER="qemu-aarch64 -L ..." tests/same_pixels.sh PROGRAM FOREIGN_PROGRAM
+#     tests/same_pixels.sh PRESET...       builds the programs of CMake presets first, for example release plain clang:
+#                                          GCC with -O3, GCC with -O0, and Clang with -O0
+#     FOAM_RUNNER="qemu-aarch64 -L ..." tests/same_pixels.sh release aarch64
 #
 # FOAM_RUNNER runs all programs but the first one. The first program also compares the pictures.
 set -euo pipefail
@@ -16,21 +16,13 @@ cd -- "$root"
 # shellcheck source=samples/setup/packages.sh
 source samples/setup/packages.sh
 
-# build NAME COMPILER FLAGS: builds the program alone in build/NAME, and adds it to the programs.
-build() {
-    cmake -S . -B "build/$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DFOAM_TESTS=OFF \
-        -DFOAM_BENCHMARKS=OFF -DCMAKE_CXX_COMPILER="$2" -DCMAKE_CXX_FLAGS_RELEASE="$3" >/dev/null
-    cmake --build "build/$1" --target foamtex
-    programs+=("build/$1/texgen/foamtex")
-}
-
-programs=("$@")
-if ((${#programs[@]} == 0)); then
-    build same_gcc g++ "-O3 -DNDEBUG"
-    build same_plain g++ -O0
-    build same_clang clang++ "-O1 -DNDEBUG"
-fi
-mapfile -t programs < <(realpath -- "${programs[@]}")
+(($# > 0)) || die "name the CMake presets to compare, for example: release plain clang"
+programs=()
+for preset in "$@"; do
+    cmake --preset "$preset" >/dev/null
+    cmake --build --preset "$preset" --target foamtex
+    programs+=("$root/build/$preset/texgen/foamtex")
+done
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 
@@ -42,7 +34,7 @@ bake_all() {
     mkdir -p "$folder"
     (
         cd "$folder"
-        "$@" bake coarsening -q --size 128 --set foam.bubbles=1500 --frames 1-24 --maps albedo,pressure \
+        "$@" bake coarsening -q --size 128 --set foam.bubbles=400 --frames 1-24 --maps albedo,pressure \
             --out 'coarsening/{map}.####.png'
         "$@" bake soap_raft -q --size 96 --set foam.bubbles=60 --frames 1-24 --maps height,growth,lit \
             --out 'patch/{map}.####.png'
@@ -71,9 +63,9 @@ check() {
 failures=()
 bake_all "$work/reference" "${programs[0]}"
 say "baked the reference with ${programs[0]}"
-for program in "${programs[@]:1}"; do
+for ((k = 1; k < $#; ++k)); do
     # shellcheck disable=SC2086  # FOAM_RUNNER is a command with arguments
-    check "$(basename "$(dirname "$(dirname "$program")")")" ${FOAM_RUNNER:-} "$program"
+    check "${*:k + 1:1}" ${FOAM_RUNNER:-} "${programs[k]}"
 done
 for level in baseline avx2; do
     if [[ $level == baseline ]] || grep -qw "$level" /proc/cpuinfo; then
