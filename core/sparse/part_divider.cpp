@@ -135,7 +135,6 @@ double PartDivider::split_at_median(Nodes part, const PartBox& box, Eigen::Index
 void PartDivider::refine(Nodes part, int rows) {
     std::vector<std::uint32_t> near = nodes_near_separator(part);
     const WeightedGraph graph = graph_of_near(near, part);
-    forget_numbers(near);
     std::vector<Zone> zones;
     zones.reserve(graph.size());
     for (const std::uint32_t node : near) {
@@ -144,7 +143,20 @@ void PartDivider::refine(Nodes part, int rows) {
     zones.push_back(Zone::Low);
     zones.push_back(Zone::High);
     SeparatorRefinement(graph, heaviest_zone(rows), zones).run();
+    move_rest(part, zones[near.size()], zones[near.size() + 1]);
+    forget_numbers(near);
     assign(near, zones);
+}
+
+// Moves the nodes of a part without a number, which graph_of_near represents by two nodes, into the
+// zones to which refinement has moved these two nodes. `low` is the new zone of the nodes in Low,
+// `high` that of the nodes in High.
+void PartDivider::move_rest(Nodes part, Zone low, Zone high) {
+    for (const std::uint32_t node : part) {
+        if (memory_.part_indices[node] == DivisionMemory::kNotInPart) {
+            memory_.zones[node] = memory_.zones[node] == Zone::Low ? low : high;
+        }
+    }
 }
 
 // Returns the nodes of the separator, followed by the nodes of kRefinedLayers layers around it.
@@ -253,8 +265,8 @@ void PartDivider::forget_numbers(Nodes nodes) {
     }
 }
 
-// Sets the zone of nodes[k] to zones[k], for all k. `zones` may be longer than `nodes`; the excess
-// is ignored.
+// Sets the zone of nodes[k] to zones[k], for all k. Elements of `zones` after those of `nodes` are
+// ignored.
 void PartDivider::assign(Nodes nodes, std::span<const Zone> zones) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         memory_.zones[nodes[k]] = zones[k];

@@ -76,6 +76,7 @@ class PartDivider {
     double split_at_median(Nodes part, const PartBox& box, Eigen::Index axis);
     void separate_halves(Nodes part);
     void refine(Nodes part, int rows);
+    void move_rest(Nodes part, Zone low, Zone high);
     std::vector<std::uint32_t> nodes_near_separator(Nodes part);
     void add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes);
     void divide_by_graph(Nodes part);

@@ -29,10 +29,11 @@ CoupledNodes coupled_nodes(const Foam& foam) {
     return {foam.domain, nodes, node_graph(Hessian(foam.network, unknowns).matrix(), nodes)};
 }
 
-CoupledNodes random_nodes(int bubbles, double aspect) {
+CoupledNodes random_nodes(int bubbles, double aspect, std::uint64_t seed = 1) {
     SeedingOptions options;
     options.bubbles = bubbles;
     options.aspect = aspect;
+    options.seed = seed;
     return coupled_nodes(seed_foam(options));
 }
 
@@ -123,6 +124,18 @@ TEST(Dissection, PartsFoamsOfEverySize) {
         for (const double aspect : {1.0, 4.0, 0.1}) {
             SCOPED_TRACE(testing::Message() << bubbles << " bubbles, aspect " << aspect);
             expect_sound(random_nodes(bubbles, aspect));
+        }
+    }
+}
+
+// In parts of about a hundred rows, few nodes are so far from the separator that refinement treats
+// them together as one node.
+TEST(Dissection, SeparatorsOfManySmallPartsSeparate) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        for (const int bubbles : {30, 60, 120, 240, 480}) {
+            const CoupledNodes coupled = random_nodes(bubbles, 1.0, seed);
+            EXPECT_EQ(couplings_across(coupled, dissect(coupled)), 0)
+                << bubbles << " bubbles, seed " << seed;
         }
     }
 }

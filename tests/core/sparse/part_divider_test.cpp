@@ -6,8 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace foam {
@@ -73,6 +76,69 @@ TEST(PartDivider, RefinesSeparators) {
     const int refined = divide_all(system, {.min_refined_rows = 1}).separator;
     EXPECT_GT(rough, 60);
     EXPECT_LE(refined, 55);
+}
+
+// Returns a graph of nodes with the given edges.
+NodeGraph graph_with_edges(std::size_t nodes,
+                           const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges) {
+    std::vector<std::vector<std::uint32_t>> neighbors(nodes);
+    for (const auto& [a, b] : edges) {
+        neighbors[a].push_back(b);
+        neighbors[b].push_back(a);
+    }
+    NodeGraph graph{{}, {0}};
+    for (std::vector<std::uint32_t>& list : neighbors) {
+        std::sort(list.begin(), list.end());
+        graph.neighbors.insert(graph.neighbors.end(), list.begin(), list.end());
+        graph.begins.push_back(graph.neighbors.size());
+    }
+    return graph;
+}
+
+// Refinement moves the separator along a chain of seven nodes, whose last node is too far from the
+// first separator to be a node of its own in the refined graph. The low zone is a star; the high
+// zone consists of a heavier star and the chain; the first separator is the node between them.
+TEST(PartDivider, MovesTheNodesFarFromTheSeparatorWithTheZones) {
+    constexpr std::uint32_t kLeaves = 27;
+    constexpr std::uint32_t kHeavyLeaves = 20;
+    constexpr std::uint32_t kChain = 7;
+    std::vector<SolverNode> nodes;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    const auto add = [&nodes](double x, int rows) {
+        nodes.push_back({Vec2(x, 0.0), rows});
+        return static_cast<std::uint32_t>(nodes.size() - 1);
+    };
+    const std::uint32_t low_center = add(0.0, 6);
+    for (std::uint32_t leaf = 0; leaf < kLeaves; ++leaf) {
+        edges.emplace_back(low_center, add(0.0, 1));
+    }
+    const std::uint32_t between = add(1.0, 5);
+    edges.emplace_back(low_center, between);
+    const std::uint32_t high_center = add(2.0, 2);
+    edges.emplace_back(between, high_center);
+    for (std::uint32_t leaf = 0; leaf < kHeavyLeaves; ++leaf) {
+        edges.emplace_back(high_center, add(2.0, 2));
+    }
+    std::uint32_t end_of_chain = between;
+    for (std::uint32_t link = 0; link < kChain; ++link) {
+        const std::uint32_t next = add(2.0, 1);
+        edges.emplace_back(end_of_chain, next);
+        end_of_chain = next;
+    }
+    const NodeGraph graph = graph_with_edges(nodes.size(), edges);
+    DivisionMemory memory(nodes.size());
+    const DissectionOptions options{.min_refined_rows = 1};
+    PartDivider divider(graph, nodes, {0.0, 0.0}, options, memory);
+    std::vector<std::uint32_t> part(nodes.size());
+    std::iota(part.begin(), part.end(), 0U);
+    divider.divide(part, 87, PartBox{Vec2(0.0, 0.0), Vec2(2.0, 0.0)});
+    EXPECT_EQ(memory.zones[high_center], Zone::Outside);
+    EXPECT_EQ(memory.zones[end_of_chain], Zone::Low);
+    for (const auto& [a, b] : edges) {
+        EXPECT_TRUE(memory.zones[a] == Zone::Outside || memory.zones[b] == Zone::Outside ||
+                    memory.zones[a] == memory.zones[b])
+            << a << ", " << b;
+    }
 }
 
 }  // namespace
