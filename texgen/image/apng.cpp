@@ -14,11 +14,11 @@
 #include <vector>
 
 // Joins encoded PNGs without decoding them. The stream begins with the signature of PNG and the
-// chunks of the first frame that precede its data. Then an acTL chunk gives the number of frames
-// and how often the animation is played. Each frame consists of an fcTL chunk, which gives its
-// width, height and duration, and of its data. The data of the first frame are IDAT chunks. The
-// data of later frames are fdAT chunks, whose content is a sequence number and the content of an
-// IDAT chunk. All other chunks of later frames are dropped.
+// chunks of the first frame that precede its pixel data. Then an acTL chunk gives the number of
+// frames and how often the animation is played. Each frame consists of an fcTL chunk, which gives
+// its width, height and duration, and of its pixel data. The pixel data of the first frame are IDAT
+// chunks. The pixel data of later frames are fdAT chunks, each with a sequence number and the
+// content of an IDAT chunk. All other chunks of later frames are dropped.
 
 namespace foam::texgen {
 

@@ -20,7 +20,7 @@ class ApngMuxer {
     /// unless `frames` is positive and both members of `rate` are from 1 to 65535.
     ApngMuxer(int frames, FrameRate rate);
 
-    /// Appends the next frame. `png` is a PNG as encode_png returns it. Throws
+    /// Appends the next frame. `png` is the content of a PNG file without a palette. Throws
     /// std::invalid_argument if `png` is not a PNG or has a palette, if its width, height or type
     /// of samples differs from the first frame, or if all frames have already been added.
     void add(std::span<const std::byte> png);

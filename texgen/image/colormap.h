@@ -31,7 +31,7 @@ class ColorMap {
     const ColorTable* table_;
 };
 
-/// Returns the color map with the given name. Throws std::invalid_argument if there is none; the
+/// Returns the color map with the given name. Throws std::invalid_argument for an unknown name; the
 /// message lists all names.
 const ColorMap& find_colormap(std::string_view name);
 

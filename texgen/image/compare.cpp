@@ -83,7 +83,8 @@ Image<double> measure_samples(const Picture& a,
     return pixels;
 }
 
-/// Stores the largest of the angles of all pixels in `found`.
+/// Stores the largest angle and the position of its pixel in `found`. `angles` is in the order of
+/// normal_angles.
 void note_largest_angle(std::span<const double> angles, int width, int height, Comparison& found) {
     const auto largest = std::ranges::max_element(angles);
     const auto index = static_cast<int>(largest - angles.begin());

@@ -11,9 +11,11 @@
 
 namespace foam::texgen {
 
-/// The content of the pixels of a picture. The angle between two pixels is measured only if they
-/// are Normals.
-enum class PixelContent { Numbers, Normals };
+/// The meaning of the pixels of two compared pictures.
+enum class PixelContent {
+    Numbers,  // independent samples
+    Normals,  // vectors of three samples; the angles between them are measured, too
+};
 
 /// Returns true if the pictures have the same width, height and channel names.
 bool have_same_layout(const Picture& a, const Picture& b);
@@ -26,9 +28,9 @@ Comparison compare(const Picture& a,
                    const CompareLimits& limits = {},
                    PixelContent content = PixelContent::Numbers);
 
-/// Returns a gray picture of the differences. A pixel shows the largest difference among its
-/// channels. The largest difference in the whole picture is white. Precondition:
-/// have_same_layout(a, b).
+/// Returns a picture of one channel that shows the differences. A pixel shows the largest
+/// difference among its channels, from 0 for no difference to 65535 for the largest difference in
+/// the whole picture. Precondition: have_same_layout(a, b).
 Image<std::uint16_t> difference_picture(const Picture& a, const Picture& b);
 
 }  // namespace foam::texgen

@@ -9,11 +9,14 @@
 
 namespace foam::texgen {
 
-/// The result of a comparison. Same: no limit of a warning is exceeded. Warning: a limit of a
-/// warning is exceeded, but no limit of a failure. Failure: a limit of a failure is exceeded.
-/// DifferentLayout: the pictures differ in width, height or channel names. Unreadable: a picture
-/// could not be read; the function `compare` never returns it.
-enum class Verdict { Same, Warning, Failure, DifferentLayout, Unreadable };
+/// The result of a comparison.
+enum class Verdict {
+    Same,             // no limit of CompareLimits is exceeded
+    Warning,          // a limit for warnings is exceeded, but no limit for failures
+    Failure,          // a limit for failures is exceeded
+    DifferentLayout,  // the pictures differ in width, height or channel names
+    Unreadable,       // a picture could not be read; the function `compare` never returns this
+};
 
 /// The percentile of the differences of pixels that a Comparison reports.
 inline constexpr double kReportedPercentile = 99.9;
@@ -25,7 +28,7 @@ struct Comparison {
     double largest = 0.0;      // largest |a - b|; infinite if only one of two samples is NaN
     double mean = 0.0;         // mean of |a - b| over all samples
     double rms = 0.0;          // root mean square of |a - b| over all samples
-    double percentile = 0.0;   // smallest difference that kReportedPercentile % of the pixels keep
+    double percentile = 0.0;   // percentile_of(differences of the pixels, kReportedPercentile)
     std::size_t warnings = 0;  // number of samples above the limit of samples for warnings
     std::size_t failures = 0;  // number of samples above the limit of samples for failures
     std::string channel{};     // channel of the largest difference; empty if all samples are equal
@@ -34,11 +37,11 @@ struct Comparison {
     std::size_t pixels = 0;    // number of pixels
     std::size_t warning_pixels = 0;  // number of pixels above the limits for warnings
     std::size_t failure_pixels = 0;  // number of pixels above the limits for failures
-    std::optional<double> angle{};   // largest angle between normals, degrees; only for Normals
+    std::optional<double> angle{};   // largest angle between normals, degrees; nullopt for Numbers
     int angle_x = 0;                 // column of the largest angle
     int angle_y = 0;                 // row of the largest angle
-    /// The limits that the verdict is due to, in words, such as "rms 0.02 above 0.01". Empty for
-    /// Same and DifferentLayout.
+    /// For Warning and Failure: the limits that are exceeded, in words, such as "rms 0.02 above
+    /// 0.01".
     std::vector<std::string> reasons{};
 };
 

@@ -14,22 +14,23 @@ namespace foam::texgen {
 
 namespace {
 
-// The compression level for ISA-L, 0 to 3. Level 3 gives files 1 % smaller than level 2 and takes 2
-// to 6 times as long.
+// The level of ISA-L, 0 to 3, for Compression::Fast. At level 3, files are 1 % smaller than at
+// level 2, but compression takes 2 to 6 times as long.
 constexpr int kFastLevel = 2;
-// The level of libdeflate, 0 to 12, for Compression::Small; level 0 stores without compression.
-// Level 9 gives files 1 % smaller than level 7 and takes 2 to 4 times as long.
+// The level of libdeflate, 0 to 12, for Compression::Small; level 0 stores without compression. At
+// level 9, files are 1 % smaller than at level 7, but compression takes 2 to 4 times as long.
 constexpr int kSmallLevel = 7;
 
 // The number of bytes at the start of a stream that are compressed and flushed separately. This
-// avoids an error of ISA-L 2.30 in its main loop (igzip_icf_body_h1_gr_bt.asm, .write_first_byte):
-// at the start of a stream the loop hashes a register instead of the input bytes from the third
-// byte on. The register still contains the address of the stream object, so the matches that ISA-L
-// finds sometimes depend on this address. An input of only 4 bytes is processed by another loop,
-// which is meant for the end of the data and needs at least 4 bytes.
+// avoids an error in the main loop of ISA-L 2.30 (igzip_icf_body_h1_gr_bt.asm, .write_first_byte).
+// At the start of a stream, this loop should hash the input bytes from the third byte on, but it
+// hashes a register that still contains the address of the stream object. The matches that ISA-L
+// finds therefore sometimes depend on this address. An input of only 4 bytes is processed by
+// another loop, which has no such error: the loop for the end of the data, which needs at least 4
+// bytes.
 constexpr std::size_t kFirstBytes = 4;
 
-// Returns an upper bound of the compressed size of `size` bytes, in bytes. For data that cannot be
+// Returns an upper bound, in bytes, of the compressed size of `size` bytes. If data cannot be
 // compressed, stored blocks add 5 bytes per 65,535 bytes, and blocks with dynamic codes add less
 // than 1/8 of the size. The beginning and the end of a stream add less than 4096 bytes.
 std::size_t largest_size(std::size_t size) {

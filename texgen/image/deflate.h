@@ -16,8 +16,8 @@ namespace foam::texgen {
 /// The trade-off between the time of compression and the size of its output.
 enum class Compression {
     None,   // no compression: stored blocks
-    Fast,   // as small as the output of zlib at level 1, in a fraction of its time
-    Small,  // as small as the output of zlib at level 9, at least as fast as zlib at level 6
+    Fast,   // about the size of zlib at level 1, at least 4 times as fast
+    Small,  // about the size of zlib at level 9, at least as fast as zlib at level 6
 };
 
 /// Compresses data to the deflate format (RFC 1951). Its buffers are reused between calls.
@@ -32,8 +32,8 @@ class Deflater {
     /// The blocks end at a byte boundary and do not refer to earlier parts, so the outputs for
     /// consecutive parts can be concatenated. If `last` is true, the blocks end the stream. On one
     /// machine the returned bytes depend only on the arguments. The bytes can differ between
-    /// versions of the libraries and between processors. Precondition: `last` is true unless
-    /// `compression` is Compression::Fast, because the other kinds compress all data at once.
+    /// versions of the libraries and between processors. Precondition: `compression` is
+    /// Compression::Fast or `last` is true, because only Fast can compress a stream in parts.
     std::span<const std::byte> deflate(Compression compression,
                                        std::span<const std::byte> data,
                                        bool last = true);

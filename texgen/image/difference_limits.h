@@ -26,22 +26,24 @@ struct PercentileLimit {
 /// largest code is 1; other samples are not scaled (read_numbers). The difference of a pixel is the
 /// largest difference of its samples. A pixel is above the limits if its difference exceeds the
 /// limit of samples (sample_limit), or if the angle between its normals exceeds `angle`. As in
-/// idiff, a given number or percentage of pixels may be above the limits, whichever is larger.
+/// idiff, some pixels may be above the limits: `allowed_percent` percent of the pixels or
+/// `allowed_pixels` pixels, whichever number is larger.
 struct DifferenceLimits {
     std::optional<double> sample{};  // limit of the difference of a sample; see sample_limit
     std::optional<double> angle{};   // degrees; only pictures of normals have angles
-    double allowed_percent = 0.0;    // of the pixels that may be above the limits
+    double allowed_percent = 0.0;
     std::int64_t allowed_pixels = 0;
-    std::optional<double> hard{};  // no sample of any pixel may differ by more
+    std::optional<double> hard{};  // limit of the difference of a sample, for all pixels
     std::optional<double> rms{};  // limit of the root mean square of the differences of all samples
     std::vector<PercentileLimit> percentiles{};
 
-    /// Returns the limit of the difference of a sample. If `sample` is not given, it is
-    /// kDefaultSampleLimit, or infinity if `rms`, `percentiles` or an angle that applies is given:
-    /// otherwise these limits could allow nothing. `has_normals` is true if `angle` applies.
+    /// Returns the limit of the difference of a sample: `sample`, if it is given. Otherwise the
+    /// limit is kDefaultSampleLimit, or infinity if one of the limits `rms`, `percentiles` and
+    /// `angle` is given, because kDefaultSampleLimit would forbid the differences that these limits
+    /// allow. `angle` counts only if `has_normals` is true.
     double sample_limit(bool has_normals) const;
 
-    /// Returns the number of pixels that may be above the limits, of `pixels` pixels.
+    /// Returns how many of `pixels` pixels may be above the limits.
     std::size_t allowed_of(std::size_t pixels) const;
 };
 

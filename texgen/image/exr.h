@@ -13,7 +13,7 @@
 
 namespace foam::texgen {
 
-/// One channel of a file to be written. It refers to its samples, which must outlive it. The
+/// One channel of an EXR to be encoded. It refers to its samples, which must outlive it. The
 /// samples are floats if `type` is Half or Float, and integers if `type` is Uint32.
 struct ExrChannel {
     /// The name in the file, such as "R", or "Y" for a gray image. A name such as "height.Y" is the
@@ -35,9 +35,9 @@ struct ExrEncoding {
     ExrCompression compression = ExrCompression::Zip;
     int zip_level = 2;  // level for Zip and Zips: 1 is the fastest, 9 gives the smallest files
     /// If true, the file has tiles of 64 x 64 pixels and mip levels down to 1 x 1. Each level has
-    /// half the width and height of the level before, rounded down. Floating-point numbers are
-    /// averaged by area (mean_level). Integers are ids, so one of the covered ids is chosen
-    /// (central_level).
+    /// half the width and height of the level before, rounded down, but at least 1. Floating-point
+    /// numbers are averaged by area (mean_level). Integers are ids, which cannot be averaged, so
+    /// one of the covered ids is chosen (central_level).
     bool mip_levels = false;
     /// The number of threads that compress, as for thread_count (core/parallel/parallel_for.h). The
     /// bytes do not depend on it.
@@ -45,14 +45,15 @@ struct ExrEncoding {
 };
 
 /// Returns channels encoded as an EXR. Samples are not clamped; samples of Half channels are
-/// rounded to half floats. All channels must have the same width and height, and distinct names.
-/// Their order does not matter. By convention colors are linear light, premultiplied by the
-/// opacity, which is the channel A.
+/// rounded to half floats. There must be at least one channel. All channels must have the same
+/// width and height, and distinct names. Their order does not matter. By convention colors are
+/// linear light, premultiplied by the opacity, which is the channel A.
 ///
-/// Metadata is stored in the attributes `chromaticities`, `wrapmodes` and `framesPerSecond`, and
-/// each text in a string attribute. The keywords of texts must be distinct and have 1 to 31
-/// characters. They must not be names of attributes that every EXR has, such as `channels`, or
-/// names in the list kReservedNames in exr_encode.cpp.
+/// The members `color`, `periodic` and `frame_rate` of the metadata are stored in the attributes
+/// `chromaticities`, `wrapmodes` and `framesPerSecond`. Each text is stored in a string attribute.
+/// The keywords of texts must be distinct and have 1 to 31 characters. They must not be names of
+/// attributes that every EXR has, such as `channels`, or names in the list kReservedNames in
+/// exr_encode.cpp.
 ///
 /// Throws std::invalid_argument for channels or texts that break these rules, and for a number that
 /// is not finite or that its type cannot hold. Throws OutputError if OpenEXR fails.
@@ -66,9 +67,10 @@ Bytes encode_exr(const Picture& picture, const ExrEncoding& encoding = {});
 
 /// Decodes an EXR of rows or tiles. The picture has one group per channel, in alphabetical order of
 /// the channel names. Its texts are in alphabetical order of their keywords. `level` is the mip
-/// level to read; 0 is the full size. Throws InputError for a malformed stream, for a level that
-/// does not exist, and if the file has several parts or has deep or subsampled channels. Throws
-/// OutOfMemory if the machine has too little memory for the image.
+/// level to read; 0 is the full size. Throws InputError for a malformed stream, for an image above
+/// the limits in input_limits.h, for a level that does not exist, and if the file has several parts
+/// or has deep or subsampled channels. Throws OutOfMemory if the machine has too little memory for
+/// the image.
 Picture decode_exr(std::span<const std::byte> content, int level = 0);
 
 }  // namespace foam::texgen

@@ -24,7 +24,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The names of standard string attributes of EXR. They are not returned as texts.
+// The names of standard string attributes of EXR. These attributes are not returned as texts.
 constexpr std::array<std::string_view, 4> kNoTexts = {"wrapmodes", "name", "type", "view"};
 
 SampleType type_of(const Imf::Channel& channel) {

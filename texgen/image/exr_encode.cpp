@@ -27,8 +27,8 @@ namespace {
 constexpr int kTileSide = 64;
 constexpr std::size_t kLongestName = 31;  // characters; old readers reject longer attribute names
 
-// The optional standard attributes of EXR whose names texts must not have. The required attributes
-// are not listed: every Imf::Header has them, and is_text_name searches the header, too.
+// Names of optional standard attributes of EXR. A text must not have such a name. The required
+// attributes are not listed: every Imf::Header has them, and is_text_name also searches the header.
 constexpr std::array<std::string_view, 7> kReservedNames = {
     "chromaticities", "wrapmodes", "framesPerSecond", "name", "type", "view", "chunkCount"};
 

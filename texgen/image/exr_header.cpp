@@ -23,13 +23,14 @@ namespace {
 
 constexpr std::size_t kPreamble = 8;  // bytes: the magic number and the version
 constexpr std::uint32_t kMagic = 20000630;
-constexpr double kBytesOfOffset = 8.0;  // the position of a block in the file
-// The largest block, in bytes, of an image that is smaller than the block.
+constexpr double kBytesOfOffset = 8.0;  // bytes per block in the table of the blocks' positions
+// The largest allowed size of a decoded block, in bytes, unless the whole image is larger.
 constexpr double kMaxBlock = 64.0 * 1024 * 1024;
 // The largest compression ratio of deflate. The other methods of EXR, except DWA, compress samples
 // of 16 bits by at most this ratio, too.
 constexpr double kMaxDeflateRatio = 1032.0;
-// DWA, a lossy method of EXR, first reduces each block of 64 samples to at least one number.
+// The largest compression ratio of DWA, a lossy method of EXR. DWA first reduces each block of 64
+// samples, in the extreme case to a single number.
 constexpr double kMaxDwaRatio = 64.0 * kMaxDeflateRatio;
 
 /// The size of the values of a type of attributes, in bytes.
@@ -51,7 +52,7 @@ constexpr std::array<TypeSize, 23> kTypeSizes = {
     throw InputError(reason);
 }
 
-/// Reads the attributes of a header in the way in which OpenEXR reads them.
+/// Reads the attributes of a header as OpenEXR does, but checks the length of each attribute first.
 class AttributeScan {
   public:
     explicit AttributeScan(std::span<const std::byte> content) : rest_(content) {}
@@ -164,7 +165,7 @@ double max_ratio(Imf::Compression compression) {
     return is_dwa ? kMaxDwaRatio : kMaxDeflateRatio;
 }
 
-/// Returns the number of rows that are compressed together.
+/// Returns the number of rows of a block, which are compressed together.
 int rows_of_block(Imf::Compression compression) {
     switch (compression) {
         case Imf::ZIP_COMPRESSION:

@@ -10,10 +10,14 @@
 namespace foam::texgen {
 
 /// Checks the header of an EXR file before OpenEXR opens it, because OpenEXR allocates memory for
-/// sizes in the header before it knows whether the file is long enough. Throws InputError if an
-/// attribute is longer than the file or has another size than its type, if the file has several
-/// parts or deep pixels, if it has no channel or a subsampled channel, if an image or one of its
-/// blocks is too large, or if the file is too short for the number of its blocks or pixels.
+/// sizes in the header before it knows whether the file is long enough.
+///
+/// Throws InputError if the file is not an EXR of version 2, if it has several parts or deep
+/// pixels, if an attribute is longer than the rest of the file or has the wrong size for its type,
+/// if there is no channel or a subsampled channel, if the image or one of its blocks is too large,
+/// or if the file is too short for the number of its blocks or pixels. Throws OutOfMemory if the
+/// machine has too little memory for the image. Also throws the exceptions of OpenEXR
+/// (Iex::BaseExc) for other errors in the header.
 void check_exr_header(std::span<const std::byte> content);
 
 }  // namespace foam::texgen

@@ -2,7 +2,7 @@
 
 #pragma once
 
-// Converts samples to the layout that OpenEXR writes. Only exr_encode.cpp uses this file.
+// Converts samples to the layout that OpenEXR writes. Only exr_encode.cpp uses these declarations.
 
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
@@ -24,6 +24,7 @@ struct ExrSize {
     friend bool operator==(const ExrSize&, const ExrSize&) = default;
 };
 
+/// Returns the width and height of the samples of a channel.
 ExrSize size_of(const ExrChannel& channel);
 
 /// Returns the type of OpenEXR that corresponds to a sample type. Throws std::invalid_argument for
@@ -33,7 +34,7 @@ Imf::PixelType pixel_type(SampleType type);
 /// Throws std::invalid_argument with a message that ends with `why`.
 [[noreturn]] void reject_exr(const std::string& why);
 
-/// Returns the channels of a picture in the order of their names. They refer to the samples of the
+/// Returns the channels of a picture in alphabetical order. They refer to the samples of the
 /// picture, which must outlive them. Throws std::invalid_argument if the samples are codes of 8 or
 /// 16 bits.
 std::vector<ExrChannel> exr_channels(const Picture& picture);
@@ -57,6 +58,8 @@ class ExrPlanes {
 /// Computes the mip levels of channels one after the other, beginning with the full size.
 class ExrLevels {
   public:
+    /// Begins with the full size. Refers to the samples of the channels until the first call of
+    /// `advance` returns.
     explicit ExrLevels(std::span<const ExrChannel> channels)
         : channels_(channels.begin(), channels.end()) {}
 
@@ -68,7 +71,8 @@ class ExrLevels {
 
   private:
     std::vector<ExrChannel> channels_;
-    // The samples to which `channels_` refers; empty at the full size, whose samples are borrowed.
+    // The samples to which `channels_` refers; empty at the full size, whose samples the caller
+    // owns.
     std::vector<std::variant<Image<float>, Image<std::uint32_t>>> levels_;
 };
 

@@ -2,7 +2,7 @@
 
 #pragma once
 
-// OpenEXR streams in memory, shared by exr_encode.cpp and exr_decode.cpp.
+// OpenEXR streams in memory, shared by exr_encode.cpp, exr_decode.cpp and exr_header.cpp.
 
 #include "texgen/image/file_io.h"
 
@@ -40,8 +40,8 @@ class ExrInput : public Imf::IStream {
   public:
     explicit ExrInput(std::span<const std::byte> bytes) : Imf::IStream("EXR"), bytes_(bytes) {}
 
-    /// Copies the next `count` bytes to `data`. Returns false if they are the last bytes of the
-    /// stream. Throws Iex::InputExc if fewer than `count` bytes are left.
+    /// Copies the next `count` bytes to `data`. Returns false if the stream ends after them. Throws
+    /// Iex::InputExc if fewer than `count` bytes are left.
     bool read(char data[], int count) override {
         const auto size = static_cast<std::size_t>(count);
         if (count < 0 || at_ > bytes_.size() || size > bytes_.size() - at_) {

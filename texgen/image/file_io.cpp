@@ -90,8 +90,7 @@ void check_size(const std::filesystem::path& path, std::uint64_t size, const Inp
     }
 }
 
-// Returns a path in the folder of the target that no other thread or process of the same machine
-// uses.
+// Returns a path in the folder of the target that no other thread or process of this machine uses.
 std::filesystem::path unique_sibling(const std::filesystem::path& target) {
     static std::atomic<unsigned> count{0};
     std::filesystem::path sibling = target;
@@ -99,7 +98,8 @@ std::filesystem::path unique_sibling(const std::filesystem::path& target) {
     return sibling;
 }
 
-// Returns the link by which a file without a name can be named.
+// Returns the path of a symbolic link to an open file. linkat follows this link to name a file that
+// has no name yet.
 std::string link_to(int file) {
     return fmt::format("/proc/self/fd/{}", file);
 }
@@ -175,8 +175,8 @@ void StagedFile::write(std::span<const std::byte> content) {
     }
 }
 
-// A link cannot replace a file. If there is one, the new file gets a temporary name first, by which
-// it then replaces the other file.
+// linkat does not replace an existing file. If a file with the name of the target exists, the new
+// file first gets a temporary name, and is then renamed, which replaces the existing file.
 void StagedFile::publish() {
     if (temporary_.empty() && !link_as(target_)) {
         const std::filesystem::path temporary = unique_sibling(target_);
@@ -207,7 +207,7 @@ bool StagedFile::link_as(const std::filesystem::path& path) const {
     return false;
 }
 
-// Removes the file if it has no name yet.
+// Closes the file. Removes it if it has not been published.
 void StagedFile::close() {
     if (file_ >= 0) {
         ::close(std::exchange(file_, -1));

@@ -29,8 +29,7 @@ class OutputError : public std::runtime_error {
 using Bytes = std::vector<std::byte>;
 
 /// Returns the whole content of a file. Throws InputError if the file cannot be read, if it is not
-/// a regular file, such as a folder, a pipe or a device, or if it is larger than files of its kind
-/// may be.
+/// a regular file but, for example, a folder or a pipe, or if it is larger than `kind` allows.
 Bytes read_file(const std::filesystem::path& path, const InputKind& kind = kImageInput);
 
 /// Returns true if the name can be a part of a file name: it is not empty, at most 200 bytes long,
@@ -38,19 +37,19 @@ Bytes read_file(const std::filesystem::path& path, const InputKind& kind = kImag
 /// source must be plain before they become parts of paths.
 bool is_plain_name(std::string_view name);
 
-/// When the content of a file reaches the disk.
+/// Selects when the content of a file reaches the disk.
 enum class Durability {
-    /// When the system chooses. After a power failure, the file may be empty or damaged.
+    /// The system selects the time. After a power failure, the file may be empty or damaged.
     Later,
-    /// Before the file gets its name. After a power failure, the file is complete, or it is the
-    /// file that had the name before.
+    /// The content reaches the disk before the file gets its name. After a power failure, the name
+    /// refers to the complete file or to the file that had the name before.
     BeforeNaming,
 };
 
-/// A file that is written but does not have its name yet, so that no reader sees a partial file. If
-/// the file system supports it, the file has no name at all until then, and the system removes it
+/// A file whose content is written before it gets its name, so that no reader sees a partial file.
+/// If the file system supports it, the file has no name before `publish`, and the system removes it
 /// if the program is killed. Otherwise it has a temporary name in the same folder, which ends in
-/// ".part"; the destructor removes it.
+/// ".part". The destructor removes the file if it has not been published.
 class StagedFile {
   public:
     /// Writes the content. Precondition: the folder of `target` exists. Throws OutputError if
@@ -64,7 +63,8 @@ class StagedFile {
     StagedFile& operator=(const StagedFile&) = delete;
     ~StagedFile();
 
-    /// Gives the file its name. Replaces an existing file. Throws OutputError if this fails.
+    /// Gives the file its name. Replaces an existing file. Throws OutputError if this fails. May be
+    /// called only once.
     void publish();
 
   private:
@@ -79,8 +79,8 @@ class StagedFile {
     int file_ = -1;                    // file descriptor, or -1
 };
 
-/// Writes a file atomically: stages and publishes it. Precondition: the folder exists. Throws
-/// OutputError if writing fails; then there is no new file.
+/// Writes a file atomically: stages and publishes it (StagedFile). Precondition: the folder exists.
+/// Throws OutputError if writing fails; an existing file of this name then stays unchanged.
 void write_file(const std::filesystem::path& path,
                 std::span<const std::byte> content,
                 Durability durability = Durability::Later);
@@ -89,9 +89,9 @@ void write_file(const std::filesystem::path& path,
 /// example because the path is too long.
 bool is_existing(const std::filesystem::path& path);
 
-/// Returns a folder itself as an absolute path or, if it does not exist, the nearest existing
+/// Returns the absolute path of a folder if it exists, otherwise the path of the nearest existing
 /// folder or file above it. An empty path means the working directory. Throws OutputError if the
-/// system cannot tell.
+/// system cannot tell whether a path exists.
 std::filesystem::path nearest_existing(const std::filesystem::path& folder);
 
 /// Throws OutputError if files cannot be written into a folder, or if the folder does not exist and

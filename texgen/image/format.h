@@ -40,25 +40,28 @@ struct ImageFormat {
     int code_bits = 0;        // the largest number of bits of a code; 0 for numbers
     bool has_layers = false;  // true if one file can store several maps
 
-    /// Returns the content of a file that stores the picture.
+    /// Returns the content of a file that stores the picture. Throws std::invalid_argument if the
+    /// format cannot store the picture, and OutputError if encoding fails.
     Bytes (*encode)(const Picture& picture, const EncodingOptions& options) = nullptr;
     /// Returns the picture that a file with this content stores. Throws InputError if the content
-    /// is malformed.
+    /// is malformed, and OutOfMemory if the machine has too little memory for the picture.
     Picture (*decode)(std::span<const std::byte> content) = nullptr;
 };
 
 /// Returns all formats.
 std::span<const ImageFormat> image_formats();
 
-/// Returns the format whose suffix is the end of the file name, or nullptr if there is none.
+/// Returns the format with the suffix in which the file name ends, or nullptr if no format has it.
 const ImageFormat* find_format(std::string_view file_name);
 
-/// Return the suffixes and the names of all formats, for messages: ".png or .exr", "PNG or EXR".
+/// Return the suffixes of all formats, such as ".png or .exr", and their names, such as "PNG or
+/// EXR", for messages.
 std::string format_suffixes();
 std::string format_names();
 
 /// Reads a file of any format. Throws InputError, whose message names the file, if the file is
-/// unreadable or malformed, or if no format has its suffix.
+/// unreadable or malformed, or if no format has its suffix. Throws OutOfMemory if the machine has
+/// too little memory for the picture.
 Picture read_picture(const std::filesystem::path& path);
 
 }  // namespace foam::texgen

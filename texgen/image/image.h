@@ -35,6 +35,7 @@ class ImageView {
     int width() const { return width_; }
     int height() const { return height_; }
     int channels() const { return channels_; }
+    /// Returns a pointer to the first sample of row 0.
     Sample* data() const { return samples_; }
 
     /// Returns the number of samples in a row.

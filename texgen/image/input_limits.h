@@ -8,8 +8,8 @@
 
 namespace foam::texgen {
 
-// The limits of what the program reads. They bound the memory and the time that a file from an
-// untrusted source can cost. SECURITY.md lists them.
+// The limits of files that the program reads. They bound the memory and the time that a file from
+// an untrusted source can cost. SECURITY.md lists them.
 
 /// A kind of input files.
 struct InputKind {
@@ -39,8 +39,8 @@ inline constexpr std::int64_t kMaxImagePixels = std::int64_t{1} << 30U;
 /// The largest width and the largest height of an image, in pixels. libpng has the same limit.
 inline constexpr std::int64_t kMaxImageExtent = 1'000'000;
 
-/// Identities of bubbles in a cache are below this number, because maps need memory in proportion
-/// to the largest identity.
+/// Identities of bubbles in a cache must be below this number, because maps need memory in
+/// proportion to the largest identity.
 inline constexpr std::uint32_t kMaxIdentity = 1U << 24U;
 
 }  // namespace foam::texgen

@@ -34,8 +34,8 @@ std::string limits_in_words(const DifferenceLimits& limits, bool has_normals) {
     return words;
 }
 
-/// Returns why the differences exceed the limits: one text per limit. `above` is the number of
-/// pixels above the limits.
+/// Returns one text for each limit that the differences exceed; none if they exceed no limit.
+/// `above` is the number of pixels above the limits.
 std::vector<std::string> reasons_of(const PixelDifferences& all,
                                     const DifferenceLimits& limits,
                                     std::size_t above,
@@ -43,11 +43,12 @@ std::vector<std::string> reasons_of(const PixelDifferences& all,
     std::vector<std::string> reasons;
     const std::size_t allowed = limits.allowed_of(found.pixels);
     if (above > allowed) {
-        reasons.push_back(fmt::format("{} of {} pixels above {}{}",
-                                      above,
-                                      found.pixels,
-                                      limits_in_words(limits, !all.angles.empty()),
-                                      allowed > 0 ? fmt::format(", allowed are {}", allowed) : ""));
+        reasons.push_back(
+            fmt::format("{} of {} pixels above {}{}",
+                        above,
+                        found.pixels,
+                        limits_in_words(limits, !all.angles.empty()),
+                        allowed > 0 ? fmt::format(" instead of at most {}", allowed) : ""));
     }
     if (limits.hard && found.largest > *limits.hard) {
         reasons.push_back(

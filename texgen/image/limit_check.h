@@ -9,19 +9,19 @@
 
 namespace foam::texgen {
 
-/// The differences of all pixels of two pictures.
+/// The differences of all pixels of two pictures, in the order of the samples of an Image.
 struct PixelDifferences {
-    std::span<const double> differences;  // the largest difference of the samples of each pixel
-    std::span<const double> angles;       // degrees, in the same order; empty without normals
+    std::span<const double> differences;  // per pixel: the largest difference of its samples
+    std::span<const double> angles;       // per pixel: degrees; empty without normals
 };
 
 /// Returns the smallest difference that at least `percent` percent of the pixels do not exceed (the
 /// nearest-rank percentile). Preconditions: there is a pixel; `percent` is above 0 and at most 100.
 double percentile_of(std::span<const double> differences, double percent);
 
-/// Compares the differences with the limits. Stores the members of `found` that concern pixels and
-/// limits: pixels, warning_pixels, failure_pixels, percentile, reasons, verdict. Its other members
-/// must be known. Precondition: there is a pixel.
+/// Compares the differences with the limits. Sets these members of `found`: pixels, warning_pixels,
+/// failure_pixels, percentile, reasons and verdict. Preconditions: there is a pixel; the members
+/// `largest` and `rms` of `found` are set.
 void judge(const PixelDifferences& differences, const CompareLimits& limits, Comparison& found);
 
 }  // namespace foam::texgen

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
-// Returns what is left of a limit.
+// Returns the unused part of a limit.
 std::uint64_t left_of(std::uint64_t limit, std::uint64_t used) {
     return limit - std::min(limit, used);
 }
@@ -37,7 +37,7 @@ std::uint64_t machine_memory() {
     return kUnlimited;
 }
 
-// Returns the address space that is left of the limit of the process.
+// Returns the unused part of the limit of the address space of the process.
 std::uint64_t address_space_left() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
@@ -48,15 +48,15 @@ std::uint64_t address_space_left() {
     return left_of(limit.rlim_cur, pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
 }
 
-// Returns the number in a file; nullopt if there is no file, or no number because nothing is
-// limited.
+// Returns the number in a file. Returns nullopt if there is no file, or if the file contains the
+// word "max" instead of a number, which means that there is no limit.
 std::optional<std::uint64_t> number_in(const std::filesystem::path& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
     return file >> number ? std::optional(number) : std::nullopt;
 }
 
-// Returns the memory that is left of the limit of a control group and of the groups above it.
+// Returns the smallest unused part of the limits of a control group and of the groups above it.
 std::uint64_t left_in_group(std::filesystem::path group) {
     const std::filesystem::path root = "/sys/fs/cgroup";
     std::uint64_t left = kUnlimited;

@@ -11,8 +11,8 @@
 // of the larger level. The quotient is 2 if `from` is even, 1 if `from` is 1, and more than 2 and
 // at most 3 if `from` is any other odd number. The mean weights every covered pixel by the covered
 // fraction of its area. The filter is separable, so means are computed first along rows and then
-// across rows. Integers are ids, which cannot be averaged. For them the pixel in the middle of the
-// covered area is chosen.
+// across rows. Integers are ids, which cannot be averaged. A pixel of ids therefore gets the id at
+// the center of the covered area.
 
 namespace foam::texgen {
 
@@ -28,7 +28,7 @@ struct Footprint {
     int to;     // number of pixels of the smaller level
     int pixel;  // index of the pixel in the smaller level
 
-    /// The interval overlaps the pixels first(), ..., last() - 1 of the larger level.
+    /// The pixels of the larger level that the interval overlaps are first(), ..., last() - 1.
     int first() const { return pixel * from / to; }
     int last() const { return ((pixel + 1) * from + to - 1) / to; }
 

@@ -11,12 +11,13 @@ namespace foam::texgen {
 /// Returns one channel of a picture at half the width and half the height, each rounded down but at
 /// least 1. Each pixel of the result is the mean of the picture over the area that the pixel
 /// covers. If the pixels of the picture are exact means over areas of the foam, the pixels of the
-/// result are exact means, too. If the picture tiles, the result tiles, too, because no pixel
-/// covers area on both sides of the border. `channel` is the index of the channel.
+/// result are exact means, too. If the picture tiles, the result tiles, too. `channel` is the index
+/// of the channel.
 Image<float> mean_level(ImageView<const float> pixels, int channel);
 
 /// Returns one channel of a picture at the same width and height as mean_level. Each pixel of the
-/// result is the sample in the middle of the area that the pixel covers.
+/// result has the value of the picture at the center of the area that the pixel covers. If the
+/// center is a corner of pixels of the picture, the pixel above it and to the right is used.
 Image<std::uint32_t> central_level(ImageView<const std::uint32_t> pixels, int channel);
 
 }  // namespace foam::texgen

@@ -17,9 +17,9 @@
 namespace foam::texgen {
 
 /// The type of a sample in a file. Uint8 and Uint16 are codes: unsigned integers whose largest
-/// value stands for the number 1. Half (up to 65504, with 11 bits of precision) and Float are
-/// floating-point numbers of 16 and 32 bits. Uint32 is an integer that stands for itself, such as
-/// the id of a bubble.
+/// value represents the number 1. Half (up to 65504, with 11 bits of precision) and Float are
+/// floating-point numbers of 16 and 32 bits. Uint32 is an integer that is not scaled, such as the
+/// id of a bubble.
 enum class SampleType : std::uint8_t { Uint8, Uint16, Half, Float, Uint32 };
 
 /// Returns the names of all sample types in the order of the enumeration: "uint8", "uint16",
@@ -79,8 +79,9 @@ std::string_view code_channel_names(int channels);
 ChannelGroup code_channels(Image<std::uint8_t> codes);
 ChannelGroup code_channels(Image<std::uint16_t> codes);
 
-/// Returns pointers to the groups of one layer. A group whose names have no layer belongs to every
-/// layer. Precondition: all channels of a group are in the same layer.
+/// Returns pointers to the groups of one layer: the groups whose channel names begin with the name
+/// of the layer and a dot. A group whose channel names have no dot belongs to every layer.
+/// Precondition: all channels of a group are in the same layer.
 std::vector<const ChannelGroup*> groups_of(const Picture& picture, std::string_view layer);
 
 /// One channel of a picture. Refers to the picture, which must outlive it.
@@ -90,7 +91,7 @@ struct PictureChannel {
     int index = 0;  // index of the channel in the group
 };
 
-/// Returns all channels of a picture in the order of their names.
+/// Returns all channels of a picture in alphabetical order of their names.
 std::vector<PictureChannel> channels_of(const Picture& picture);
 
 /// Writes the samples of one row of a channel to `to` as numbers. Codes are scaled so that the

@@ -15,8 +15,9 @@ struct PictureLayer {
     Picture picture;
 };
 
-/// Splits a picture into its layers, in the order of their names. A picture without layers is a
-/// single layer with an empty name. Precondition: all channels of a group are in the same layer.
+/// Splits a picture into its layers, in alphabetical order of their names. Every layer gets the
+/// metadata of the picture. If no channel has a layer, the result is one layer with an empty name.
+/// Precondition: all channels of a group are in the same layer.
 std::vector<PictureLayer> split_into_layers(Picture picture);
 
 }  // namespace foam::texgen

@@ -19,7 +19,7 @@ enum class PngFilter : std::uint8_t { None, Sub, Up, Average, Paeth };
 
 /// Options of filtering and compression. The pixels do not depend on them.
 struct PngEncoding {
-    // None gives the smallest files for cells of one color, Up and Sub for smooth maps.
+    // None gives the smallest files if each cell has a single color, Up and Sub for smooth maps.
     PngFilter filter = PngFilter::None;
     Compression compression = Compression::Fast;
     /// The number of threads that compress a picture with Compression::Fast; 0 or less means as
@@ -48,8 +48,9 @@ Bytes encode_png(const Picture& picture, const PngEncoding& encoding = {});
 
 /// Decodes a PNG to one group of codes. The codes have 16 bits if the file has 16 bits per sample,
 /// and 8 bits otherwise. Palettes and samples of fewer than 8 bits are expanded, and a transparent
-/// color becomes an alpha channel. Throws InputError for a malformed stream, and OutOfMemory if the
-/// machine has too little memory for the image.
+/// color becomes an alpha channel. The member `color` of the metadata is true if the file has the
+/// chunk sRGB. Throws InputError for a malformed stream and for an image above the limits in
+/// input_limits.h. Throws OutOfMemory if the machine has too little memory for the image.
 Picture decode_png(std::span<const std::byte> content);
 
 /// Encodes samples and writes them to a file. Throws the exceptions of encode_png and write_file.

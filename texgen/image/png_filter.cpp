@@ -20,8 +20,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Pointers to the first pixel of a row and to the first pixel of the row above it, and the size of
-/// a pixel in bytes.
+/// The bytes from which a row and its predictions are computed: pointers to the first pixel of the
+/// row and to the first pixel of the row above it, and the size of a pixel in bytes.
 struct Neighbors {
     const std::uint8_t* current;
     const std::uint8_t* above;

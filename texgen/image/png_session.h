@@ -2,8 +2,8 @@
 
 #pragma once
 
-// This file is shared by png_encode.cpp and png_decode.cpp. No other file of the program uses
-// libpng.
+// This file is shared by png_encode.cpp and png_decode.cpp. Only these three files of the program
+// use libpng.
 
 #include <png.h>
 
@@ -15,6 +15,7 @@
 
 namespace foam::texgen {
 
+/// Selects whether a session encodes or decodes.
 enum class PngDirection { Write, Read };
 
 /// Owns the libpng structures of one stream.

@@ -23,8 +23,8 @@ bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
 }
 
-// Returns the number of bytes of a character that begins with the given byte; 1 for a byte with
-// which no character begins.
+// Returns the number of bytes of a character that begins with the given byte; also 1 for a byte
+// with which no character begins.
 std::size_t length_after(unsigned char first) {
     if (first >= 0xf0 && first < 0xf5) {
         return 4;

@@ -8,7 +8,8 @@
 
 namespace foam::texgen {
 
-/// The largest number of characters of a message, and of a value that a message quotes.
+/// The largest number of characters of a message, and the largest number of characters of a value
+/// that a message quotes.
 inline constexpr std::size_t kLongestMessage = 2000;
 inline constexpr std::size_t kLongestQuote = 60;
 
