@@ -68,7 +68,7 @@ class FrameWriter {
     /// Returns the numbers of all files that were written. Must not be called during `write`.
     const std::vector<WrittenNumbers>& numbers() const { return numbers_; }
 
-    /// Counts the frames; begins with the first frame that is drawn.
+    /// Returns the meter of the phase Frames, which counts the written frames.
     ProgressMeter& meter() { return meter_; }
 
     void write(const SimulatedFrame& shown) {

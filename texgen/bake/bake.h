@@ -15,18 +15,19 @@
 
 namespace foam::texgen {
 
-/// The frames to bake and how to compute them. No option except `sequence` changes a pixel.
+/// The frames to bake and how to compute them. If the source simulates the preset or reads a cache
+/// of it, `sequence` is the only option on which the pixels of a frame depend.
 struct BakeOptions {
     std::vector<int> frames;  // numbers from 1, in any order, each once
     int threads = 0;          // 0: one per hardware thread
     FrameSource source = {};  // source of the frames; if empty, the preset is simulated
     // The frames to which bake_recorded (manifest/recorded_bake.h) fits automatic ranges of maps;
-    // if empty, the frames from 1 to frames.count.
+    // if empty, the frames from 1 to frames.count. `bake` does not use it.
     std::vector<int> sequence = {};
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 
-/// Describes the numbers in all files of a map that were written.
+/// Describes the numbers of a map in all of its files that a bake has written.
 struct WrittenNumbers {
     const Map* map = nullptr;
     std::array<double, 2> range{};  // the numbers that the smallest and the largest code represent
@@ -38,7 +39,8 @@ struct BakeSummary {
     RunOutcome outcome;  // if the run failed, the frames before the failure were still written
     // The files that were written or kept, in the order of BakeOptions::frames.
     std::vector<std::filesystem::path> files;
-    // The numbers that were written, for each map with a Map::full_key, in any order.
+    // One element per map that has a Map::full_key and of which a file was written, in any order;
+    // empty if the files store numbers instead of codes.
     std::vector<WrittenNumbers> numbers;
     int kept = 0;  // number of frames whose existing files were kept; set by bake_recorded
 };
@@ -50,11 +52,16 @@ struct BakedFrame {
     double seconds = 0.0;  // wall time of drawing, encoding and writing
 };
 
-/// Callbacks of a running bake; each may be empty. `on_frame` is called for each frame before it is
-/// drawn or kept, in the order of simulate_frames. `on_baked` is called after a frame has been
-/// written, in any order of frames, by one thread at a time. `on_progress` receives all phases up
-/// to Frames, which counts written frames. `on_baked` and `on_progress` may be called from another
-/// thread while `on_frame` runs.
+/// Callbacks of a running bake; each may be empty.
+///
+/// - `on_frame` is called for each frame before it is drawn or kept, in the order in which the
+///   source passes the frames (FrameAssembly).
+/// - `on_baked` is called after the files of a frame have been written, in any order of frames, by
+///   one thread at a time.
+/// - `on_progress` receives the phases of the source, then the phase Frames, which counts written
+///   frames. From bake_recorded it also receives the phase Ranges.
+///
+/// `on_baked` and `on_progress` may be called from another thread while `on_frame` runs.
 struct BakeCallbacks {
     ProgressCallback on_progress = {};
     FrameVisitor on_frame = {};
@@ -63,12 +70,12 @@ struct BakeCallbacks {
 
 /// Checks the arguments of a bake. Throws std::invalid_argument if there are no frames, if a frame
 /// number is below 1, if the file pattern is malformed, or if it would give two images the same
-/// file. Throws OutputError if images cannot be written into their folders.
+/// file. Throws OutputError if the images of the first frame cannot be written into their folders.
 void check_bake(const Preset& preset, const BakeOptions& options);
 
 /// Takes the frames from their source, draws them, and writes all maps of each frame. Creates
-/// missing folders. Throws the exceptions of the source. Throws OutputError if a file cannot be
-/// written. Precondition: check_bake does not throw.
+/// missing folders. Throws the exceptions of the source and of the callbacks. Throws OutputError if
+/// a file cannot be written. Precondition: check_bake does not throw.
 BakeSummary bake(const Preset& preset,
                  const BakeOptions& options,
                  const BakeCallbacks& callbacks = {});

@@ -22,15 +22,15 @@ class BoundedWorkers {
     /// threads, `submit` runs each job on the caller's thread.
     explicit BoundedWorkers(int threads);
 
-    /// Waits for the running jobs. Drops the waiting jobs.
+    /// Waits until the running jobs are done. Drops the waiting jobs.
     ~BoundedWorkers();
 
     BoundedWorkers(const BoundedWorkers&) = delete;
     BoundedWorkers& operator=(const BoundedWorkers&) = delete;
 
     /// Adds a job to the queue. If the queue is full, first runs waiting jobs on the caller's
-    /// thread. If an earlier job has thrown, its exception has emptied the queue; `submit` then
-    /// rethrows the first exception and does not add the job.
+    /// thread. If a job has thrown before, the queue was emptied; `submit` then rethrows the first
+    /// exception and does not add the new job.
     void submit(std::function<void()> job);
 
     /// Waits until all jobs are done, and runs waiting jobs on the caller's thread meanwhile. If a

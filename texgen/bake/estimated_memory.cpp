@@ -13,23 +13,23 @@
 #include <string_view>
 
 // A bake holds the foam and the solver's matrices, and one frame per thread that draws. The memory
-// of a frame is in proportion to its pixels. Maps that have a file of their own are drawn one after
-// the other, so the map that needs most decides; the images of maps that share a file are held
-// together.
+// of a frame is in proportion to its pixels. If each map has a file of its own, the maps are drawn
+// one after the other, so the map that needs the most memory determines the peak. If all maps share
+// a file, the images of all maps are in memory at the same time.
 
 namespace foam::texgen {
 
 namespace {
 
-// The peak memory of drawing, encoding and writing one frame of a map.
+// The peak memory of drawing, encoding and writing one frame of a map, in bytes per pixel.
 struct MeasuredMemory {
     std::string_view map;
-    double png;  // bytes per pixel
-    double exr;
+    double png;  // if the file is a PNG
+    double exr;  // if the file is an EXR
 };
 
-// Measured as the growth of the peak memory of bakes of one frame of sea_foam on one thread, from
-// 512 x 512 to 1024 x 1024 pixels:
+// Measured with bakes of one frame of the preset sea_foam on one thread: the growth of the peak
+// memory from 512 x 512 to 1024 x 1024 pixels, divided by the number of added pixels:
 //   foamtex bake sea_foam --set loop.kind=none --set frames.count=1 --set frames.warm_up=0
 //     --set foam.bubbles=100 --threads 1 --size 512 --maps ... --out '{map}.png' (or '{map}.exr')
 constexpr std::array<MeasuredMemory, 26> kMeasured{
@@ -40,15 +40,16 @@ constexpr std::array<MeasuredMemory, 26> kMeasured{
      {"id", 13, 15},        {"id_color", 8, 19},   {"age", 5, 8},         {"growth", 5, 8},
      {"motion", 13, 31},    {"event", 15, 24},     {"maze", 13, 22},      {"maze_solution", 18, 23},
      {"contour", 10, 18},   {"caustics", 188, 188}}};
-// For maps that have been added since the measurement.
+// Used for maps that are not in the table above, because they were added after the measurement.
 constexpr MeasuredMemory kOther{"", 40, 50};
 
 constexpr double kProgram = 10e6;      // bytes of the process without a foam
 constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
-// Bytes per sample of a layer of a file of several maps: a float, and half of it in the type of the
-// file.
+// Bytes per sample of a file that stores all maps: 4 for a float, and 2 for the same sample in the
+// type of the file, which is usually half.
 constexpr double kLayerSample = 6.0;
-// The memory of a frame that fades into another one, divided by that of other frames.
+// The factor by which a cross-fade, which draws two states of the foam, increases the memory of a
+// frame.
 constexpr double kCrossFade = 1.8;
 
 double bytes_per_pixel(const std::string& map, bool is_png) {
@@ -57,7 +58,7 @@ double bytes_per_pixel(const std::string& map, bool is_png) {
     return is_png ? memory.png : memory.exr;
 }
 
-// Returns the number of channels of a map, with the opacity of a patch.
+// Returns the number of channels of a map, without the opacity channel of a patch.
 double channels_of(const std::string& map) {
     const std::string_view channels = find_map(map).channels;
     return static_cast<double>(std::ranges::count(channels, ' ') + 1);

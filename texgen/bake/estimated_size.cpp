@@ -18,7 +18,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The size of the files of a map, in bytes per pixel.
+// The size of a file of one map, in bytes per pixel, as a PNG and as an EXR.
 struct MeasuredSize {
     std::string_view map;
     double png;
@@ -43,11 +43,12 @@ constexpr std::array<MeasuredSize, 12> kVaried{{{"albedo", 1.0, 2.3},
                                                 {"motion", 2.6, 7.7},
                                                 {"caustics", 1.1, 2.9}}};
 
-// All other maps have one value per bubble or per film. In the same measurement, the files of these
-// maps had on average 0.1 (PNG) and 0.3 (EXR) bytes per pixel, the largest, maze, 0.26 and 0.68.
+// All other maps consist of large areas of one value. In the same measurement, the files of these
+// maps had on average 0.1 (PNG) and 0.3 (EXR) bytes per pixel. The files of `maze` were the
+// largest: 0.26 and 0.68 bytes per pixel.
 constexpr MeasuredSize kFlat{"", 0.15, 0.35};
 
-// A mip map has a third more pixels than its image.
+// The number of pixels of all mip levels of an image, divided by the number of its own pixels.
 constexpr double kMipLevels = 4.0 / 3.0;
 
 // Returns the size without compression, in bytes per pixel. Each channel of an EXR counts as a

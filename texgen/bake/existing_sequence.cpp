@@ -21,8 +21,8 @@ std::filesystem::path file_of_frame(const FilePattern& pattern, int frame) {
     return pattern.path({}, {}, frame);
 }
 
-/// Returns the number of the frame whose file has the given path: of all numbers in the text of the
-/// path, the one for which the pattern gives this path. Returns nullopt if there is none.
+/// Returns the number of the frame whose file has the given path, or nullopt if the pattern gives
+/// this path to no frame. Tries all numbers that occur in the text of the path.
 std::optional<int> frame_of(const FilePattern& pattern, const std::filesystem::path& path) {
     const std::string text = path.string();
     for (auto begin = text.begin(); begin != text.end(); ++begin) {

@@ -12,8 +12,9 @@ namespace foam::texgen {
 bool names_presets_or_maps(const FilePattern& pattern);
 
 /// Returns the existing files of a pattern by frame number. Returns no files if the folder of the
-/// pattern does not exist. Precondition: the pattern contains a frame number, but neither {preset}
-/// nor {map}.
+/// pattern does not exist or cannot be read. Throws std::filesystem::filesystem_error if a
+/// subfolder cannot be read. Precondition: the pattern contains a frame number, but neither
+/// {preset} nor {map}.
 std::map<int, std::filesystem::path> existing_sequence(const FilePattern& pattern);
 
 }  // namespace foam::texgen

@@ -41,14 +41,15 @@ class FilePattern {
     /// frames and maps.
     void check_distinct(std::size_t frames, std::size_t maps) const;
 
-    /// Returns the path of the image of a map and a frame.
+    /// Returns the path of the file that stores a map of a frame. `preset` and `map` are names.
     std::filesystem::path path(std::string_view preset, std::string_view map, int frame) const;
 
-    /// Returns the deepest folder that contains the files of all maps and frames.
+    /// Returns the deepest folder that contains the files of all maps and frames; empty for the
+    /// working directory.
     std::filesystem::path folder(std::string_view preset) const;
 
-    /// Returns the path of the files of a map with the placeholder of the frame number left in it,
-    /// such as "out/foam_albedo.####.png".
+    /// Returns the path of a map in which the placeholder of the frame number is not replaced, such
+    /// as "out/foam_albedo.####.png".
     std::string path_pattern(std::string_view preset, std::string_view map) const;
 
   private:

@@ -23,13 +23,13 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kMeasuredSide = 512;  // longer side of the images that are measured, pixels
-constexpr double kMargin = 1.01;    // for peaks between the pixels of the smaller images
+constexpr int kMeasuredSide = 512;  // wanted length of the longer side of reduced images, pixels
+constexpr double kMargin = 1.01;    // for peaks between the pixels of the reduced images
 
-// A map with an automatic range, and the numbers that were found in it.
+// A map with an automatic range, and its largest absolute value so far.
 struct MeasuredMap {
     const Map* map = nullptr;
-    double largest = 0.0;  // largest magnitude of its numbers, as a multiple of its present range
+    double largest = 0.0;  // largest absolute value, divided by the end of the present range
 };
 
 std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
@@ -44,7 +44,7 @@ std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
     return measured;
 }
 
-// Draws the maps of frames at a reduced size.
+// Draws the maps with automatic ranges at a reduced size and measures their numbers.
 class RangeMeter {
   public:
     RangeMeter(const Preset& preset, int threads)
@@ -101,7 +101,7 @@ class RangeMeter {
         }
     }
 
-    // Returns the factor from numbers of the smaller image to numbers of the full image.
+    // Returns the factor that converts numbers of the reduced image to numbers of the full image.
     double scale_of(const Map& map) const {
         const bool in_pixels =
             map.name == kDistanceMap.name && options_.distance.unit == DistanceUnit::Pixels;

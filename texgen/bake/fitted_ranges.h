@@ -13,23 +13,27 @@ namespace foam::texgen {
 /// codes, which need a range.
 bool has_automatic_ranges(const Preset& preset);
 
-/// Fits the automatic ranges of all maps of a preset to the numbers that occur in the given frames,
+/// Fits the automatic ranges of the maps of a preset to the numbers in the given frames. These are
 /// usually all frames of the animation, so that the ranges do not depend on the frames that are
-/// baked. The maps are drawn at a reduced size of exactly the same aspect ratio: the longer side
-/// has at most 512 pixels if the width and the height have a large enough common divisor. The
-/// largest number, plus 1 %, is rounded up to a preferred number of the series R10 of ISO 3 (1,
-/// 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10). A range thus exceeds the largest number by at most
-/// 30 %. A map whose numbers are all 0 keeps its range.
+/// baked.
 ///
-/// `source` gives the frames. `on_progress` receives the phases of the source, and then the phase
-/// Ranges. If the source fails, its outcome is returned, and the preset is unchanged.
+/// The maps are drawn at a reduced size of exactly the same aspect ratio. The longer side then has
+/// at most 512 pixels, if the width and the height have a large enough common divisor. The largest
+/// absolute value, plus 1 %, is rounded up to a preferred number of the series R10 of ISO 3 (1,
+/// 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10), times a power of 10. A range thus exceeds the
+/// largest absolute value by at most 30 %. A map whose numbers are all 0 keeps its range.
+///
+/// `source` gives the frames. `threads`, as for thread_count, is the number of threads that draw.
+/// `on_progress` receives the phases of the source, and then the phase Ranges. If the source fails,
+/// its outcome is returned, and the preset is unchanged. Throws the exceptions of the source.
 RunOutcome fit_automatic_ranges(Preset& preset,
                                 const FrameSource& source,
                                 const std::vector<int>& frames,
                                 int threads,
                                 const ProgressCallback& on_progress = {});
 
-/// Returns the smallest preferred number, times a power of 10, that is not below a positive number.
+/// Returns the smallest product of a preferred number (see above) and a power of 10 that is not
+/// below `number`. Precondition: `number` is positive.
 double rounded_up(double number);
 
 }  // namespace foam::texgen

@@ -15,14 +15,15 @@
 
 namespace foam::texgen {
 
-/// Returns true if images of the domain tile: if it is a torus without shear.
+/// Returns true if the domain is a torus without shear. Only the images of such a domain tile.
 bool tiles(const Domain& domain);
 
 /// Writes the image files of a bake. Thread-safe: all functions may be called from several threads
 /// at once.
 class FrameFiles {
   public:
-    /// Keeps a reference to the preset.
+    /// Keeps a reference to the preset. Throws std::invalid_argument if its file pattern is
+    /// malformed.
     explicit FrameFiles(const Preset& preset);
 
     /// Returns the paths of the files of a frame: one per map, or one for all maps if the file
@@ -34,7 +35,7 @@ class FrameFiles {
     /// written.
     std::vector<WrittenFile> write(ShownLayers& shown) const;
 
-    /// Returns which images of the distance field the maps need.
+    /// Returns which optional images of the distance field (DistanceField) the maps need.
     DistanceNeeds distance() const;
 
     /// Returns true if drawing the maps of a frame also needs the frame after it.

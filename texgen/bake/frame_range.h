@@ -23,15 +23,16 @@ constexpr int kLastFrame = 1'000'000;
 /// and for a text that selects no frame.
 std::vector<int> parse_frame_range(std::string_view text);
 
-/// Returns a short text that parse_frame_range parses to these frames. Three or more frames from A
-/// to B in arithmetic progression become `A-BxS`, with the step S. Two or more frames with the step
-/// 1 become `A-B`. Precondition: each frame is given once.
+/// Returns a short text that parse_frame_range parses to these frames. Two or more consecutive
+/// frames from A to B become `A-B`. Three or more frames from A to B with a larger constant step S
+/// become `A-BxS`. The frames may also decrease. Precondition: each frame is given once.
 std::string format_frame_range(std::span<const int> frames);
 
 /// Returns true if the frames, played repeatedly in increasing order, advance evenly through a loop
-/// of `count` frames: the difference from each frame to the following one, modulo `count`, is the
-/// same for all frames, also from the last frame to the first one. Examples for a loop of 48 frames
-/// are 1-48, 1-48x2 and a single frame. Preconditions: there is a frame; `count` is positive.
+/// of `count` frames. This is the case if the step from each frame to the next one is the same,
+/// modulo `count`; the next frame after the last one is the first one. Examples for a loop of 48
+/// frames are 1-48, 1-48x2 and a single frame. Preconditions: there is a frame; `count` is
+/// positive.
 bool closes_loop(std::span<const int> frames, int count);
 
 }  // namespace foam::texgen

@@ -24,16 +24,17 @@ struct MapSamples {
     std::string type;         // name of the SampleType, such as "uint8"
     std::string color_space;  // "sRGB", "linear sRGB" or "data"
     std::string alpha;        // "none", "straight" or "premultiplied"
-    // The numbers that the smallest and the largest code represent; only for kind "number". Formats
-    // that store numbers do not clamp them to this range. Previews show its lower end as black and
-    // its upper end as white.
+    // Only for kind "number": the number that the smallest code represents, and the number that the
+    // largest code represents. Formats that store numbers do not clamp them to this range. Previews
+    // show the first number of the range as black and the second number as white.
     std::optional<std::array<double, 2>> range;
 
     friend bool operator==(const MapSamples&, const MapSamples&) = default;
 };
 
-/// Returns a description of the samples of a map in a file of the given format. `numbers` is the
-/// sample type of numbers in a format that stores numbers instead of codes.
+/// Returns a description of the samples of a map in a file of the given format. `image` is any
+/// image of the map. `numbers` is the sample type of numbers in a format that stores numbers
+/// instead of codes.
 MapSamples describe_samples(const Map& map,
                             const MapImage& image,
                             const ImageFormat& format,
@@ -49,9 +50,11 @@ struct WrittenFile {
     std::vector<std::pair<const Map*, MapSamples>> maps;  // one entry, or one entry per layer
     std::uint64_t bytes = 0;                              // size of the file in bytes
     std::string pixels;                                   // pixel_hash of the picture
-    // The numbers of a file of codes; nullopt if its map has no Map::full_key.
+    // The extent of the numbers that the codes represent; nullopt if the file stores numbers, or if
+    // its map has no Map::full_key.
     std::optional<NumberExtent> numbers{};
-    // For the map height: the height of the largest code as a fraction of the width of the image.
+    // The height that the largest code represents, as a fraction of the width of the image; only
+    // for codes of the map height.
     std::optional<double> displacement{};
 };
 
