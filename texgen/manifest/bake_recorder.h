@@ -16,29 +16,33 @@ namespace foam::texgen {
 /// images of the preset, whichever maps and frames are baked.
 std::filesystem::path manifest_folder(const Preset& preset);
 
-/// Returns the paths, relative to the folder of the manifest, of the files that a bake will write.
+/// Returns the paths of the files that a bake will write, relative to `folder`, the folder of the
+/// manifest. Files of BakeOptions::existing_frames are left out.
 std::vector<std::string> written_paths(const Preset& preset,
                                        const BakeOptions& options,
                                        const std::filesystem::path& folder);
 
 /// Records a bake in the manifest of its folder while the bake runs. The functions throw
-/// OutputError if the manifest cannot be written, and InputError if an existing one cannot be read.
+/// OutputError if the manifest cannot be written, and InputError if an existing manifest cannot be
+/// read.
 class BakeRecorder {
   public:
-    /// Prepares the description of the bake. Does not write the manifest yet.
+    /// Prepares the set that describes the bake. Does not write the manifest yet.
     BakeRecorder(const Preset& preset, const BakeOptions& options);
 
     /// Removes from the manifest the files that the bake will write, and adds the set of the bake.
     /// Only the first call has an effect.
     void begin();
 
-    /// Adds a frame, and writes the manifest if enough time has passed since it was last written.
+    /// Adds a frame whose files have been written. Writes the manifest if enough time has passed
+    /// since it was last written. Precondition: `begin` has been called.
     void add(const BakedFrame& baked);
 
-    /// Writes the manifest at the end of the bake. `failure` is the reason why the bake ended
-    /// early, or empty.
+    /// Calls `begin`, and writes the manifest at the end of the bake. `failure` is the reason why
+    /// the bake ended early, or empty.
     void close(const std::string& failure);
 
+    /// Returns true if `begin` has been called.
     bool begun() const { return begun_; }
 
   private:

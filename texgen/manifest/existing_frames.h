@@ -12,10 +12,10 @@
 
 namespace foam::texgen {
 
-/// Returns the subset of `frames` whose files can be kept by a resumed bake. For every map of the
-/// preset, the file of such a frame exists, is in a set with the same BakedSet::parameters, still
-/// has the pixels that the manifest records, and contains no map that the preset does not have.
-/// `folder` is the folder of the manifest.
+/// Returns the subset of `frames` whose files a resumed bake can keep. For every map of the preset,
+/// the manifest must list a file of the frame in the set that has the BakedSet::parameters of the
+/// preset. The file must still have the pixels that the manifest records, and must contain no map
+/// that the preset does not have. `folder` is the folder of the manifest.
 std::set<int> existing_frames_of(const Preset& preset,
                                  const std::vector<int>& frames,
                                  const std::filesystem::path& folder,

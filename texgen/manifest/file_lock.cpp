@@ -16,10 +16,10 @@
 #include <thread>
 #include <utility>
 
-// The lock is an exclusive flock on a file. The owner of the lock removes the file before releasing
-// the lock. Another program may therefore get a lock on a removed file, while a third program
-// locks a new file at the same path. A lock is valid only if the file at the path is still the
-// locked file; otherwise the attempt is repeated.
+// The lock is an exclusive flock on a file. The owner of the lock removes the file before it
+// releases the lock. A second program, which has opened the file before, may therefore lock the
+// removed file, while a third program locks a new file at the same path. For this reason, a lock is
+// valid only if the file at the path is still the locked file; otherwise the attempt is repeated.
 
 namespace foam::texgen {
 
@@ -35,7 +35,7 @@ bool is_file_at(int file, const std::filesystem::path& path) {
            held.st_ino == found.st_ino && held.st_dev == found.st_dev;
 }
 
-constexpr std::chrono::milliseconds kPause{5};  // between two attempts
+constexpr std::chrono::milliseconds kPause{5};  // between two attempts to lock the file
 
 // Returns false if another owner holds the lock of the file. Returns true without a lock if flock
 // fails for another reason, for example because the file system does not support it.

@@ -16,8 +16,8 @@ class FileLock {
     static constexpr std::chrono::milliseconds kLongestWait = std::chrono::minutes(1);
 
     /// Creates the lock file `path` if it does not exist, and waits until this object holds the
-    /// lock. Throws OutputError if the file cannot be created, or if another program has held the
-    /// lock for the given time.
+    /// lock. Throws OutputError if the file cannot be created, or if this object does not get the
+    /// lock within the time `patience`.
     explicit FileLock(std::filesystem::path path,
                       std::chrono::milliseconds patience = kLongestWait);
     ~FileLock();

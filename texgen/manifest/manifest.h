@@ -26,7 +26,7 @@ struct ManifestMap {
     std::string unit;         // unit of the values, and what the codes of a PNG mean
     std::string note;         // additional information, such as the direction of y; may be empty
     std::vector<int> frames;  // requested frames, in increasing order
-    std::optional<MapSamples> samples;  // nullopt before the first file is written
+    std::optional<MapSamples> samples;  // nullopt until the first file of the map is written
 
     friend bool operator==(const ManifestMap&, const ManifestMap&) = default;
 };
@@ -37,11 +37,10 @@ struct ManifestFile {
     std::vector<std::string> maps;  // one map, or the maps that are layers of an EXR
     int frame = 0;
     std::uint64_t bytes = 0;  // size of the file
-    std::string pixels;       // pixel_hash of the file
-    // The numbers of a file of codes; nullopt for other files and in manifests of older versions.
+    std::string pixels;       // pixel_hash of the picture in the file
+    // WrittenFile::numbers; also nullopt in manifests that older versions of foamtex wrote.
     std::optional<NumberExtent> numbers{};
-    // The height of the largest code, as a fraction of the width of the image; only for codes of
-    // the map height.
+    // WrittenFile::displacement; also nullopt in manifests that older versions of foamtex wrote.
     std::optional<double> displacement{};
 
     friend bool operator==(const ManifestFile&, const ManifestFile&) = default;
@@ -58,10 +57,10 @@ struct FrameStatistics {
     double mean_area = 0.0;
     int t1 = 0;                // number of T1s
     int t2 = 0;                // number of T2s
-    double area_error = 0.0;   // largest |A / A_target - 1|
-    double angle_error = 0.0;  // largest deviation from 120 degrees, radians
-    double simulating = 0.0;   // seconds
-    double drawing = 0.0;      // seconds, including encoding and writing
+    double area_error = 0.0;   // largest |A / A_target - 1|; NaN if the manifest has null
+    double angle_error = 0.0;  // largest deviation from 120 degrees, radians; NaN for null
+    double simulating = 0.0;   // wall time, seconds
+    double drawing = 0.0;      // wall time of one thread, with encoding and writing, seconds
 
     friend bool operator==(const FrameStatistics&, const FrameStatistics&) = default;
 };
@@ -87,13 +86,13 @@ struct ManifestConventions {
     std::string normal_y = "up";         // direction of positive y in normals: "up" or "down"
     std::string motion_unit;             // unit of motion in an EXR: "image widths" or "pixels"
     std::string motion_y = "up";     // direction of positive y in motion vectors: "up" or "down"
-    double motion_multiplier = 0.0;  // motion of the largest PNG code, in image widths
+    double motion_multiplier = 0.0;  // motion that the largest PNG code represents, in image widths
 
     friend bool operator==(const ManifestConventions&, const ManifestConventions&) = default;
 };
 
-/// A set of images: maps and frames of one preset with the same values of its keys, baked with the
-/// same version of foamtex.
+/// A set of images: maps and frames of one preset, baked with the same version of foamtex and the
+/// same values of all keys except image.maps.
 struct BakedSet {
     std::string version;  // version of foamtex
     std::string preset;   // name of the preset
@@ -109,7 +108,7 @@ struct BakedSet {
     std::vector<ManifestMap> maps;
     std::vector<ManifestFile> files;                // sorted by frame, then in the order of `maps`
     std::vector<FrameStatistics> frame_statistics;  // sorted by frame
-    // Why the last bake ended early; empty if it did not end early, or if complete().
+    // The reason why the last bake ended early; empty if it did not end early, or if complete().
     std::string failure;
 
     /// Returns true if every map has a file of each of its requested frames.
@@ -127,8 +126,8 @@ struct BakedSet {
     friend bool operator==(const BakedSet&, const BakedSet&) = default;
 };
 
-/// The manifest of a folder: all sets of images in it. The set that was merged last is the last
-/// one.
+/// The manifest of a folder: all sets of images in it. The newest set, into which `merge` has
+/// merged a bake last, is at the end.
 struct Manifest {
     std::vector<BakedSet> sets;
 
@@ -139,17 +138,17 @@ struct Manifest {
 BakedSet* find_same_set(Manifest& manifest, const BakedSet& set);
 const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 
-/// Merges the set of a bake into a manifest. If the manifest has a set with the same parameters,
-/// the maps, files and frame statistics of `set` are added to that set. A file replaces the file
-/// with the same path, and the statistics of a frame replace its earlier statistics. Otherwise
-/// `set` is appended. In either case, the set becomes the last one of the manifest. Files with the
-/// same paths are removed from all other sets, and other sets that have no files are removed.
+/// Merges the set of a bake into a manifest. First, all files with the paths of files of `set` are
+/// removed from the manifest. If the manifest has a set with the same parameters, the maps, files
+/// and frame statistics of `set` are then added to that set; new statistics of a frame replace its
+/// old statistics. Otherwise, `set` is appended. In either case, the set becomes the last one of
+/// the manifest. Other sets that have no files left are removed.
 void merge(Manifest& manifest, const BakedSet& set);
 
-/// Files of a set that another bake replaces.
+/// The number of files of a set that a bake of another set replaces.
 struct ReplacedFiles {
-    const BakedSet* set = nullptr;
-    std::size_t count = 0;  // number of files
+    const BakedSet* set = nullptr;  // refers to an element of Manifest::sets
+    std::size_t count = 0;          // number of files
 };
 
 /// Returns how many of the files with the given paths belong to each set whose parameters differ

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// The file name of a manifest (manifest_folder in bake_recorder.h returns its folder).
+/// The file name of a manifest. The function manifest_folder (bake_recorder.h) returns its folder.
 inline constexpr std::string_view kManifestName = "manifest.json";
 
 /// Returns the path of a manifest. `path` is the manifest file or its folder.
@@ -28,7 +28,7 @@ Manifest manifest_in(const std::filesystem::path& folder);
 /// atomically. All of this is done under a lock, so that programs do not overwrite each other's
 /// changes. Creates the folder if it does not exist. If the folder has no manifest, `change`
 /// receives an empty one. Throws InputError if manifest.json is unreadable or not a manifest, and
-/// OutputError if it cannot be written.
+/// OutputError if it cannot be written or its lock is not free within FileLock::kLongestWait.
 void update_manifest(const std::filesystem::path& folder,
                      const std::function<void(Manifest&)>& change);
 

@@ -27,8 +27,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Throws std::invalid_argument if the names of the files cannot be recorded: a manifest is JSON and
-// therefore UTF-8. The name of its own folder does not matter.
+// Throws std::invalid_argument if the path of an image, relative to the folder of the manifest, is
+// not UTF-8. A manifest is JSON, which cannot store other texts.
 void check_names(const Preset& preset, const BakeOptions& options) {
     const std::filesystem::path folder = manifest_folder(preset);
     for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
@@ -43,7 +43,8 @@ void check_names(const Preset& preset, const BakeOptions& options) {
 }
 
 // Returns the message for a run that ended early because its loop does not close. `closing_error`
-// is infinite if, at the end of the cycle, a bubble is missing or has another number of sides.
+// is infinite if, at the end of the cycle, a bubble is missing or has a different number of sides
+// than at the start.
 std::string open_loop_failure(const std::optional<double>& closing_error) {
     if (!closing_error || !std::isfinite(*closing_error)) {
         return "the loop does not close: bubbles at the end of the cycle have different neighbors "

@@ -12,7 +12,8 @@
 
 namespace foam::texgen {
 
-/// Selects sets of images of a manifest. An empty member selects all sets.
+/// Selects sets of images of a manifest. A set is selected if it agrees with all members that are
+/// not empty.
 struct SetChoice {
     std::string preset = {};
     std::optional<std::uint64_t> seed = {};
@@ -20,14 +21,14 @@ struct SetChoice {
     std::optional<int> height = {};
 };
 
-/// Returns a name of a set for users, such as "lava (seed 6, 512 x 512)".
+/// Returns a name of a set for messages, such as "lava (seed 6, 512 x 512)".
 std::string name_of(const BakedSet& set);
 
-/// Returns the sets that a choice selects, in the order of the manifest: the newest one is last.
+/// Returns the sets that a choice selects, in the order of the manifest: the newest set is last.
 std::vector<const BakedSet*> selected_sets(const Manifest& manifest, const SetChoice& choice);
 
-/// Returns the newest set that a choice selects. Throws InputError if there is none; the message
-/// lists all sets. `path` is the file or the folder of the manifest, for the message.
+/// Returns the newest set that a choice selects. Throws InputError if it selects no set; the
+/// message lists all sets. `path` is the file or the folder of the manifest, for the message.
 const BakedSet& newest_set(const Manifest& manifest,
                            const SetChoice& choice,
                            const std::filesystem::path& path);
