@@ -14,7 +14,7 @@
 
 namespace foam::texgen {
 
-/// The exception for content that ends too early or is malformed. The message gives the reason, but
+/// Reports content of a file that ends too early or is malformed. The message gives the reason, but
 /// no file name.
 class BadContent : public std::runtime_error {
     using runtime_error::runtime_error;
@@ -25,6 +25,7 @@ static_assert(std::endian::native == std::endian::little, "numbers have their lo
 /// Appends numbers to a buffer, in little-endian order.
 class ByteWriter {
   public:
+    /// Appends the sizeof(Number) bytes of a number.
     template <class Number>
     requires std::is_arithmetic_v<Number>
     void put(Number number) {
@@ -45,6 +46,7 @@ class ByteReader {
   public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
+    /// Reads a number of the given type.
     template <class Number>
     requires std::is_arithmetic_v<Number> Number take() {
         check_left(1, sizeof(Number));

@@ -17,8 +17,8 @@ namespace foam::texgen {
 /// once, also while a simulation still adds states.
 class Cache {
   public:
-    /// Opens a cache. Throws InputError if the folder is not a cache, if the version of its file
-    /// format is newer than this program supports, or if its file of pressures is damaged.
+    /// Opens a cache. Throws InputError if cache.json is missing, malformed or of a newer version
+    /// of the file format than this program supports, or if the file of pressures is damaged.
     explicit Cache(std::filesystem::path folder);
 
     const CacheInfo& info() const { return info_; }
@@ -28,9 +28,10 @@ class Cache {
     SimulatedFrame state(int number) const;
 
     /// Returns a source of frames. The frames equal, to the last bit, the frames that a simulation
-    /// of the preset gives with the version of foamtex that wrote the cache. The source keeps a
-    /// reference to the cache. Precondition: the preset differs from the preset of the cache only
-    /// in keys that do not influence the states (check_same_simulation).
+    /// of the preset gives with the version of foamtex that wrote the cache. The source throws
+    /// InputError if a state that the frames need is missing or damaged. It keeps a reference to
+    /// the cache. Precondition: the preset differs from the preset of the cache only in keys that
+    /// do not influence the states (check_same_simulation).
     FrameSource frames_of(const Preset& preset) const;
 
   private:
@@ -48,8 +49,9 @@ std::uint64_t estimated_cache_size(const Preset& preset,
 /// Simulates a preset and writes into a cache the states that the frames need. Also writes the
 /// state after each frame, because some maps, such as `motion`, need it. Uses only `frames` and
 /// `threads` of the options. Creates the folder if necessary and overwrites files of an existing
-/// cache. Throws std::invalid_argument if there are no frames or a frame number is below 1,
-/// OutputError if a file cannot be written, and the exceptions of Simulation.
+/// cache. `on_progress` receives the phases of the simulation, and then the phase Frames, which
+/// counts written states. Throws std::invalid_argument if there are no frames or a frame number is
+/// below 1, OutputError if a file cannot be written, and the exceptions of Simulation.
 RunOutcome simulate_into_cache(const Preset& preset,
                                const BakeOptions& options,
                                const std::filesystem::path& folder,

@@ -20,16 +20,17 @@ struct CacheInfo {
     Preset preset;
     std::string version;                  // version of foamtex that simulated the states
     std::string simulation;               // result of simulation_hash
-    std::vector<int> frames;              // frames that can be drawn from the cache
+    std::vector<int> frames;              // frames that can be drawn once the simulation has ended
     std::optional<double> closing_error;  // Simulation::closing_error
 };
 
 /// Returns true if the path is a folder that contains the description of a cache.
 bool is_cache(const std::filesystem::path& path);
 
-/// Return the path of the file of a state, and the path of the file of the pressures of the first
-/// equilibrium.
+/// Returns the path of the file that contains the state with the given number.
 std::filesystem::path state_path(const std::filesystem::path& folder, int number);
+
+/// Returns the path of the file that contains the pressures of the first equilibrium.
 std::filesystem::path pressures_path(const std::filesystem::path& folder);
 
 /// Writes the description of a cache. Throws OutputError if the file cannot be written.
@@ -40,8 +41,8 @@ void write_info(const CacheInfo& info, const std::filesystem::path& folder);
 /// newer than this program supports.
 CacheInfo parse_info(std::string_view text, const std::string& file);
 
-/// Reads the description of a cache. Throws InputError if the folder is not a cache, or if the
-/// version of its file format is newer than this program supports.
+/// Reads the description of a cache. Throws InputError if the file is missing or unreadable, and
+/// for the same reasons as parse_info.
 CacheInfo read_info(const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

@@ -9,15 +9,22 @@
 
 namespace foam::texgen {
 
-/// Returns true if a number of a state is finite and not larger than the numbers of a foam can be.
+/// Returns true if a number is finite and its absolute value is at most 1e15. In foam units, all
+/// numbers of a foam are far below this limit.
 bool is_plausible(double number);
 
-/// Checks the numbers of a frame from an untrusted source, whose network is valid. Returns a
-/// description of the first fault, or nullopt if there is none. All numbers must be finite and
-/// plausible. Areas must be positive. Each identity must occur once and be below kMaxIdentity. On a
-/// torus, positions must be in the fundamental cell or at most one period beside it, and films must
-/// not be longer than the width plus the height, so that coordinates in pixels stay within the
-/// limits of the rasterizer.
+/// Checks the numbers of a frame from an untrusted source. Returns a description of the first
+/// fault, or nullopt if there is none. Precondition: the network of the frame is valid. The rules
+/// are:
+///
+/// - All numbers are plausible (is_plausible). Target areas and the film tension are positive.
+/// - Each identity occurs once and is below kMaxIdentity.
+/// - The half angle of each film is between -pi and pi.
+/// - The domain is the plane if there is a ghost bubble. Otherwise it is a torus whose sides have a
+///   moderate ratio and whose shear is at most its width.
+/// - On a torus, the absolute value of each coordinate is at most twice the width or the height,
+///   and no film is longer than the width plus the height. Coordinates in pixels then stay within
+///   the limits of the rasterizer.
 std::optional<std::string> find_frame_fault(const Frame& frame);
 
 }  // namespace foam::texgen

@@ -193,7 +193,7 @@ class FrameReader {
         }
     }
 
-    // Assigns the half-edges from `first` along `next` to a bubble, until `first` is reached again.
+    // Assigns a closed chain of half-edges to a bubble: `first`, the `next` of `first`, and so on.
     void claim_loop(BubbleId bubble, HalfEdgeId first) {
         network().set_first(bubble, first);
         int sides = 0;
@@ -276,7 +276,7 @@ class FrameReader {
 
     ByteReader& reader_;
     Foam foam_;
-    std::vector<bool> taken_;  // by half-edge: true once it has been assigned to a junction
+    std::vector<bool> taken_;  // by half-edge: true if take_side has read it
 };
 
 }  // namespace

@@ -45,7 +45,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 72, "a header has no gaps");
 
-// Returns the characters of a text, cut or padded with zero bytes to the given size.
+// Returns the characters of a text, cut to the given size or padded with zero bytes.
 template <std::size_t size>
 std::array<char, size> letters(std::string_view text) {
     std::array<char, size> array{};

@@ -27,12 +27,12 @@ void write_packed(const std::filesystem::path& path,
                   const PackedLabel& label,
                   std::span<const std::byte> content);
 
-/// Returns the uncompressed content of a packed file whose bytes are given. Throws BadContent
-/// (byte_stream.h) if the file is damaged or has another version or label.
+/// Returns the uncompressed content of a packed file. `file` contains the bytes of the whole file.
+/// Throws BadContent (byte_stream.h) if the file is damaged or has another version or label.
 Bytes unpack_file(std::span<const std::byte> file, const PackedLabel& label);
 
-/// Returns the uncompressed content of a packed file. Throws InputError if the file is missing or
-/// damaged, or has another version or label.
+/// Reads a packed file and returns its uncompressed content. Throws InputError if the file is
+/// missing or damaged, or has another version or label.
 Bytes read_packed(const std::filesystem::path& path, const PackedLabel& label);
 
 }  // namespace foam::texgen

@@ -18,8 +18,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Writes states to a cache as they are simulated. cache.json is written together with the first
-// state, so a simulation that fails before its first state leaves no cache.
+// Writes states to a cache as they are simulated. cache.json is written immediately before the
+// first state, so a simulation that fails before its first state leaves no cache.
 class CacheWriter {
   public:
     CacheWriter(CacheInfo info, std::filesystem::path folder)
@@ -66,8 +66,8 @@ void check(const BakeOptions& options) {
 std::uint64_t estimated_cache_size(const Preset& preset,
                                    const std::vector<int>& frames,
                                    const std::filesystem::path& folder) {
-    // Measured bytes per bubble: 63 in sea_foam (400 bubbles), 79 in potion (130 bubbles) and in
-    // coarsening (3,000 bubbles).
+    // Measured bytes per bubble: 63 in the preset sea_foam (400 bubbles), and 79 in potion (130
+    // bubbles) and coarsening (3,000 bubbles).
     constexpr std::uint64_t kBytesPerBubble = 80;
     const std::vector<int> states =
         FrameAssembly(preset, frames, NextFrames::Included, {}).states();

@@ -19,8 +19,9 @@ namespace foam::texgen {
 
 namespace {
 
-// The tables that influence only how states are drawn, apart from two exceptions: see needs_camera
-// and needs_aspect. The tables of maps have the same property, but are not listed here.
+// The tables of presets that influence only how states are drawn. The exceptions are the camera
+// (needs_camera) and the aspect ratio of the image (needs_aspect). The tables of maps also
+// influence only drawing, but are not listed here.
 constexpr std::array<std::string_view, 4> kAppearanceTables = {
     "preset", "image", "camera", "output"};
 

@@ -14,17 +14,18 @@
 #include <memory>
 
 // An encoded state consists of its frame (frame_codec.h), its effort and its record, in this order.
-// Values per bubble are in the order of the bubbles of the frame, followed by its lone bubbles, so
-// identities are stored only once, in the frame. The pressures of the first equilibrium follow a
-// flag. If the flag is 1, they equal the pressures in pressures.foam and are left out. The averages
-// of values are last in the record, also after a flag, which is 0 if nothing is averaged.
+// In the record, values per bubble are in the order of the bubbles of the frame, followed by its
+// lone bubbles, so identities are stored only once, in the frame. The pressures of the first
+// equilibrium follow a flag. If the flag is 1, they equal the pressures in pressures.foam and are
+// left out. The averages of values are at the end of the record. A flag precedes them, too; it is 0
+// if nothing is averaged.
 
 namespace foam::texgen {
 
 namespace {
 
-/// Reads a number. Throws BadContent if it is not finite or too large; the message says what the
-/// number is.
+/// Reads a number. Throws BadContent if it is not plausible. `what` names the number in the
+/// message.
 double take_number(ByteReader& reader, const char* what) {
     const auto number = reader.take<double>();
     if (!is_plausible(number)) {
@@ -33,7 +34,8 @@ double take_number(ByteReader& reader, const char* what) {
     return number;
 }
 
-/// Reads a coordinate of an event, which may be NaN: some events of a patch have no position.
+/// Reads a coordinate of a topology event. It may be NaN, because some topology events of a patch
+/// have no position.
 double take_coordinate(ByteReader& reader) {
     const auto number = reader.take<double>();
     if (!std::isnan(number) && !is_plausible(number)) {

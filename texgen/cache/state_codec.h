@@ -12,19 +12,20 @@ namespace foam::texgen {
 
 /// Encodes a state: the frame, the effort of its simulation (FrameEffort), and the record of
 /// earlier frames that maps need (FoamRecord). The view and the closing error are not encoded;
-/// Cache::frames_of sets them. The pressures of the first equilibrium are left out if they equal
-/// `first_pressures` and are not empty. The times of births and changes are left out for bubbles
-/// that have vanished, because no map needs them.
+/// Cache::frames_of sets them. If the pressures of the first equilibrium (in the record) equal
+/// `first_pressures` and are not empty, they are left out. The times of births and changes are left
+/// out for bubbles that have vanished, because no map needs them.
 Bytes pack_state(const SimulatedFrame& state, const std::vector<double>& first_pressures);
 
 /// Decodes a state. Maps drawn from the decoded state have the same bits as maps drawn from the
-/// original state. Throws BadContent if the bytes are not a state, or if the state was encoded
-/// without its first pressures and `first_pressures` is empty.
+/// original state. `first_pressures` replaces the pressures of the first equilibrium if pack_state
+/// has left them out. Throws BadContent if the bytes are not a state, or if `first_pressures` is
+/// needed but empty.
 SimulatedFrame unpack_state(std::span<const std::byte> content,
                             const std::vector<double>& first_pressures);
 
 /// Encode and decode a list of numbers. `unpack_numbers` throws BadContent if the bytes end too
-/// early, or if a number is not finite.
+/// early, or if a number is not plausible (frame_check.h).
 Bytes pack_numbers(const std::vector<double>& numbers);
 std::vector<double> unpack_numbers(std::span<const std::byte> content);
 
