@@ -19,7 +19,7 @@ constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
   foamtex bake sea_foam --maps albedo,film --out 'out/layers.####.exr'
   foamtex bake coarsening --progress json 2> progress.jsonl
-A preset with a loop closes after frames.count frames; --set frames.count=N makes the loop shorter.
+The loop of a preset has frames.count frames; --set frames.count=N changes its length.
 --progress json prints JSON objects, one per line, with these members: phase; done and total, in
 units of the phase (such as steps or frames); seconds since the start; seconds_left until the phase
 ends; frame, the number of the last frame that is done; bubbles; and, while cycles of a loop are

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 // In the generated script, a loop over the words of the command line finds the command path: the
-// program, its subcommand and further subcommands. After the loop, a first `case` completes the
-// value of the option before the cursor; it has one entry per command path and option with a value.
-// A second `case` completes options, subcommands and positional arguments; it has one entry per
-// command path.
+// program, its subcommand and further subcommands, such as "foamtex presets show". After the loop,
+// a first `case` completes the value of the option before the cursor. For each command path, it has
+// one entry for each option with a value. A second `case` completes options, subcommands and
+// positional arguments. It has one entry per command path.
 
 namespace foam::texgen {
 
@@ -174,8 +174,8 @@ class BashScript {
     const CompletionWords& words_;
     std::vector<std::string> paths_;  // the command paths of all subcommands, quoted
     std::string values_;              // entries of the first `case`, for values of options
-    std::string words_of_paths_;      // entries of the second `case`, for words of commands
-    std::string keys_;                // entries of the `case` of keys with words as values
+    std::string words_of_paths_;      // entries of the second `case`, for all other words
+    std::string keys_;                // entries of the `case` that completes the value of a key
 };
 
 }  // namespace

@@ -40,11 +40,11 @@ constexpr const char* kCompareExamples = R"(Examples:
 Samples of a PNG are compared as numbers from 0 to 1, samples of an EXR as stored. The difference
 of a pixel is the largest difference of its samples. An image that exists on one side only is a
 failure. A file of tolerances has a table of limits per map, such as [normal], and [default]; the
-keys are the names of the options: fail, fail_percent, hard_fail. Options override the file.
+keys are the names of the options with _ for -, such as fail_percent. Options override the file.
 Exit codes: 0 same, 1 warning, 2 failure, 3 different size or channels, 4 unreadable,
   5 an output could not be written, 64 bad command line or tolerances, 70 internal failure)";
 
-/// A limit of the command line.
+/// A limit that the command line gives.
 struct GivenLimit {
     const Key<CompareLimits>* key;
     Value value;
@@ -61,7 +61,7 @@ struct CompareArguments {
     bool json = false;
 };
 
-/// Returns the placeholder of the value of a limit in the help.
+/// Returns the placeholder that the help shows for the value of a limit.
 const char* placeholder_of(const KeyInfo& key) {
     if (key.path.ends_with("percentile")) {
         return "P=T";
@@ -92,8 +92,9 @@ void add_limit_option(CLI::App& command,
         ->option_text(placeholder_of(key));
 }
 
-/// Returns the options of the comparison. The limits of a map are those of the tolerances, except
-/// for those of the command line. Throws std::invalid_argument for an unknown map.
+/// Returns the options of the comparison. The limits of the command line override the limits that
+/// the file of tolerances has for a map. Throws std::invalid_argument for an unknown map, and the
+/// exceptions of read_tolerances.
 CompareOptions options_of(const CompareArguments& arguments) {
     CompareOptions options = arguments.options;
     if (!options.map.empty()) {
@@ -133,8 +134,8 @@ void note_unused_angle(std::span<const GivenLimit> limits, std::span<const Compa
             return image.found.angle.has_value();
         })) {
         print_stderr(
-            "foamtex: note: {} applies to none of the images, because none is known to be a "
-            "normal map; --map normal tells so",
+            "foamtex: note: {} has no effect, because no image is known to be a normal map; if the "
+            "images are normal maps, add --map normal",
             option_name(*angle->key));
     }
 }
@@ -194,7 +195,7 @@ void add_compare_command(CLI::App& app, Action& action) {
     command
         ->add_option("--map",
                      arguments->options.map,
-                     "Map of the images; by default that of their manifest or texts")
+                     "Map of the images; by default the map that their manifest or texts name")
         ->option_text("MAP");
     add_frames_option(
         *command, arguments->frames, "Frames of both sequences; by default all existing frames");

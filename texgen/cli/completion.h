@@ -20,11 +20,15 @@ struct CompletionWords {
 };
 
 /// Return a script that completes the command lines of a program, for bash and for zsh. The script
-/// offers the names of maps after --maps. After --set it offers keys and, after the '=', the values
-/// of the key that are words. For the positional argument PRESET it offers preset names and files;
-/// bash offers files only if no preset name matches. For the positional argument NAME it offers
-/// only preset names. For an option with a placeholder such as "a|b|c", it offers the words a, b
-/// and c. For all other values, it offers files.
+/// offers:
+///
+/// - the names of maps after --map and --maps;
+/// - keys after --set and, after the '=', the values of the key that are words;
+/// - preset names and files for the positional argument PRESET (in bash, files only if no preset
+///   name matches);
+/// - preset names for the positional argument NAME;
+/// - the words a, b and c for an option with a placeholder such as "a|b|c";
+/// - files for all other values.
 std::string bash_completion(const CommandGrammar& program, const CompletionWords& words);
 std::string zsh_completion(const CommandGrammar& program, const CompletionWords& words);
 

@@ -24,7 +24,7 @@ struct Values {
 };
 
 /// Returns the values that completion offers for an argument. For a positional argument other than
-/// NAME, the completion scripts also offer files.
+/// NAME, the completion scripts also offer files, even if the kind of the result is not Path.
 Values values_of(const ArgumentGrammar& argument, const CompletionWords& words);
 
 /// Returns the words, separated by spaces.

@@ -4,10 +4,11 @@
 
 namespace foam::texgen {
 
-/// The exit codes of the program. The help of the program also lists them. `compare` differs: like
-/// OpenImageIO's idiff, it returns its Verdict (0 to 4, image/comparison.h) as the exit code. As a
-/// verdict uses the codes 1 and 2, `compare` replaces them for failures of the program by codes of
-/// the BSD header sysexits.h (code_for_command in program.cpp).
+/// The exit codes of the program. The help of the program and the help of `compare` also list them.
+/// `compare` differs from the other commands: like OpenImageIO's idiff, it returns its Verdict (0
+/// to 4, image/comparison.h) as the exit code. The codes 1 and 2 are verdicts, so `compare` returns
+/// codes of the BSD header sysexits.h in place of InternalFailure and BadRequest (code_for_command
+/// in program.cpp).
 enum class ExitCode : int {
     Success = 0,
     InternalFailure = 1,          // a bug, or out of memory

@@ -34,7 +34,7 @@ Without --preset, --size and --seed, the newest images of the folder are used.)"
 
 // The largest width and height, in pixels, of a texture that graphics hardware usually supports.
 constexpr int kLargestTexture = 16384;
-constexpr int kLargestGutter = 1024;
+constexpr int kLargestGutter = 1024;  // largest allowed value of --gutter, in pixels
 
 struct FlipbookArguments {
     std::filesystem::path given;  // a folder, or the manifest in it
@@ -131,7 +131,8 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
             .add_option(
                 "--gutter",
                 arguments.options.gutter,
-                "Width of the border of each frame in pixels; it continues the tile (default: 0)")
+                "Width in pixels of a border around each frame, which continues the tile (default: "
+                "0)")
             ->check(CLI::Range(0, kLargestGutter))
             ->option_text("PX");
     command.add_flag("--strip", arguments.options.strip, "Use one column, for texture arrays")

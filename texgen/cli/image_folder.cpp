@@ -24,7 +24,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns the whole number that a text consists of, or nullopt if it is none of the type.
+/// Returns the whole number that a text consists of, or nullopt if the text is not a whole number
+/// that the type can hold.
 template <class Number>
 std::optional<Number> whole_number(std::string_view text) {
     Number number{};
@@ -113,8 +114,8 @@ const BakedSet& chosen_set(const Manifest& manifest,
             older.push_back(name_of(*selected[k]));
         }
         print_stderr(
-            "foamtex: note: '{}' has the images of several bakes; the newest are used, {}; older "
-            "ones are {}, which --preset, --size or --seed can choose",
+            "foamtex: note: '{}' has images of several bakes; the newest images, {}, are used; "
+            "--preset, --size or --seed choose older images: {}",
             path.string(),
             name_of(set),
             fmt::join(older, ", "));

@@ -34,8 +34,8 @@ namespace foam::texgen {
 namespace {
 
 /// Prints one line per map, or one line if all maps share a file. For a single frame, the line is
-/// the name of the file. Otherwise it is the file name pattern of the map and the frame range, a
-/// notation of programs for movie production.
+/// the name of the file. Otherwise it is the file name pattern of the map and the frame range, such
+/// as "out/foam_lit.####.png 1-48", which programs for movie production understand.
 void print_images(const Preset& preset,
                   const FilePattern& pattern,
                   const std::vector<int>& frames) {

@@ -14,7 +14,8 @@
 
 namespace foam::texgen {
 
-/// The options of `bake` and `render` for images, as given on the command line.
+/// The options that `bake` and `render` share, apart from RunArguments, as given on the command
+/// line.
 struct ImageArguments {
     std::optional<std::string> maps;
     std::optional<std::string> normal_y;
@@ -28,14 +29,17 @@ struct ImageArguments {
 /// parsing.
 void add_image_options(CLI::App& command, ImageArguments& arguments);
 
-/// Returns one assignment for each given option that sets a key of the preset.
+/// Returns one assignment for each of the options --maps, --normal-y and --out that is given.
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
 /// Draws the frames of a preset, writes the image files and their manifest, and writes statistics
-/// if requested. With --json, prints a JSON object. Otherwise prints the name of the image file of
-/// each map or, for several frames, its file name pattern and the frame range, and the names of the
-/// statistics files; prints nothing if the run failed or the verbosity is Quiet. Returns the exit
-/// code. Throws the exceptions of bake_recorded.
+/// if requested. Returns the exit code. Throws the exceptions of bake_recorded and
+/// write_statistics, and OutOfMemory in place of std::bad_alloc.
+///
+/// With --json, prints a JSON object. Otherwise, if the run did not fail and the verbosity is not
+/// Quiet, prints one line per map, or a single line if all maps share a file. For one frame the
+/// line is the name of the image file, for several frames it is the file name pattern and the frame
+/// range. The names of the statistics files follow.
 ExitCode run_images(const Preset& preset,
                     const BakeOptions& options,
                     const ImageArguments& arguments,

@@ -12,11 +12,12 @@ namespace foam::texgen {
 
 namespace {
 
-// The signal that arrived first, or 0.
+// The signal that arrived last, or 0.
 std::atomic<int> stop_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
-// Calls only functions that a signal handler may call.
+// The signal handler: stores the signal and writes a note. Calls only functions that a signal
+// handler may call.
 void take_signal(int signal) {
     constexpr std::string_view kNote =
         "\nfoamtex: stopping after the current step; a second signal stops at once\n";

@@ -17,10 +17,10 @@ class Interrupted : public std::runtime_error {
     int signal_;
 };
 
-/// Installs handlers for SIGINT, SIGTERM and SIGHUP. The first signal then makes
-/// throw_if_interrupted throw instead of ending the process, and prints on stderr that the run will
-/// stop after its current step. A second signal of the same kind ends the process immediately. A
-/// SIGHUP that is ignored, as by nohup, stays ignored.
+/// Installs handlers for SIGINT, SIGTERM and SIGHUP. If one of these signals arrives, the process
+/// does not end. Instead, a note on stderr says that the run will stop after its current step, and
+/// from then on throw_if_interrupted throws. A second signal of the same kind ends the process
+/// immediately. If the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
 void handle_stop_signals();
 
 /// Throws Interrupted if handle_stop_signals has been called and a signal has arrived since then.

@@ -7,14 +7,17 @@
 
 namespace foam::texgen {
 
-/// Returns the JSON object (--json) of a command that simulates no foam. Its only member is
-/// `status`, which is "complete". The command adds further members.
+/// Returns the JSON object (--json) of a run that neither simulates nor draws frames. Its only
+/// member is `status`, which is "complete". The command adds further members.
 Json json_report();
 
-/// Returns the JSON object of a command that simulates or draws frames. Its members are `status`
-/// ("complete", "no_equilibrium" or "open_loop"), `failed_frame` (null if complete) and
-/// `closing_error` (in mean bubble diameters, Simulation::closing_error; null if no cycle of a loop
-/// was simulated, or if infinite). The command adds further members.
+/// Returns the JSON object of a run that simulates or draws frames. The command adds further
+/// members to these members:
+///
+/// - `status`: "complete", "no_equilibrium" or "open_loop"
+/// - `failed_frame`: the first frame that could not be simulated; null if the run is complete
+/// - `closing_error`: Simulation::closing_error, in mean bubble diameters; null if no cycle of a
+///   loop was simulated, or if it is infinite
 Json json_report(const RunOutcome& outcome);
 
 /// Prints an object on stdout as one line.

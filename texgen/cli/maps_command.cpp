@@ -19,8 +19,8 @@ namespace {
 
 constexpr const char* kNotes =
     R"(The suffix of --out decides whether maps are written as {}. In a PNG, colors are 8-bit sRGB,
-with an alpha channel for a patch. All other maps are data. Around a patch they are 0, except that
-normals point to the viewer, occlusion is 1 and signed distances are negative.
+with an alpha channel for a patch. All other maps are data; around a patch, their samples are 0,
+except that normals point to the viewer, occlusion is 1 and signed distances are negative.
 The options of maps are keys of the preset: foamtex presets keys)";
 
 ExitCode list_maps() {

@@ -21,12 +21,12 @@ namespace foam::texgen {
 /// Adds --json, with which the command prints one JSON object (json_report.h).
 void add_json_option(CLI::App& command, bool& json);
 
-/// Adds -q, --quiet. `meaning` is the text of the option in the help.
+/// Adds -q, --quiet, and returns the option. `meaning` is the text of the option in the help.
 CLI::Option* add_quiet_option(CLI::App& command,
                               bool& quiet,
                               const char* meaning = "Print only errors");
 
-/// Adds --progress, the form of the progress on stderr: "auto" or "json".
+/// Adds --progress, the form of the progress on stderr: "auto" or "json". Returns the option.
 CLI::Option* add_progress_option(CLI::App& command, std::string& progress);
 
 /// Returns the options with which a command without -v reports its progress. `progress` is the
@@ -42,14 +42,15 @@ void add_frames_option(CLI::App& command,
                        std::optional<std::string>& frames,
                        const std::string& meaning = "Frames");
 
-/// Adds --maps, names separated by commas.
+/// Adds --maps, the names of maps, separated by commas. `meaning` is the text of the option in the
+/// help.
 void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const char* meaning);
 
 /// Adds --preset, the name of the preset whose images are used if a folder has images of several
 /// presets (image_folder.h).
 void add_preset_name_option(CLI::App& command, std::string& preset);
 
-/// Adds -o, --out: the output folder.
+/// Adds -o, --out, the output folder. `meaning` is the text of the option in the help.
 void add_out_folder_option(CLI::App& command,
                            std::optional<std::filesystem::path>& out,
                            const char* meaning);

@@ -39,7 +39,7 @@ constexpr const char* kPreviewExamples = R"(Examples:
   foamtex preview labyrinth --frames 1 --as tiling --set pressure.exaggeration=4
   foamtex preview out --maps albedo,normal --as loop --width 256
   foamtex preview out --as mp4,gif            makes videos; needs ffmpeg
-Of a folder, the newest images are shown, or those that --preset, --size and --seed choose.)";
+In a folder, the newest images are shown, or the images that --preset, --size and --seed choose.)";
 
 constexpr int kMaxAnimationSize = 4096;
 
@@ -187,7 +187,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
 }
 
 ExitCode run_preview(const PreviewArguments& arguments) {
-    std::error_code ignored;  // what is no folder is the name of a preset
+    std::error_code ignored;  // a path that is not a folder is a preset
     return std::filesystem::is_directory(arguments.run.preset, ignored) ? preview_folder(arguments)
                                                                         : preview_preset(arguments);
 }

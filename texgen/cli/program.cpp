@@ -48,8 +48,9 @@ ExitCode report(const std::string& message, ExitCode code) {
     return code;
 }
 
-/// Returns the exit code of a command for a failure of the program. `compare` uses the codes 1 and
-/// 2 for verdicts. `command` is empty if the command is not known.
+/// Returns the exit code of a command for a failure. `code` is the code that all commands except
+/// `compare` return; `compare` uses the codes 1 and 2 for verdicts. `command` is empty if the
+/// command is not known.
 ExitCode code_for_command(ExitCode code, std::string_view command) {
     if (command == "compare" && code == ExitCode::BadRequest) {
         return ExitCode::CompareBadRequest;
@@ -78,7 +79,7 @@ std::vector<std::string> subcommand_names(const CLI::App& command) {
 }
 
 /// Returns a message that describes the error in the command line. If an unknown word is given
-/// instead of a subcommand, the message suggests the most similar subcommand, if one is similar.
+/// instead of a subcommand, and the name of a subcommand is similar, the message suggests it.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App* command = &app;
     while (!command->get_subcommands().empty()) {

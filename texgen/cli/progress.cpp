@@ -121,9 +121,9 @@ void ProgressReporter::print() {
     is_pending_ = false;
 }
 
-// The steps that prepare frame 1 take about as long as the steps of the frames. An estimate from
-// their speed is a lower bound, because drawing, and further cycles of a loop, take additional
-// time.
+// A step that prepares frame 1 takes about as long as the step to a later frame. Before the phase
+// Frames, the estimate is a lower bound, because drawing and further cycles of a loop take
+// additional time.
 void ProgressReporter::note_long_run() {
     const std::optional<double> per_unit = clock_.seconds_per_unit();
     const bool is_told = options_.verbosity == Verbosity::Normal && !options_.json;

@@ -17,36 +17,36 @@ enum class Verbosity {
 /// The options of a ProgressReporter.
 struct ProgressOptions {
     Verbosity verbosity = Verbosity::Normal;
-    bool json = false;  // a line of JSON per second, in place of a bar or lines
-    int frames = 0;     // number of frames that follow the phases before Frames
+    bool json = false;  // true for JSON lines in place of a bar or lines
+    int frames = 0;     // number of frames of the phase Frames; 0 if unknown
 };
 
 /// Reports the progress of one run on stderr, in one of four styles:
 ///
-/// - a bar, if stderr is a terminal. It is in color only if the environment variable NO_COLOR is
-///   unset or empty.
-/// - lines: one per frame; for every other phase its first report, each cycle of a loop, the end,
-///   and otherwise at most one line per second.
-/// - JSON lines (progress_json): the first and the last report of the run, and otherwise at most
-///   one line per second.
-/// - nothing.
+/// - JSON lines (progress_json), if ProgressOptions::json is true: the first and the last report of
+///   the run, and otherwise at most one line per second.
+/// - lines, for Verbosity::Verbose: one per frame; for every other phase at its start, at the end
+///   of each cycle of a loop, at its end, and otherwise at most one line per second.
+/// - a bar, for Verbosity::Normal if stderr is a terminal. It is in color only if the environment
+///   variable NO_COLOR is unset or empty.
+/// - nothing, in all other cases, and always for Verbosity::Quiet.
 ///
-/// With Verbosity::Normal and without JSON, a line tells the user that the run takes a minute or
-/// more, as soon as this can be estimated from its first units.
+/// With Verbosity::Normal and without JSON, a note tells the user that the run takes a minute or
+/// more, as soon as this can be estimated from the first units of a phase.
 class ProgressReporter {
   public:
     /// Begins the run. Calls handle_stop_signals.
     explicit ProgressReporter(const ProgressOptions& options);
 
-    /// Ends the run: prints the last report, if it is not yet printed, and ends the line of the
-    /// bar.
+    /// Ends the run. In the styles bar and JSON lines, prints the last report if it has news and is
+    /// not yet printed. Ends the line of the bar.
     ~ProgressReporter();
 
     ProgressReporter(const ProgressReporter&) = delete;
     ProgressReporter& operator=(const ProgressReporter&) = delete;
 
-    /// Returns the callback that reports. After SIGINT or SIGTERM it throws Interrupted, unless the
-    /// phase is finished. The reporter must outlive the callback.
+    /// Returns the callback that reports. After SIGINT, SIGTERM or SIGHUP it throws Interrupted,
+    /// unless the phase is finished. The reporter must outlive the callback.
     ProgressCallback callback();
 
   private:

@@ -55,7 +55,7 @@ std::string time_left(double seconds) {
     return fmt::format("{}:{:02} left", rounded / 60, rounded % 60);
 }
 
-/// Returns a number with three decimals: clocks are not more precise than that.
+/// Returns a time in seconds, rounded to milliseconds.
 double in_milliseconds(double seconds) {
     return std::round(seconds * 1000.0) / 1000.0;
 }

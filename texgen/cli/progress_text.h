@@ -14,7 +14,7 @@ namespace foam::texgen {
 std::string_view name_of(Phase phase);
 
 /// Returns the progress of a phase in its own unit, for example "warm-up 40 of 60", "frame 3 of 48"
-/// or "closing the loop: cycle 3, step 12 of 48, 1e-04".
+/// or "closing the loop: cycle 3, step 12 of 48, 1e-04" (the last number is the closing error).
 std::string phase_text(const RunProgress& progress);
 
 /// Returns the text of the progress bar, without a newline. Example:
@@ -24,7 +24,8 @@ std::string progress_bar(const RunProgress& progress, const std::optional<double
 
 /// Returns the line that reports a frame, or the progress of another phase. It ends with the wall
 /// time since the run began, in seconds. Example:
-/// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s".
+/// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s" (errors as in
+/// RunProgress).
 std::string progress_line(const RunProgress& progress, double seconds);
 
 /// Returns the progress as a JSON object in one line, without a newline. README.md describes its

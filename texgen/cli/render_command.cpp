@@ -33,7 +33,9 @@ struct RenderArguments {
     ImageArguments images;
 };
 
-/// Throws InputError if the path is no cache. The message says how to make a cache.
+/// Throws InputError if the path is a folder that is not a cache, or the name of a preset. For a
+/// preset, the message says how to make a cache. For any other path, the class Cache reports the
+/// error.
 void check_is_cache(const std::string& path) {
     if (std::filesystem::is_directory(path) && !is_cache(path)) {
         throw InputError(fmt::format(

@@ -128,7 +128,10 @@ ExitCode report_failure(const RunOutcome& outcome) {
         const double error = *outcome.closing_error;
         const std::string apart =
             std::isfinite(error)
-                ? fmt::format("are {:.2g} mean bubble diameters away from their start", error)
+                ? fmt::format(
+                      "are up to {:.2g} mean bubble diameters away from their positions at "
+                      "its start",
+                      error)
                 : "have different neighbors than at its start";
         print_stderr(
             "foamtex: the loop does not close: bubbles at the end of its last cycle {}; "

@@ -35,18 +35,20 @@ void note_open_loop(const Preset& preset, std::span<const int> frames);
 /// the given frames, so that they never happen. Precondition: there is a frame.
 void note_late_events(const Preset& preset, std::span<const int> frames);
 
-/// Prints a warning on stderr if files of the given size, in bytes, do not fit on the disk of a
-/// folder. The folder may be missing; then its nearest existing parent counts.
+/// Prints a warning on stderr if files of the given total size, in bytes, do not fit on the disk of
+/// a folder. If the folder does not exist, the disk of the nearest existing folder above it counts.
 void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder);
 
 /// Returns a text that says how much memory a run needs, given the estimated number of bytes, and
 /// what to lower.
 std::string memory_needed(std::uint64_t bytes);
 
-/// Prints a warning on stderr if a run needs more memory than is available.
+/// Prints a warning on stderr if a run that needs the given number of bytes needs more memory than
+/// is available.
 void warn_of_little_memory(std::uint64_t bytes);
 
-/// Prints a warning on stderr for each set of images of which a bake of the preset replaces files.
+/// Prints a warning on stderr for each element of `replaced`: a bake of the preset replaces files
+/// of this set of images.
 void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced, const Preset& preset);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the

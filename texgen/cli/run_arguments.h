@@ -20,15 +20,15 @@ namespace foam::texgen {
 /// The arguments of commands that simulate or draw the frames of a preset, as given on the command
 /// line. Values for keys have not been checked yet.
 struct RunArguments {
-    std::string preset;  // positional argument: a preset, a cache, or a folder of images
-    std::vector<std::string> sets;
-    std::optional<std::string> frames;
-    std::optional<std::string> size;
+    std::string preset;             // positional argument: a preset, a cache, or a folder of images
+    std::vector<std::string> sets;  // the values KEY=VALUE of all --set
+    std::optional<std::string> frames;  // a range in the notation of parse_frame_range
+    std::optional<std::string> size;    // "W" or "WxH", pixels
     std::optional<std::string> seed;
     int threads = 0;
     bool quiet = false;
     bool verbose = false;
-    std::string progress;  // --progress
+    std::string progress;  // the value of --progress
 };
 
 /// Adds PRESET, --set, --frames, --size and --seed. The arguments must outlive the parsing.
@@ -40,8 +40,8 @@ void add_frame_options(CLI::App& command, RunArguments& arguments);
 /// Adds --threads, -q, -v and --progress. The arguments must outlive the parsing.
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
-/// Returns the assignment that the option `--maps A,B` makes, as an argument of preset_of. `maps`
-/// is the text "A,B".
+/// Returns the assignment that the option `--maps A,B` makes, for the argument `more` of preset_of.
+/// `maps` is the text "A,B".
 Assignment maps_assignment(const std::string& maps);
 
 /// Returns the preset that the arguments name, after assignments in this order: every `--set`, the
@@ -60,9 +60,10 @@ Preset changed(Preset preset,
 /// frames.count. Throws std::invalid_argument if the range is malformed.
 std::vector<int> frames_of(const RunArguments& arguments, const Preset& preset);
 
+/// Returns the verbosity that -q and -v select.
 Verbosity verbosity_of(const RunArguments& arguments);
 
-/// Returns the options with which the progress of a run of the given number of frames is reported.
+/// Returns the options for reporting the progress of a run. `frames` is the number of its frames.
 ProgressOptions progress_options(const RunArguments& arguments, std::size_t frames);
 
 }  // namespace foam::texgen

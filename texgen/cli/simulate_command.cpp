@@ -38,7 +38,8 @@ struct SimulateArguments {
     bool force = false;
 };
 
-/// Throws std::invalid_argument if a folder contains the cache of another simulation.
+/// Throws std::invalid_argument if a folder contains the cache of another simulation, and the
+/// exceptions of read_info if its cache.json is malformed.
 void check_same_foam(const std::string& folder, const Preset& preset) {
     if (!is_cache(folder)) {
         return;

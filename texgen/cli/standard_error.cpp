@@ -14,8 +14,9 @@ namespace foam::texgen {
 
 namespace {
 
-/// While it exists, writing to a pipe without a reader fails instead of ending the process. Only
-/// the present thread is affected: the kernel sends SIGPIPE to the thread that writes.
+/// Blocks the signal SIGPIPE for the calling thread. While an object of this class exists, writing
+/// to a pipe without a reader fails instead of ending the process. Other threads are not affected,
+/// because the kernel sends SIGPIPE to the thread that writes.
 class NoBrokenPipeSignal {
   public:
     NoBrokenPipeSignal() {

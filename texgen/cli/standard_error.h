@@ -11,20 +11,22 @@
 
 namespace foam::texgen {
 
-// Messages and progress are written to stderr only through these functions. None of them fails: if
-// stderr is closed, full or a pipe without a reader, the text is lost and the program goes on. The
-// exit code therefore never depends on stderr.
+// Messages and progress are written to stderr only through these functions; the signal handler in
+// interruption.cpp is the only exception. None of the functions fails: if stderr is closed, full or
+// a pipe without a reader, the text is lost and the program goes on. The exit code therefore never
+// depends on stderr.
 
-/// Opens /dev/null for each standard stream that is closed, so that no file that is opened later
-/// gets its descriptor and receives messages. Reading from such a stdin and writing to such a
-/// stdout or stderr fail, as with a closed stream. Must be called before any file is opened.
+/// Opens /dev/null for each standard stream that is closed. Otherwise, a file that is opened later
+/// could get the descriptor of the stream and receive messages. Reading from such a stdin and
+/// writing to such a stdout or stderr fail, as with a closed stream. Must be called before any file
+/// is opened.
 void open_missing_streams();
 
 /// Writes a text to stderr.
 void write_stderr(std::string_view text) noexcept;
 
-/// Writes a text of less than 4096 bytes to stderr, unless it would have to wait for the reader of
-/// a pipe or for a terminal that is stopped; then the text is lost.
+/// Writes a text to stderr, or drops it if writing would block, because the buffer of a pipe is
+/// full or a terminal is stopped. Precondition: the text has less than 4096 bytes.
 void write_stderr_without_waiting(std::string_view text) noexcept;
 
 /// Formats a message and writes it to stderr as one line that a terminal shows without interpreting

@@ -10,8 +10,9 @@
 
 namespace foam::texgen {
 
-// Results are written to stdout only through these functions. None of them throws if stdout is
-// closed or full: run_program checks at the end whether everything arrived.
+// Results are written to stdout only through these functions. (CLI11 prints the help and the
+// version.) The functions do not throw if stdout is closed or full: run_program checks at the end
+// whether all output was written.
 
 /// Writes a text to stdout.
 inline void write_stdout(std::string_view text) {

@@ -28,7 +28,9 @@ std::string zsh_escaped(std::string_view text) {
     return result;
 }
 
-// `key_function` is the name of the function that completes keys and their values.
+// Returns the action of a specification of _arguments that offers the values, and also files if
+// `or_files` is true. `key_function` is the name of the shell function that completes keys and
+// their values.
 std::string zsh_action(const Values& values, bool or_files, const std::string& key_function) {
     switch (values.kind) {
         case ValueKind::List:

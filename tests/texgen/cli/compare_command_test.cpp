@@ -152,8 +152,8 @@ TEST_F(CompareCommand, AnglesNeedANormalMap) {
     const Outcome unknown = compare("n.png m.png --fail-angle 0.5");
     EXPECT_EQ(unknown.code, 2);
     EXPECT_EQ(unknown.err,
-              "foamtex: note: --fail-angle applies to none of the images, because none is known to "
-              "be a normal map; --map normal tells so\n");
+              "foamtex: note: --fail-angle has no effect, because no image is known to be a normal "
+              "map; if the images are normal maps, add --map normal\n");
     EXPECT_EQ(compare("n.png m.png --map nomral").code, 64);
 }
 

@@ -53,9 +53,9 @@ TEST(ImageFolder, TheNewestImagesAreUsedUnlessOthersAreChosen) {
     const Outcome newest = run_program("flipbook out", folder);
     EXPECT_EQ(newest.code, 0);
     EXPECT_EQ(newest.err,
-              "foamtex: note: 'out' has the images of several bakes; the newest are used, sea_foam "
-              "(seed 1, 48 x 48); older ones are sea_foam (seed 1, 64 x 64), which --preset, "
-              "--size or --seed can choose\n");
+              "foamtex: note: 'out' has images of several bakes; the newest images, sea_foam (seed "
+              "1, 48 x 48), are used; --preset, --size or --seed choose older images: sea_foam "
+              "(seed 1, 64 x 64)\n");
     const Outcome older = run_program("preview out --size 64 --frames 3 --as tiling", folder);
     EXPECT_EQ(older.code, 0) << older.err;
     EXPECT_EQ(older.err, "");
