@@ -22,8 +22,8 @@ namespace foam {
 
 namespace {
 
-// If no bubble contains a point, bubble_at moves the point by multiples of this distance, in units
-// of the square root of the mean target area.
+// If no bubble contains a point, bubble_at tries other points whose distances from it are multiples
+// of kNudge. The unit of kNudge is the square root of the mean target area.
 constexpr double kNudge = 1e-7;
 
 // Returns the contribution of a chord to the winding number around the origin: 1 if the chord

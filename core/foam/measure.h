@@ -13,7 +13,7 @@ double bubble_area(const Foam& foam, BubbleId bubble);
 /// Returns the area of a bubble within the chords of its films.
 double polygon_area(const Foam& foam, BubbleId bubble);
 
-/// Returns bubble_area for every live bubble, and 0 for the ghost and in dead slots.
+/// Returns bubble_area for every live bubble. The values of the ghost and of dead slots are 0.
 Indexed<BubbleId, double> bubble_areas(const Foam& foam);
 
 /// Returns the radius of a lone bubble, a circle of its target area. The pressure of a lone bubble
@@ -33,8 +33,8 @@ double energy(const Foam& foam);
 /// (kLargestSine). A foam with such a film is not in equilibrium.
 int films_at_limit(const Foam& foam);
 
-/// Distance from equilibrium (E2 in core/README.md). If the foam contains a NaN, the errors that
-/// depend on this value are NaN, and are_below then returns false for any tolerance.
+/// Distance from equilibrium (E2 in core/README.md). If a value of the foam is NaN, the errors that
+/// depend on this value are NaN. are_below then returns false for any tolerance.
 struct EquilibriumErrors {
     double area = 0.0;   // largest |A / A_target - 1|
     double angle = 0.0;  // largest |angle between two films - 120 degrees|, radians

@@ -59,9 +59,9 @@ class PatchBuilder {
         }
     }
 
-    // Adds a junction if the point has three neighbors. A neighbor may occur twice in `neighbors`,
-    // once for each cell beside the side between the point and this neighbor. Throws
-    // std::runtime_error if the point has one neighbor or more than three.
+    // Adds a junction if the point has three neighbors. A neighbor may occur twice in `neighbors`:
+    // the side from the point to this neighbor may belong to two cells, each of which adds the
+    // neighbor. Throws std::runtime_error if the point has one neighbor or more than three.
     void add_junction(Point point, std::vector<Point>& neighbors) {
         std::sort(neighbors.begin(), neighbors.end());
         neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());

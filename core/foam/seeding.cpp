@@ -20,7 +20,8 @@ namespace foam {
 namespace {
 
 // A draw fails if two sites share a grid point (voronoi.h) or if four sites are on one circle. For
-// 10,000 sites, the probability is about 1e-8 per diagram.
+// 10,000 sites, the probability of this is about 1e-8 per diagram. A draw also fails if a long
+// torus has too few sites (voronoi.h).
 constexpr int kMaxSeedDraws = 4;
 
 void check(const SeedingOptions& options) {

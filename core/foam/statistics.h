@@ -49,8 +49,8 @@ struct SidesGrowth {
 
 /// Returns the growth rates between two instants of one foam, by increasing number of sides. Only
 /// bubbles with the same neighbors at both instants count, to leave out bubbles that took part in a
-/// topology change. A bubble that lost a neighbor and got it back in between still counts. Lone
-/// bubbles do not count. Returns an empty list if no time has passed.
+/// topology change. A bubble that lost a neighbor between the instants and got the same neighbor
+/// back still counts. Lone bubbles do not count. Returns an empty list if no time has passed.
 std::vector<SidesGrowth> growth_by_sides(const Frame& before, const Frame& after);
 
 }  // namespace foam

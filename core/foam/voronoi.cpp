@@ -102,8 +102,8 @@ Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, doub
 }
 
 // Returns the corners of one cell. Returns nothing if the cell is unbounded. Also returns nothing
-// if a circle around a corner, through the sites nearest to the corner, may reach beyond the
-// margin, because copies farther away might then cut off a part of the cell.
+// if the circle around a corner through the sites nearest to it may extend beyond the margin: a
+// copy outside of the margin might then cut off a part of the cell.
 std::optional<std::vector<CellCorner>> corners_of(const Diagram::cell_type& cell,
                                                   const Copies& all,
                                                   const Grid& grid,
