@@ -17,9 +17,9 @@ namespace foam {
 ///
 /// Half-edges run counter-clockwise around the bubble on their left. Each half-edge stores the
 /// junction at its tail, the bubble on its left, and its successor around this bubble. Each film
-/// stores a lattice offset. A film starts at the junction at its tail, but on a torus it may end at
-/// a periodic copy of the junction at its head. The lattice offset is the translation from the
-/// junction at the head to this copy.
+/// stores a lattice offset. A film starts at the junction at its tail. On a torus it may end at a
+/// periodic copy of the junction at its head. The lattice offset of the film is the translation
+/// from this junction to the copy.
 ///
 /// In the plane one more bubble, the ghost, represents the space around the foam and in its holes
 /// (paper 4.2). A film with the ghost on one side is an outer film. The ghost has an id and a slot,

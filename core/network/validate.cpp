@@ -7,9 +7,9 @@
 #include <sstream>
 #include <vector>
 
-// The order of the checks is: each half-edge, each junction, each bubble, the counts; in the plane,
-// then the boundaries of the ghost and the lattice offsets; finally Euler's relation. Later checks
-// rely on the earlier ones, for example when they follow successors.
+// Half-edges are checked first, then junctions, bubbles and counts. In the plane, the boundaries of
+// the ghost and the lattice offsets are checked next. Euler's relation is checked last. Later
+// checks rely on earlier checks, for example when they follow successors.
 
 namespace foam {
 
