@@ -11,9 +11,9 @@
 namespace foam {
 
 /// Returns the results of make(first, last) for each chunk of [0, count), in the order of the
-/// chunks. The chunks are the same as in parallel_for. A thread computes each result in memory of
-/// its own and then moves it into the vector, so that threads do not share cache lines while they
-/// work. Precondition: grain > 0.
+/// chunks. The chunks are the same as in parallel_for. Each result is computed in the memory of its
+/// thread and then moved into the vector, so that threads do not write to the same cache lines
+/// while they work. Precondition: grain > 0.
 template <class Make>
 auto parallel_map(std::size_t count, std::size_t grain, int threads, const Make& make) {
     std::vector<std::invoke_result_t<Make, std::size_t, std::size_t>> results((count + grain - 1) /

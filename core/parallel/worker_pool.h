@@ -12,10 +12,10 @@
 
 namespace foam {
 
-/// A pool of threads. A thread is kept after its task, since starting a thread takes longer than
-/// most calls of `parallel_for`. Waking a thread is also slow. An idle thread therefore first spins
-/// for up to 50 microseconds, and yields its processor to any other thread meanwhile. Then it
-/// sleeps.
+/// A pool of threads. A thread stays in the pool after its task, because starting a thread takes
+/// longer than most calls of `parallel_for`. Waking a sleeping thread is also slow. An idle thread
+/// therefore first spins for up to 50 microseconds, and then sleeps. While it spins, it yields its
+/// processor to any other thread that can run.
 class WorkerPool {
   public:
     /// Returns the pool that the whole program shares. Its threads are started when they are first
@@ -28,10 +28,10 @@ class WorkerPool {
     ~WorkerPool();
 
     /// Calls work() on the caller's thread and concurrently on up to `helpers` threads of the pool,
-    /// the helpers. Returns when all calls that have begun have returned. Once the call on the
-    /// caller's thread has returned, no further helper begins. The caller then waits only for
-    /// helpers that are still inside work(). Therefore no deadlock can occur if work() itself calls
-    /// run(), or if any number of threads call run() at once.
+    /// which are called helpers. Returns when all calls that have begun have returned. Once the
+    /// call on the caller's thread has returned, no further helper begins. The caller then waits
+    /// only for helpers that are still inside work(). Therefore no deadlock can occur if work()
+    /// itself calls run(), or if any number of threads call run() at once.
     ///
     /// If the system cannot start so many threads, fewer helpers join. Preconditions: work() does
     /// not throw, and is correct for any number of concurrent calls, including one.
