@@ -6,10 +6,11 @@
 #include "core/geometry/trigonometric.h"
 
 /// Elementary functions whose results have the same bits with every compiler, optimization level,
-/// instruction set and processor, because they consist of IEEE 754 operations only: addition,
-/// subtraction, multiplication, division, square roots, and integer operations. The results of
-/// std::sin and the like depend on the C library, which also chooses among several versions at run
-/// time. core and texgen therefore use these functions alone; tests/check_layout.py checks it.
+/// instruction set and processor, because they consist only of operations whose results IEEE 754
+/// defines (addition, subtraction, multiplication, division, remainder, square root) and of integer
+/// operations. The results of std::sin and the like depend on the C library, which also chooses
+/// among several versions at run time. core and texgen therefore use only these functions, never
+/// std::sin and the like; tests/check_layout.py checks this.
 ///
 /// Errors are given in ulp (units in the last place of the exact result). The tests compare with
 /// MPFR.

@@ -14,14 +14,14 @@
 namespace foam::ieee {
 
 /// A number that is stored as the sum of two doubles. `high` is close to the number, `low` is the
-/// rest.
+/// number minus `high`.
 struct TwoDoubles {
     double high = 0.0;
     double low = 0.0;
 };
 
-/// The number that converts doubles to integers: x + kRounder - kRounder is x rounded to the
-/// nearest integer, for |x| < 2^51. The last bits of x + kRounder are those of the integer.
+/// A constant that rounds doubles to integers: x + kRounder - kRounder is x rounded to the nearest
+/// integer, for |x| < 2^51. The lowest bits of x + kRounder are the bits of this integer.
 inline constexpr double kRounder = 0x1.8p52;
 
 [[gnu::always_inline]] inline std::uint64_t bits_of(double x) {
@@ -98,15 +98,16 @@ inline constexpr double kRounder = 0x1.8p52;
     return {high, rest * inverse};
 }
 
-/// Returns the value of a polynomial, given by its coefficients from the constant one up. The even
-/// and the odd coefficients are summed separately, so that the two chains of dependent operations
+/// Returns the value of a polynomial. Its coefficients begin with the constant term. The even and
+/// the odd coefficients are summed separately, so that the two chains of dependent operations
 /// overlap.
 template <std::size_t Size>
 [[gnu::always_inline]] inline double polynomial(const std::array<double, Size>& coefficients,
                                                 double x) {
     const double square = x * x;
     double sums[2] = {coefficients[Size - 1], coefficients[Size - 2]};
-    // Expands to the terms of the loop over the remaining coefficients, from the last one down.
+    // Horner's scheme for the remaining coefficients, from the last to the first. The fold
+    // expression unrolls the loop.
     [&]<std::size_t... Term>(std::index_sequence<Term...>) {
         ((sums[Term % 2] = sums[Term % 2] * square + coefficients[Size - 3 - Term]), ...);
     }

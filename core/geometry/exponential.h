@@ -17,7 +17,8 @@ namespace detail {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-// log 2 is the sum of a number of 42 bits, whose products with exponents are exact, and a rest.
+// log 2 is the sum of a number of 42 bits, whose products with the exponents of doubles are exact,
+// and a small remainder.
 inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
 
 // Returns exp x: 2^k exp r with |r| <= log(2) / 2 and exp r = 1 + r + r² E(r). Numbers that are too
@@ -79,7 +80,8 @@ inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
     return ordered_sum(whole.high, whole.low + low);
 }
 
-// Returns log x times a factor. For x = 0, infinity, NaN or x < 0 the result is that of IEEE 754.
+// Returns log x times a positive factor. For x = 0, x = infinity, NaN and x < 0 the result is the
+// value that IEEE 754 gives for a logarithm.
 [[gnu::always_inline]] inline double scaled_logarithm(double x, const TwoDoubles& factor) {
     const TwoDoubles scaled = product(logarithm(x), factor);
     const double unbounded = x == 0.0 ? -kInfinity : kInfinity;
@@ -107,8 +109,8 @@ inline double log10(double x) {
     return detail::scaled_logarithm(x, {0x1.bcb7b1526e50ep-2, 0x1.95355baaafad3p-57});
 }
 
-/// Returns x^y for x >= 0, with an error below 1 ulp. Results that doubles represent are exact, for
-/// example powers of 10. Loops over this function can be vectorized.
+/// Returns x^y for x >= 0, with an error below 1 ulp. If a double can represent x^y exactly, the
+/// result is exact, for example for powers of 10. Loops over this function can be vectorized.
 [[gnu::always_inline]] inline double pow_of_positive(double x, double y) {
     // Exponents beyond these limits give the same results as the limits: 0, 1 or infinity. The
     // limits prevent an overflow.
@@ -122,8 +124,9 @@ inline double log10(double x) {
     return y == 0.0 || x == 1.0 ? 1.0 : of_number;
 }
 
-/// Returns x^y. For x < 0, the result is NaN unless y is a whole number. Otherwise as
-/// pow_of_positive. Zeros, infinities and NaN give the results of the C standard.
+/// Returns x^y. The error is the same as for pow_of_positive. For finite x < 0, the result is NaN
+/// unless y is a whole number or infinite. Zeros, infinities and NaN give the results of the C
+/// standard.
 double pow(double x, double y);
 
 }  // namespace foam::ieee

@@ -38,14 +38,16 @@ std::uint64_t upper_product(std::uint64_t a, std::uint64_t b) {
     return (a >> 32) * (b >> 32) + (middle >> 32) + (other >> 32);
 }
 
-// A number of quarter turns modulo 4, in fixed point: the point is after the first two bits.
+// A number of quarter turns modulo 4, as a fixed-point number of 128 bits with two bits before the
+// binary point.
 struct Turns {
     std::uint64_t high;
     std::uint64_t low;
 };
 
-// Returns |x| * 2/pi modulo 4. The integer `mantissa` is multiplied by the 192 bits of 2/pi whose
-// products are not multiples of 4 and not too small.
+// Returns x * 2/pi modulo 4. Precondition: x is positive and normal. The mantissa of x, an integer,
+// is multiplied by 192 bits of 2/pi: higher bits contribute only multiples of 4, and lower bits
+// contribute too little to matter.
 Turns quarter_turns(double x) {
     const std::uint64_t mantissa = (bits_of(x) & ((std::uint64_t{1} << kMantissaBits) - 1)) |
                                    (std::uint64_t{1} << kMantissaBits);
@@ -67,7 +69,8 @@ detail::ReducedAngle detail::reduced_large(double x) {
         return {{std::numeric_limits<double>::quiet_NaN(), 0.0}, 0};
     }
     const Turns turns = quarter_turns(x);
-    // The nearest whole number of quarter turns, and the rest as a signed number.
+    // `quarters` is the nearest whole number of quarter turns. `high` and `low` become the
+    // difference from it, as a signed number.
     const std::uint64_t quarters = (turns.high + (std::uint64_t{1} << 61)) >> 62;
     std::uint64_t high = turns.high << 2 | turns.low >> 62;
     std::uint64_t low = turns.low << 2;
@@ -76,7 +79,8 @@ detail::ReducedAngle detail::reduced_large(double x) {
         high = ~high + (low == 0 ? 1 : 0);
         low = 0 - low;
     }
-    // The rest is the sum of four numbers of 32 bits, which doubles represent exactly.
+    // The difference is the sum of four numbers of 32 bits, each of which a double represents
+    // exactly.
     const double first = static_cast<double>(high >> 32) * 0x1p-32;
     const double second = static_cast<double>(high & 0xffffffff) * 0x1p-64;
     const double third = static_cast<double>(low >> 32) * 0x1p-96;
@@ -146,7 +150,8 @@ TwoDoubles folded(const TwoDoubles& ratio) {
     return quotient(less, ordered_sum(more.high, more.low + ratio.low));
 }
 
-// Returns small / large for 0 <= small <= large. Infinite lengths have the ratio 1, zero lengths 0.
+// Returns small / large for 0 <= small <= large. The ratio is 1 if both are infinite, and 0 if both
+// are 0.
 TwoDoubles ratio_of(double small, double large) {
     if (small < 0x1p-60 * large || small == 0.0) {
         return {large == 0.0 ? 0.0 : small / large, 0.0};
@@ -161,8 +166,8 @@ TwoDoubles ratio_of(double small, double large) {
 
 }  // namespace
 
-// The angle is sought in the first eighth of a turn, as the arctangent of a ratio in [0, 1]. If the
-// ratio r is above 1/2, then atan r = pi/4 + atan((r - 1) / (r + 1)).
+// Symmetries map the angle to the first eighth of a turn, where it is the arctangent of a ratio r
+// in [0, 1]. If r is above 1/2, atan r = pi/4 + atan((r - 1) / (r + 1)) is used.
 double atan2(double y, double x) {
     if (std::isnan(x) || std::isnan(y)) {
         return std::numeric_limits<double>::quiet_NaN();

@@ -22,22 +22,22 @@ namespace detail {
 
 inline constexpr TwoDoubles kQuarterTurn = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};  // pi/2
 
-// The sine and the cosine of an angle are those of `angle`, an angle in [-pi/4, pi/4], after
-// `quarters` quarter turns.
+// An angle, reduced to the range from -pi/4 to pi/4: the original angle is `angle` plus `quarters`
+// quarter turns, up to whole turns.
 struct ReducedAngle {
     TwoDoubles angle;
     std::uint64_t quarters = 0;
 };
 
-// Angles of which the size is up to this are reduced without integer arithmetic.
+// Angles up to this magnitude are reduced without integer arithmetic.
 inline constexpr double kLargestAngle = 0x1p20;
 
-// Reduces |x| for |x| >= kLargestAngle.
+// Reduces an angle of at least kLargestAngle. The result is NaN if x is infinite or NaN.
 ReducedAngle reduced_large(double x);
 
 // Reduces an angle in [0, kLargestAngle] by subtraction of k pi/2 (W. J. Cody and W. Waite,
 // "Software Manual for the Elementary Functions", 1980). pi/2 is the sum of three numbers of 33
-// bits, whose products with k are exact, and a rest.
+// bits, whose products with k are exact, and a small remainder.
 [[gnu::always_inline]] inline ReducedAngle reduced(double x) {
     const double shifted = x * (2.0 / std::numbers::pi) + kRounder;
     const double k = shifted - kRounder;
@@ -83,8 +83,8 @@ ReducedAngle reduced_large(double x);
             of_bits(bits_of(select(odd, sine, cosine)) ^ cosine_flip)};
 }
 
-// For s = sin(angle) with an angle in [0, pi/2], the angle is 2 (root + rest) below pi/2 if
-// `is_steep`, otherwise it is root + rest.
+// An angle in [0, pi/2], computed from its sine. The angle is pi/2 - 2 (root + rest) if `is_steep`
+// is true, otherwise root + rest.
 struct Arcsine {
     bool is_steep;
     double root;
@@ -92,8 +92,8 @@ struct Arcsine {
 };
 
 // Uses asin s = s + s z A(z), z = s², for s in [0, 1/2]. Otherwise uses asin s = pi/2 - 2 asin t,
-// where t² = z = (1 - s) / 2. There `root` has few bits, and `rest` contains the rest of the
-// square root.
+// where t² = z = (1 - s) / 2. In this case, `root` consists of the upper bits of t, and `rest` is
+// asin t - root.
 [[gnu::always_inline]] inline Arcsine arcsine(double s) {
     constexpr std::array kArcsine = {0x1.5555555555578p-3,
                                      0x1.333333332df7cp-4,
@@ -128,7 +128,7 @@ struct Arcsine {
 /// Returns sin x and cos x, each with an error below 0.8 ulp.
 inline SineAndCosine sincos(double x) {
     const double size = magnitude(x);
-    if (size < 0.785) {  // an angle below pi/4, which is reduced already
+    if (size < 0.785) {  // below pi/4, so no reduction is needed
         return {with_sign(detail::sine_of_small({size, 0.0}).high, x),
                 detail::cosine_of_small({size, 0.0}).high};
     }
