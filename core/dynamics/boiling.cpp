@@ -14,10 +14,10 @@
 #include <numbers>
 
 // A bubble that shrinks to nothing and grows again at the same place needs no T1 if it is always
-// surrounded by the same bubbles: its birth is the inverse of its T2. Larger bubbles touch more
-// neighbors while they live, by T1s, some of which are not undone when the bubble shrinks.
-// Therefore boiling bubbles are chosen far from each other, and Cycle::calm reduces the peak areas
-// of boiling bubbles near which neighbors keep changing from cycle to cycle.
+// surrounded by the same bubbles: its birth is the inverse of its T2. While a bubble is large, T1s
+// give it further neighbors. When it shrinks, some of these T1s are not undone. Therefore boiling
+// bubbles are chosen far from each other, and Cycle::calm reduces the peak areas of boiling bubbles
+// near which neighbors keep changing from cycle to cycle.
 
 namespace foam {
 
@@ -43,8 +43,8 @@ void lower_distances(const Domain& domain,
     }
 }
 
-// Returns the indices of `count` centers: the first is random, and each further one is the
-// center that is farthest from the nearest center chosen before it (farthest-point sampling).
+// Returns the indices of `count` centers, by farthest-point sampling: the first center is random,
+// and each further center is as far as possible from the nearest center already chosen.
 std::vector<std::size_t> spread_out(const Domain& domain,
                                     const std::vector<Vec2>& centers,
                                     std::size_t count,

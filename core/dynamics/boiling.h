@@ -18,12 +18,12 @@ struct BoilingBubble {
     // The last position in the cycle, from 0 to steps - 1, at which the bubble is absent. It is
     // present from the next position on.
     int birth = 0;
-    double peak_area = 0.0;  // largest rise of the target area above the area at birth (area_at)
+    double peak_area = 0.0;      // largest rise of the target area above `first_area` (area_at)
     double min_peak_area = 0.0;  // Cycle::calm does not reduce peak_area below this area
-    // The position at which the bubble vanished last. Before it has vanished for the first time,
-    // its center.
+    // Where the bubble last vanished. Until it has vanished for the first time, the mean of its
+    // junctions when it was chosen.
     Vec2 last_position{0.0, 0.0};
-    // The bubbles between which it vanished last; empty before it has vanished for the first time.
+    // The bubbles between which the bubble last vanished; empty until it has vanished.
     std::set<BubbleIdentity> neighbors{};
     bool neighbors_changed = true;  // false if it vanished between the same bubbles twice in a row
 };
