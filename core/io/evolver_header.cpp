@@ -14,8 +14,8 @@ namespace {
 // The largest shear of a torus in widths. A larger shear would leave few digits for coordinates.
 constexpr double kMaxShear = 1e6;
 
-// Returns the keywords that are rejected, in lower case, each with a text. The error message
-// consists of the keyword and this text.
+// Returns the rejected keywords in lower case. Each has a text, which follows the keyword in the
+// error message.
 const std::map<std::string, const char*>& rejected_keywords() {
     static constexpr const char* kEnergy =
         "adds an energy that is not supported; the energy of a foam is the length of its films";
@@ -43,7 +43,8 @@ const std::map<std::string, const char*>& rejected_keywords() {
     return rejected_words;
 }
 
-// A method of the file: a function of elements, such as the length of an edge.
+// A method, in Evolver's sense: a quantity that is computed for each element, such as the length of
+// an edge.
 struct Method {
     std::string name;
     bool global = false;  // true if it applies to all elements

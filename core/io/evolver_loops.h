@@ -9,8 +9,8 @@
 
 namespace foam::evolver {
 
-/// One side of a film: a chain of edges from junction to junction along a face beside the film.
-/// Each vertex between two edges of the chain joins only these two edges.
+/// One side of a film: the chain of edges of a face from one junction to the next. Each vertex
+/// between two edges of the chain joins only these two edges.
 struct FilmSide {
     EdgeSide first;
     EdgeSide last;

@@ -10,8 +10,8 @@
 namespace foam {
 
 /// The newest version of the state format. It is incremented if an older reader would misread a
-/// newer file. Foams on a torus without shear are written in version 1; patches and sheared tori
-/// need version 2.
+/// newer file. A foam on a torus without shear is written in version 1, a patch or a sheared torus
+/// in version 2.
 inline constexpr int kFoamJsonVersion = 2;
 
 /// Returns the whole state of a foam as JSON, in the foam's own units. README.md specifies the

@@ -12,8 +12,8 @@
 #include <iterator>
 
 // nlohmann's own JSON tree does not keep the lines of its values. This tree is built from the
-// events of nlohmann's SAX parser. An input iterator counts the lines that the parser has read; the
-// line of a value is the line of the last character read.
+// events of nlohmann's SAX parser. An input iterator counts the lines that the parser has read. The
+// line of a value is the line that the parser has reached when it reports the value.
 
 namespace foam {
 
