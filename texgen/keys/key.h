@@ -33,8 +33,8 @@ struct KeyInfo {
     /// too. The list is empty if the values are not words.
     std::vector<std::string_view> words{};
     /// Returns the specific reason why a value is not allowed; empty if there is none. An error
-    /// message appends the reason to `allowed`, unless it suggests a word. This member is null if
-    /// the kind of values has no function fault().
+    /// message appends the reason to `allowed`, unless the message suggests a word. This member is
+    /// empty if the kind of values has no function fault().
     std::function<std::string(const Value&)> fault{};
     std::string_view meaning;              // the meaning in one sentence
     std::string_view unit{};               // the unit, such as "pixels"; empty if there is none

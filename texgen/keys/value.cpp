@@ -44,7 +44,8 @@ struct Writer {
         return looks_integer ? digits + ".0" : digits;
     }
 
-    /// TOML is UTF-8, but the name of a folder need not be.
+    /// Replaces bytes that are not UTF-8, because TOML must be UTF-8. A string may have such bytes
+    /// if it contains the name of a folder.
     std::string operator()(const std::string& text) const {
         std::string quoted = "\"";
         for (const char c : valid_utf8(text)) {

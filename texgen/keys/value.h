@@ -28,7 +28,8 @@ struct Value {
 };
 
 /// Returns the value as TOML. Parsing the text gives an equal value; real numbers are equal to the
-/// last bit. The only exception is a table, whose text is "{...}".
+/// last bit. There are two exceptions: the text of a table is "{...}", and bytes of a string that
+/// are not UTF-8 are replaced.
 std::string to_toml(const Value& value);
 
 }  // namespace foam::texgen
