@@ -20,8 +20,8 @@ namespace {
 // recursive and need stack in proportion to it.
 constexpr int kDeepest = 16;
 
-/// Returns the parser's message without its own error code, and with at most kLongestQuote
-/// characters of the text that it quotes last.
+/// Returns the parser's message without its error code. The text that the message quotes at its end
+/// is cut to kLongestQuote characters.
 std::string reason(const std::string& what) {
     constexpr std::string_view kQuote = "last read: '";
     const std::size_t code = what.find("] ");

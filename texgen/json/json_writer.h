@@ -21,11 +21,12 @@ Json number_or_null(const std::optional<double>& number);
 /// Returns a JSON array of paths, as strings.
 Json path_list(std::span<const std::filesystem::path> paths);
 
-/// Returns a JSON value as text on one line. Texts in it that are not UTF-8, such as some file
-/// names, get the character U+FFFD for each byte that is not.
+/// Returns a JSON value as text on one line. In strings that are not UTF-8, such as some file
+/// names, the invalid bytes are replaced by the character U+FFFD.
 std::string json_text(const Json& value);
 
-/// Returns a JSON value as the text of a file: indented by two spaces, with a newline at the end.
+/// Returns a JSON value as the text of a file: indented by two spaces per level, with a newline at
+/// the end. Invalid bytes are replaced as in json_text.
 std::string indented(const Json& value);
 
 }  // namespace foam::texgen
