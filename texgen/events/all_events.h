@@ -29,8 +29,8 @@ struct Event : EventBase {
 };
 
 /// A kind of event: its traits, its keys, and two functions. `check` rejects an event with invalid
-/// options. `advance` adds the effect of an event to the step that leads to one frame. The timeline
-/// calls `advance` once for each frame of the event, before the step to this frame.
+/// options. `advance` adds the effect of an event to the time step that leads to one frame. The
+/// timeline calls `advance` once for each frame of the event, before the step to this frame.
 struct EventKind : EventTraits {
     Keys<Event> (*keys)() = nullptr;
     void (*check)(const EventCheck& check, const Event& event) = nullptr;

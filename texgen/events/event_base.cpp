@@ -85,8 +85,8 @@ struct Times {
     }
 };
 
-// Returns a copy of the key that calls `forget` after it has read an allowed value. Frames that are
-// read thus replace a time, and a time replaces frames.
+// Returns a copy of the key that calls `forget` after it has read an allowed value. In this way,
+// frames replace a time that was read before, and a time replaces frames.
 Key<EventBase> replacing(Key<EventBase> key, void (*forget)(EventBase& event)) {
     key.read = [read = key.read, forget](const Value& value, EventBase& event) {
         const bool allowed = read(value, event);

@@ -17,14 +17,15 @@ struct EventSetting {
     bool is_patch = false;
     double t2_area = 0.0;       // square foam units
     double shorter_side = 0.0;  // shorter side of a torus, foam units
-    // All identities, of seeded bubbles and of bubbles that events create, are below this number.
+    // The number of bubbles that the preset asks for: foam.bubbles plus the bubbles that events
+    // create. An event must name identities below this number.
     std::int64_t identities = std::numeric_limits<std::int64_t>::max();
 };
 
 /// The argument of EventKind::check, which checks one event of a preset. The check covers
 /// conditions that involve several keys of the event, or a key of the event and a property of the
-/// foam. The check runs after a file or a command line has assigned keys of the preset. In this
-/// struct, a key counts as assigned only if this file or command line assigns it.
+/// foam. The check runs after the keys of one file or one command line have been assigned. In this
+/// struct, "assigned" means assigned by this file or command line.
 struct EventCheck {
     const EventBase& event;
     FrameSpan frames;  // frames of the event; computed from its time if it has one
@@ -41,9 +42,9 @@ struct EventCheck {
         }
     }
     /// Returns the reason to report for a wrong value of a key of the event. If a key of the event
-    /// was assigned, the reason is `text`. Otherwise the error message names an assigned key that
-    /// does not belong to the event. The result is then "event[2].key" + separator + text, so that
-    /// the message also names the key of the event.
+    /// was assigned, the reason is `text`. Otherwise the error message begins with an assigned key
+    /// outside of the event, such as foam.bubbles. The reason is then "event[2].key" + separator +
+    /// text, so that the message names the key of the event, too.
     std::string qualified_reason(std::string_view key,
                                  std::string_view separator,
                                  std::string_view text) const {
