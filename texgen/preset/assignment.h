@@ -24,9 +24,9 @@ struct Assignment {
     Value value;
 };
 
-/// Returns the assignments of a TOML document in the order of the document. Each table gives an
-/// assignment, too, with a Value::Table as its value. The key of the second table [[event]] is
-/// event[2]. Locations begin with `source`. Throws PresetError for malformed TOML.
+/// Returns the assignments of a TOML document in the order of the document. A table also gives an
+/// assignment, whose value is a Value::Table. The key of the second table [[event]] is event[2].
+/// Locations begin with `source`. Throws PresetError for malformed TOML.
 std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source);
 
 /// Parses a value from the command line. A text that is not a TOML value becomes a string, so that

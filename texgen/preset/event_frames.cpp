@@ -6,12 +6,12 @@ namespace foam::texgen {
 
 namespace {
 
-// Times that differ by less than this fraction of a time step count as equal. Therefore rounding
+// Times that differ by less than this fraction of a time step count as equal, so that rounding
 // errors do not matter: with steps of 0.1, the time 0.3 is reached after three steps.
 constexpr double kSameTime = 1e-6;
 
-// An iterator over the frames, beginning with frame 2, and their foam times. is_after and is_before
-// compare the time of the current frame with a given time.
+// A frame, at first frame 2, and its foam time. advance() moves on to the next frame. is_after and
+// is_before compare the time of the frame with a given time.
 class FrameClock {
   public:
     explicit FrameClock(const FramesOptions& frames)

@@ -90,9 +90,9 @@ const Assignment& last_of_keys_that_limit_events(std::span<const Assignment> ass
     return last != assignments.rend() ? *last : assignments.back();
 }
 
-// Rejects the last assignment to the key `name` of an event. If there is none, rejects the last
-// assignment to any key of the event. If there is none either, rejects the assignment that
-// last_of_keys_that_limit_events returns.
+// Rejects the last assignment to the key `name` of an event. If this key is not assigned, rejects
+// the last assignment to any key of the event. If no key of the event is assigned, rejects the
+// assignment that last_of_keys_that_limit_events returns.
 [[noreturn]] void reject_event(std::span<const Assignment> assignments,
                                std::size_t number,
                                std::string_view name,
@@ -122,8 +122,8 @@ void check_frames(const EventCheck& check) {
     check.require(check.event.frames.first != 0 || check.event.time, "kind", kRule);
 }
 
-// Returns the properties of the foam that events depend on. A torus has the area foam.bubbles and
-// the aspect ratio of the image.
+// Returns the properties of the foam on which events depend. The area of a torus is foam.bubbles,
+// and its aspect ratio is the aspect ratio of the image.
 EventSetting setting_of(const Preset& preset) {
     const auto [shorter, longer] = std::minmax(preset.image.width, preset.image.height);
     std::int64_t identities = preset.seeding.bubbles;

@@ -10,13 +10,13 @@ namespace foam::texgen {
 
 /// The kinds of loops, which differ in how the last frame leads back to the first frame.
 enum class LoopKind {
-    None,      // no loop: the foam coarsens
+    None,      // no loop: the last frame does not lead back to the first
     Breathe,   // the area of every bubble oscillates, with a phase of its own (E9)
     Shear,     // the torus is sheared to and fro; images do not show the shear, so they tile
     Boil,      // some bubbles shrink, vanish and are born again, each once in the loop (E9)
     Drift,     // the foam does not change, but moves as a whole
     Flow,      // bubbles vanish, as many new ones appear, and the end fades into the beginning
-    PingPong,  // frames of a coarsening foam, forwards in the first half, backwards in the second
+    PingPong,  // states of the foam, forwards in the first half, backwards in the second
 };
 
 /// The largest amplitude of the strain of a shear loop.
@@ -33,22 +33,22 @@ struct LoopOptions {
     std::array<int, 2> drift = {0, 0};  // motion per loop, in image widths and heights; y is up
     double current =
         0.0;         // root mean square strain of a current that carries the drawn foam around
-    int eddies = 1;  // of the current, along the shorter side of the image
-    /// Breathe, Shear and Boil: cycles are simulated before frame 1 until the foam at the end of a
-    /// cycle agrees with the foam at the start of this cycle. This is the largest number of these
-    /// cycles.
+    int eddies = 1;  // number of eddies of the current along the shorter side of the image
+    /// Breathe, Shear and Boil: the largest number of cycles that are simulated before frame 1.
+    /// Cycles are simulated until the foam at the end of a cycle agrees with the foam at its start.
     int cycles = 100;
     /// Flow: the fraction of the frames, at the end of the loop, that fade into the states of the
     /// foam one loop earlier. These states are simulated before frame 1.
     double fade = 1.0;
-    /// Flow: regions of the image begin to fade one after the other. The last region begins after
-    /// this fraction of the fade.
+    /// Flow: regions of the image begin to fade one after the other. The last region begins to fade
+    /// after this fraction of the fade.
     double fade_spread = 0.8;
     int growth = 24;  // Flow: number of frames in which a new bubble grows to the mean area
 
     /// Returns true if the foam itself returns to its first state.
     bool returns_to_start() const { return is_cycle() || kind == LoopKind::Drift; }
-    /// Returns true if some frames show a mixture of two states of the foam.
+    /// Returns true if some frames are a cross-fade: they show one state of the foam in some places
+    /// and another state in all others.
     bool is_cross_faded() const { return kind == LoopKind::Flow; }
     /// Returns true if the foam is simulated under a periodic change.
     bool is_cycle() const {

@@ -53,8 +53,8 @@ void check_drift(const Preset& preset, std::span<const Assignment> assignments) 
     }
 }
 
-// The size of an eddy is at least kBubblesInEddy mean bubble widths, so that the current hardly
-// varies along a film and the film stays an arc.
+// Checks that an eddy is at least kBubblesInEddy mean bubble widths wide, so that the current
+// hardly varies along a film and the film stays an arc. A single eddy is always allowed.
 void check_current(const Preset& preset, std::span<const Assignment> assignments) {
     const LoopOptions& loop = preset.loop;
     if (loop.current == 0.0) {

@@ -38,9 +38,9 @@ std::vector<std::string_view> preset_tables() {
     return tables;
 }
 
-// Returns the path that was probably meant by an unknown path: the path of a key that has the same
-// name in another table, or else the most similar path. Returns an empty view if no path is
-// similar.
+// Returns the path that was probably meant by an unknown path. This is the path of a key with the
+// same name in another table or, if there is none, the most similar path. Returns an empty view if
+// no path is similar.
 std::string_view suggestion(std::string_view path) {
     const std::string_view name = path.substr(path.rfind('.') + 1);
     std::vector<std::string_view> paths;

@@ -15,8 +15,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns a suggestion for the first text in a value that is not one of the words of the key. The
-// value is a text or a list. Returns an empty text if no word is similar.
+// Finds the first text in a value, a text or a list, that is not a word of the key. Returns a
+// suggestion for this text, or an empty text if no word is similar.
 std::string suggested_word(const Value& value, const KeyInfo& key) {
     const auto* list = std::get_if<Value::List>(&value.data);
     for (const Value& item : list != nullptr ? *list : Value::List{value}) {

@@ -15,10 +15,9 @@ namespace foam::texgen {
 /// and the value of the assignment, and the reason.
 [[noreturn]] void reject(const Assignment& assignment, std::string_view reason);
 
-/// Rejects the last assignment to any of the keys: the preset was valid before all of these
-/// assignments, so the assignments to these keys are the probable cause of the error. If none of
-/// the keys is assigned, rejects the last of all assignments. Precondition: there is at least one
-/// assignment.
+/// Rejects the last assignment to any of the keys. The preset was valid before the assignments, so
+/// an assignment to one of these keys is the probable cause of the error. If none of the keys is
+/// assigned, rejects the last of all assignments. Precondition: there is at least one assignment.
 [[noreturn]] void reject_last(std::span<const Assignment> assignments,
                               std::initializer_list<std::string_view> keys,
                               std::string_view reason);
