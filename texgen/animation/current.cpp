@@ -16,7 +16,8 @@ namespace {
 constexpr int kCurrentWaves = 6;
 constexpr int kPathSteps = 8;  // steps of the Runge-Kutta method along a path
 
-// A wave of the velocity at one moment: amplitude cos(vector . point + phase).
+// A wave of the velocity field at one moment. Its velocity at a point is amplitude * cos(vector .
+// point + phase).
 struct VelocityWave {
     Vec2 amplitude;
     Vec2 vector;
@@ -31,7 +32,7 @@ Vec2 velocity(const std::vector<VelocityWave>& waves, const Vec2& point) {
     return sum;
 }
 
-// Returns the displacement of a point in a unit of time.
+// Returns the displacement of a point that moves with the velocity for one unit of time.
 Vec2 displacement_in(const std::vector<VelocityWave>& waves, const Vec2& point) {
     constexpr double kStep = 1.0 / kPathSteps;
     Vec2 place = point;
@@ -46,9 +47,10 @@ Vec2 displacement_in(const std::vector<VelocityWave>& waves, const Vec2& point) 
 }
 
 // Returns the waves of the velocity after the fraction `progress` of the loop. A wave of the stream
-// function with the wave vector K contributes a velocity across K. Its amplitude is proportional to
-// 1 / |K|, so that all waves stretch the foam equally. The mean square of a cosine is 1/2, so the
-// root mean square of the strain is `strength`.
+// function with the wave vector K contributes a velocity perpendicular to K. The amplitude of this
+// velocity is proportional to 1 / |K|, so that all waves strain the foam equally. The amplitude of
+// each wave's strain is strength * sqrt(2 / kCurrentWaves). Because the mean square of a cosine is
+// 1/2, the root mean square of the total strain is `strength`.
 std::vector<VelocityWave> waves_at(double progress,
                                    const std::vector<PeriodicWave>& waves,
                                    const std::vector<int>& directions,

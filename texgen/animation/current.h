@@ -12,10 +12,10 @@
 namespace foam::texgen {
 
 /// A current on a torus, which carries the drawn foam around and back to its start in every loop.
-/// It is the flow of a stream function for a unit of time. The stream function is the sum of a few
-/// waves, each of which travels by one wavelength in a loop. The current has no seam, and it maps
-/// the torus to itself one to one and preserves areas (up to errors of 1e-5), whatever its
-/// strength.
+/// It displaces a point by moving it along a velocity field for one unit of time. The velocity is
+/// given by a stream function, the sum of a few waves, each of which travels by one wavelength in a
+/// loop. The displacement has no seam and, whatever its strength, maps the torus to itself one to
+/// one and preserves areas (up to errors of 1e-5).
 class Current {
   public:
     /// Uses the options `current` and `eddies` of the loop. `aspect` is the width of the torus
@@ -25,8 +25,8 @@ class Current {
     /// Returns the displacement of a point of the foam after the fraction `progress` of the loop.
     Vec2 displacement(const Vec2& point, const Domain& domain, double progress) const;
 
-    /// Returns the frame as the current shows it after the fraction `progress` of the loop
-    /// (displaced in displaced_frame.h). Precondition: the frame is on a torus.
+    /// Returns the frame, displaced by the current after the fraction `progress` of the loop
+    /// (displaced_frame.h). Precondition: the frame is on a torus.
     Frame carried(const Frame& frame, double progress) const;
 
   private:

@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-// The half angle of the arc from a point over a second point to a third point is the angle by which
-// the path along the two chords turns left (inscribed angle theorem).
+// The arc from one point through a second point to a third point has a simple half angle: the angle
+// by which the path along the two chords turns left at the second point (inscribed angle theorem).
 Frame displaced(Frame frame,
                 const Indexed<JunctionId, Vec2>& of_junctions,
                 const Indexed<FilmId, Vec2>& of_middles) {

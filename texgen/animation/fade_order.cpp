@@ -13,10 +13,10 @@ namespace foam::texgen {
 
 namespace {
 
-// The rank is a tileable random field. It is the sum of plane waves with whole numbers of periods
-// across the tile. Such a sum is nearly normally distributed. The cumulative distribution function
-// of the normal distribution therefore converts the sum to ranks that are spread almost evenly over
-// [0, 1]. It is approximated by the logistic function, whose error is below 0.01.
+// Ranks are computed from a tileable random field: a sum of plane waves with whole numbers of
+// periods across the tile. Such a sum is nearly normally distributed. The cumulative distribution
+// function of the normal distribution therefore converts it to ranks that are spread almost evenly
+// over [0, 1]. The logistic function approximates this function with an error below 0.01.
 
 constexpr int kOrderWaves = 24;
 // The steepness for which the logistic function is closest to the cumulative distribution function

@@ -11,8 +11,8 @@
 namespace foam::texgen {
 
 /// The order in which the bubbles of a foam appear in a cross-fade. Neighbors appear at about the
-/// same time, and bubbles that are several bubbles apart appear at different times. The bubbles
-/// that have appeared therefore form large regions, whose rims move.
+/// same time, and bubbles that are several bubbles apart appear at different times. At any moment,
+/// the bubbles that have appeared therefore form large regions, which grow.
 class FadeOrder {
   public:
     struct Options {
@@ -25,10 +25,11 @@ class FadeOrder {
 
     explicit FadeOrder(const Options& options);
 
-    /// Returns the rank of every bubble of a frame, in the order of Frame::bubbles: 0 appears
-    /// first, 1 appears last. The rank of a bubble depends on the mean of its junctions minus
-    /// `displacement`. If this is the displacement of the foam by a drift, a bubble keeps its rank
-    /// while it drifts. Precondition: the frame is on a torus.
+    /// Returns the rank of every bubble of a frame, in the order of Frame::bubbles. Ranks are from
+    /// 0, for bubbles that appear first, to 1, for bubbles that appear last. The rank of a bubble
+    /// depends on the mean of its junctions minus `displacement`. If this is the displacement of
+    /// the foam by a drift, a bubble keeps its rank while it drifts. Precondition: the frame is on
+    /// a torus.
     std::vector<double> ranks(const Frame& frame, const Vec2& displacement) const;
 
     /// Returns how far a bubble of a rank has grown, from 0 to 1. `passed` is the elapsed fraction

@@ -48,8 +48,9 @@ void carry(const Current& current, double progress, DrawnState& state) {
     state.frame = std::make_shared<const Frame>(current.carried(*state.frame, progress));
 }
 
-// Moves two frames towards each other, so that shared bubbles are in the same places: the frame
-// that fades out by the fraction `passed` of the way, the other frame by the rest.
+// Moves two frames towards each other, so that bubbles that are in both are at about the same
+// places. The frame `out`, which fades out, moves by the fraction `passed` of the distance, the
+// frame `in` by the remaining fraction.
 void move_together(double passed,
                    std::shared_ptr<const Frame>& out,
                    std::shared_ptr<const Frame>& in) {
@@ -129,8 +130,9 @@ void FrameAssembly::add(const SimulatedFrame& state) {
     }
 }
 
-// Adds to a state of the simulation what its frames need. Ranks are those of the foam before the
-// drift and the current move it, so that a bubble keeps its rank.
+// Returns a state of the simulation as it is kept: with the ranks of its bubbles (FadeOrder) if the
+// loop has a cross-fade, and moved by the current if there is one. Ranks are computed for the
+// positions before the drift and the current, so that a bubble keeps its rank.
 SimulatedFrame FrameAssembly::prepared(const SimulatedFrame& state) const {
     SimulatedFrame frame = state;
     const double progress = loop_progress(state.frame->number, loop_, count_);
@@ -156,8 +158,8 @@ void FrameAssembly::emit(const Request& request) {
     on_frame_(frame);
 }
 
-// Adds the foam that fades in. Bubbles that are in both foams are moved to common places, and
-// change from one foam to the other at once; all other bubbles grow.
+// Adds the foam that fades in. Bubbles that are in both foams are moved to common places, and each
+// of them is replaced at once; all other bubbles grow.
 void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame) const {
     const ShownStates& shown = request.shown;
     const double passed = shown.fade_progress;
@@ -192,9 +194,9 @@ void FrameAssembly::release(const Request& request) {
     }
 }
 
-// Returns the part of an effort that frames emitted earlier have not reported. `total` is the
-// effort from the seed to a state. The part is 0 if an emitted frame has shown this state or a
-// later one. The errors in the result are the errors of the state.
+// Returns the part of the effort `total` that emitted frames have not reported yet. `total` is the
+// effort from the seed to a state. It is 0 if emitted frames have already reported the effort up to
+// this state or a later one. The errors in the result are the errors of the state.
 FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total) {
     FrameEffort effort = total;
     if (total.seconds < reported_.seconds) {

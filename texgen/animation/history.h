@@ -32,8 +32,8 @@ class History {
     /// (FoamRecord::first_pressures).
     void record_pressures(const Foam& foam);
 
-    /// Updates the averages of values (RecentAverages) with the values of the foam in the next
-    /// frame. Does nothing if `smoothing` is 0.
+    /// Updates the averages of values (RecentAverages) with the present values of the foam. Call it
+    /// once per frame. Does nothing if `smoothing` is 0.
     void average_values(const Foam& foam);
 
     /// Replaces the averages by the averages after infinitely many cycles of a loop, which do not

@@ -17,7 +17,7 @@ std::vector<PeriodicWave> periodic_waves(const WaveOptions& options) {
     const double high = std::max(1.0 / options.aspect, 1.0);
     std::vector<PeriodicWave> waves;
     for (int k = 0; k < options.count; ++k) {
-        // A wave and its opposite are the same, so that directions span half a turn.
+        // Opposite directions give the same wave, so half a turn contains all directions.
         const double direction = std::numbers::pi * (k + random.uniform()) / options.count;
         const double number =
             options.number * (1.0 + options.variation * (2.0 * random.uniform() - 1.0));

@@ -7,8 +7,9 @@
 
 namespace foam::texgen {
 
-/// A plane wave on a torus, cos(2 pi (across x + up y) + phase), where x and y are fractions of the
-/// torus. The numbers of waves across and up are whole, so that the wave has no seam.
+/// A plane wave on a torus, cos(2 pi (across x + up y) + phase). x and y are positions as fractions
+/// of the width and height of the torus. `across` and `up` are numbers of wavelengths; they are
+/// whole, so that the wave has no seam.
 struct PeriodicWave {
     int across = 0;
     int up = 0;
@@ -21,13 +22,13 @@ struct PeriodicWave {
 struct WaveOptions {
     int count = 1;
     double number = 1.0;     // typical number of waves along the shorter side of the torus
-    double variation = 0.0;  // of this number: fractions from 1 - variation to 1 + variation occur
+    double variation = 0.0;  // of `number`: it is multiplied by 1 - variation to 1 + variation
     double aspect = 1.0;     // width of the torus divided by its height
     std::uint64_t seed = 1;
 };
 
-/// Returns waves with random phases. Their directions are random, but spread evenly. None of the
-/// waves is constant.
+/// Returns waves with random phases, and with random directions that are spread evenly. No wave is
+/// constant.
 std::vector<PeriodicWave> periodic_waves(const WaveOptions& options);
 
 }  // namespace foam::texgen

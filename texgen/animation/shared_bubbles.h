@@ -9,15 +9,18 @@
 
 namespace foam::texgen {
 
-/// Returns the displacement of every bubble of `from` to the bubble of the same identity in `to`;
-/// nothing if `to` has no such bubble, or if it is more than a mean bubble diameter away. The
-/// displacement is that of the mean of the junctions. Precondition: both foams are on the same
-/// torus.
+/// Returns, for every bubble of `from`, the displacement to the bubble of the same identity in
+/// `to`. The displacement is measured between the means of the junctions of both bubbles. It is
+/// nullopt if `to` has no such bubble, or if the displacement is longer than the diameter of a mean
+/// bubble. Precondition: both foams are on the same torus.
 std::vector<std::optional<Vec2>> displacements_of_shared(const Frame& from, const Frame& to);
 
-/// Returns the frame `from` with its bubbles moved to the same bubbles in `to`, by a fraction of
-/// the way. Bubbles that are not shared move with their neighbors. If two foams are moved towards
-/// each other by fractions that add up to 1, shared bubbles are in the same places.
+/// Returns the frame `from` with its bubbles moved towards the bubbles of the same identity in
+/// `to`, by a fraction of the displacement. A bubble that has no displacement moves with its
+/// neighbors; if it is more than two bubbles away from all bubbles that have one, it stays in
+/// place. A junction moves by the mean displacement of its three bubbles. If two frames are moved
+/// towards each other by fractions that add up to 1, bubbles of the same identity are therefore at
+/// about the same places.
 Frame moved_towards(const Frame& from, const Frame& to, double fraction);
 
 }  // namespace foam::texgen

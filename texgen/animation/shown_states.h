@@ -35,7 +35,7 @@ int states_before_first_frame(const LoopOptions& loop, int count);
 /// the state of frame 1.
 int frame_of_state(int state, const LoopOptions& loop, int count);
 
-/// Returns the fraction of the loop that precedes a state, from 0 (included) to 1. It is 0 for the
+/// Returns the fraction of the loop that precedes a state: at least 0 and below 1. It is 0 for the
 /// state of frame 1, and repeats after `count` states.
 double loop_progress(int state, const LoopOptions& loop, int count);
 

@@ -41,7 +41,7 @@ using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
 FrameSource simulation_of(const Preset& preset, int threads);
 
 /// Simulates a preset from its seed to the last of the given states and calls `on_state` for each
-/// of them. The FrameEffort of a state covers the steps since the previous given state, or since
+/// of them. The FrameEffort of a state covers the steps since the state passed before it, or since
 /// the seed. `on_progress` receives the same reports as from a FrameSource. Precondition: `states`
 /// is in increasing order.
 RunOutcome simulate_states(const Preset& preset,
