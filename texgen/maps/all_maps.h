@@ -61,8 +61,8 @@ struct MapOptions {
 
 /// Returns the keys of all maps, such as "height.full", in the order in which presets list them.
 /// The table of the map `event` is named event_map, because the table [[event]] describes an event
-/// of the foam. The function is a template so that only the few source files that call it spend
-/// time compiling it.
+/// of the foam. The function is a template, so that only the few source files that call it compile
+/// it.
 template <class M = MapOptions>
 Keys<M> map_keys() {
     return joined({nested_keys("albedo", &M::albedo, albedo_keys()),

@@ -47,8 +47,8 @@ struct ArcCopy {
     double extent;  // half the side of the square
 };
 
-// Returns all copies whose squares overlap the image, and some others near it. The squares contain
-// all points that are at most `reach` pixels from an arc.
+// Returns all copies whose squares overlap the image, and some copies near the image. The square of
+// a copy contains all points that are at most `reach` pixels from this copy.
 std::vector<ArcCopy> copies_in_image(std::span<const PlacedArc> arcs,
                                      const RasterGrid& grid,
                                      const Domain& domain,

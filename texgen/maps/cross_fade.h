@@ -15,8 +15,8 @@ struct ShownLayers {
     std::optional<FrameLayers> fading_in = {};  // in a cross-fade, the foam that fades in
 };
 
-/// Draws a map of a frame. If the frame contains two foams, draws the map of each and joins both
-/// images at the border (FadeBorder), so that every place shows only one of the foams.
+/// Draws a map of a frame. If the frame contains two foams, draws the map of each foam and joins
+/// both images at the border (FadeBorder): on each side of the border, one foam is shown.
 MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options);
 
 /// Returns a mixture of two images. `weights` contains for every pixel the weight of the image that

@@ -42,7 +42,8 @@ Keys<CurvatureOptions> curvature_keys() {
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefSource& source,
                             const CurvatureOptions& options) {
-    // The section is flat beyond its foot, so heights matter up to a radius beyond the foot.
+    // The section is flat beyond its foot. The curvature at a point depends on heights up to
+    // options.radius away, so distances up to the foot plus this radius are needed.
     const Relief relief(layers, source, Relief::kFoot + options.radius / source.relief.width);
     const double radius = options.radius * relief.diameter();
     Image<float> image(layers.grid().width, layers.grid().height, 1);

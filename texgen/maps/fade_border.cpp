@@ -23,7 +23,8 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // The border affects the relief of the old foam up to this distance, in mean bubble widths. It is
-// about the radius of a bubble: farther away, the distance from the border has creases.
+// about the radius of a bubble. Farther away, the distance from the border has creases, which would
+// be visible in the relief.
 constexpr double kReach = 0.5;
 
 // The lower limit to which slopes are clamped before a division by them.
@@ -40,13 +41,15 @@ void set_vector(Image<float>& image, std::size_t index, const Vec2& vector) {
     pixel[1] = static_cast<float>(vector.y());
 }
 
-// A distance, positive inside a bubble, and its gradient.
+// A distance from films or from the border, and its gradient. The distance from a rim is positive
+// inside the growing bubble.
 struct Lead {
     double distance = 0.0;
     Vec2 gradient = Vec2::Zero();
 };
 
-// Returns the radius R of every bubble in pixels, indexed by the ids of the distance field.
+// Returns the radius R of every bubble (see the top of this file) in pixels, indexed by the ids of
+// the distance field.
 std::vector<double> radii_of(const DistanceField& field, std::size_t bubbles) {
     std::vector<double> radii(bubbles, 0.0);
     for (std::size_t k = 0; k < field.ids.samples().size(); ++k) {
@@ -84,8 +87,8 @@ Lead with_border(const Lead& films, const Lead& border) {
                 of_border * of_border * of_border * border.gradient};
 }
 
-// Returns a distance that is the given one near 0 and infinite beyond the reach: its inverse is
-// lower by the inverse of the reach.
+// Returns a distance that is close to the given distance near 0 and infinite beyond the reach. The
+// inverse of the result is the inverse of the given distance minus the inverse of the reach.
 Lead limited(const Lead& border, double reach) {
     if (!(border.distance < reach)) {
         return {std::numeric_limits<double>::infinity(), Vec2::Zero()};
@@ -126,7 +129,7 @@ class FieldJoiner {
           in_(in),
           radii_(radii_of(in, fade.fading_in.bubbles.size())) {}
 
-    // Joins both fields at a pixel, and sets the pixel of the border.
+    // Joins both fields at a pixel, and sets the pixel in both images of the border.
     void join(std::size_t k, FadeBorder& border) {
         Lead nearest{static_cast<double>(films_.distance.samples()[k]),
                      vector_at(films_.gradient, k)};
@@ -148,9 +151,9 @@ class FieldJoiner {
     }
 
   private:
-    // Joins both fields at a pixel of a growing bubble if the pixel is within its rim; otherwise
-    // returns false. Replaces `nearest`, the distance from the nearest film of the border, by the
-    // distance from the rim if that is less.
+    // Returns true if a pixel of a growing bubble is within the rim of the bubble; joins both
+    // fields there. `nearest` is the distance from the nearest film of the border. In both cases,
+    // replaces it by the distance from the rim if the rim is nearer.
     bool join_growing(std::size_t k, std::size_t bubble, Lead& nearest) {
         const Lead smooth = grown(k, bubble);
         const Lead rim = from_rim(smooth, growth_[bubble] * radii_[bubble]);

@@ -20,25 +20,25 @@ struct CrossFade {
     std::span<const double> growth;
 };
 
-/// The border between the places that show the foam that fades out and the places that show the
-/// foam that fades in. A place shows only one of the foams. Every bubble that fades in appears as a
-/// point, grows over the old foam, and in the end has its own films. The border consists of the
-/// rims of growing bubbles, and of the films between complete bubbles and others.
+/// The border in a cross-fade: on one side of it the foam that fades out is shown, on the other
+/// side the foam that fades in. Every bubble that fades in appears as a point and grows over the
+/// old foam until it is complete and is bounded by its own films. The border consists of the rims
+/// of growing bubbles, and of the films between complete bubbles and bubbles that are not complete.
 struct FadeBorder {
     /// The distance from the border in pixels: positive where the foam that fades in is shown,
     /// negative elsewhere. The distance from the rim of a growing bubble is an approximation that
-    /// is exact for circles. Infinite far from the border and inside complete bubbles, minus
-    /// infinity far from the border in the foam that fades out.
+    /// is exact for circles. The distance is infinite inside complete bubbles and far from the
+    /// border, and minus infinity far from the border in the foam that fades out.
     Image<float> distance;
     /// The weight of the foam that fades in, from 0 to 1: the fraction of the pixel that shows it.
     Image<float> weights;
 };
 
-/// Finds the border and joins the distance fields of both foams at the border. In the results, the
-/// distances are those from the films of the shown foam and from the border, and equal in both
-/// fields; the ids do not change. Precondition: both fields have the same images, among them the
-/// smooth distances. If the grid is shifted, the results are shifted cyclically, and no bit of them
-/// changes. Throws std::invalid_argument if pixels_per_unit throws it.
+/// Finds the border and joins the distance fields of both foams at the border. Afterwards both
+/// fields contain the same distances: from the films of the foam that is shown, or from the border
+/// if it is nearer. The ids do not change. Precondition: both fields have the same images, among
+/// them the smooth distances. If the grid is shifted, the results are shifted cyclically, and no
+/// bit of them changes. Throws std::invalid_argument if pixels_per_unit throws it.
 FadeBorder join_at_border(const CrossFade& fade,
                           const RasterGrid& grid,
                           int threads,

@@ -46,13 +46,14 @@ class FrameLayers {
     /// Throws as cell_arcs does.
     const CellArcs& arcs(double film_width);
     /// Returns the distance field of the frame. It contains the ids, the distances and the images
-    /// that FrameInput::distance lists. In a cross-fade, distances are those from the films of the
-    /// shown foam and from the border (join_at_border).
+    /// that FrameInput::distance lists. In a cross-fade, distances are measured from the films of
+    /// the foam that is shown at a pixel and from the border (join_at_border).
     const DistanceField& distance();
     /// Returns the border of a cross-fade; nullptr without a cross-fade.
     const FadeBorder* border();
-    /// Returns the layers of the same frame on another grid of the same tile or view. Maps that
-    /// need the next frame cannot be drawn from them. `distance` replaces FrameInput::distance.
+    /// Returns the layers of the same frame on another grid, which shows the same tile or view.
+    /// Maps that need the next frame cannot be drawn from the result. `distance` replaces
+    /// FrameInput::distance.
     FrameLayers on_grid(const RasterGrid& grid, const DistanceNeeds& distance) const;
     /// Returns the maze of the frame (find_maze).
     const Maze& maze(const MazeRule& rule);

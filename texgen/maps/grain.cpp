@@ -55,7 +55,8 @@ Vec2 lattice_gradient(std::int32_t x, std::int32_t y, std::uint32_t seed) {
 }
 
 // Returns gradient noise with features of size 1. Each of the four lattice points around the point
-// has a plane with its gradient; quintic polynomials blend these planes.
+// defines a plane through this lattice point with its gradient; quintic polynomials blend the four
+// planes.
 GrainValue gradient_noise(const Vec2& point, std::uint32_t seed) {
     const double left = std::floor(point.x());
     const double bottom = std::floor(point.y());
@@ -81,9 +82,10 @@ GrainValue gradient_noise(const Vec2& point, std::uint32_t seed) {
                           slope(in.y()) * (p01 - p00 + u * twist))};
 }
 
-// Returns the centroid of the polygon of a bubble's junctions, in foam units. On a torus, this is
-// the copy of the bubble whose first junction is at its stored position. If the polygon has no
-// area, for example if the bubble has two sides, returns the mean of the junctions.
+// Returns the centroid of the polygon of a bubble's junctions, in foam units. On a torus, the
+// centroid belongs to that copy of the bubble whose first junction is at its stored position. If
+// the polygon has no area, for example if the bubble has two sides, returns the mean of the
+// junctions.
 Vec2 centroid_of(const Frame& frame, BubbleId bubble) {
     constexpr double kNoArea = 1e-6;
     Vec2 at = Vec2::Zero();  // relative to the first junction
@@ -113,7 +115,7 @@ std::uint32_t seed_of(BubbleIdentity identity, GrainUse use) {
     return scrambled(2U * number + static_cast<std::uint32_t>(use)) | 1U;
 }
 
-// Returns the number of octaves of a grain whose largest features have a size in pixels.
+// Returns the number of octaves of a grain. `size` is the size of its largest features in pixels.
 int octaves_of(double size) {
     int octaves = 1;
     while (octaves < kMaxOctaves && 0.5 * size >= kSmallestFeature) {
@@ -123,8 +125,8 @@ int octaves_of(double size) {
     return octaves;
 }
 
-// The result of a division of integers: the nearest quotient, and the remainder of smallest
-// magnitude.
+// The result of a division of integers: the quotient, rounded to nearest, and the remainder, whose
+// magnitude is therefore at most half of the divisor.
 struct Nearest {
     std::int32_t rest;
     std::int32_t quotient;

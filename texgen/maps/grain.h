@@ -22,9 +22,10 @@ struct GrainValue {
 };
 
 /// Returns the sum of several octaves of gradient noise at a point (K. Perlin, "Improving noise",
-/// 2002). The first octave has features of size 1; each further octave has half the size and half
-/// the height of the octave before it. The gradient is the derivative with respect to `point`. The
-/// noise depends only on the arguments. Precondition: 1 <= octaves <= 30.
+/// 2002). The first octave has features of size 1. The features of each further octave have half
+/// the size and half the height of the features of the preceding octave. The gradient is the
+/// derivative with respect to `point`. The noise depends only on the arguments. Precondition: 1 <=
+/// octaves <= 30.
 GrainValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
 
 /// A fine texture of noise in every bubble. It moves with the centroid of the bubble, does not turn
@@ -54,8 +55,8 @@ class Grain {
 
     RasterGrid grid_;
     bool is_periodic_;
-    std::int32_t shear_ = 0;  // of a torus, subpixels
-    double size_;             // of the largest features, pixels
+    std::int32_t shear_ = 0;  // shear of a torus, subpixels
+    double size_;             // size of the largest features, pixels
     int octaves_;
     const Image<std::uint32_t>* ids_;
     std::vector<Origin> origins_;  // indexed by the ids of the distance field

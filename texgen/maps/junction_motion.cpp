@@ -15,9 +15,9 @@ namespace {
 // Junctions have no identity that lasts from frame to frame, but bubbles do. A junction is
 // therefore identified by its corner: the identities of its three bubbles in cyclic order. If
 // several junctions of the next frame have the same corner, the nearest one is used. A junction
-// whose corner does not exist in the next frame gets the mean motion of its neighbors. Such motions
-// are computed ring by ring: first for the neighbors of the junctions that have been found in
-// the next frame, then for the neighbors of the first ring, and so on.
+// whose corner does not exist in the next frame gets the mean motion of its neighbors. These means
+// are computed ring by ring: first for neighbors of junctions that were found in the next frame,
+// then for neighbors of these neighbors, and so on.
 
 using Corner = std::array<BubbleIdentity, 3>;
 using Motion = Indexed<JunctionId, std::optional<Vec2>>;
@@ -91,8 +91,8 @@ std::optional<Vec2> motion_beside(const Network& network,
     return known > 0 ? std::optional<Vec2>(sum / known) : std::nullopt;
 }
 
-// Sets the motion of each junction that has none but has a neighbor with known motion. Returns
-// false if there is no such junction.
+// Sets the motion of each junction whose motion is unknown, but which has a neighbor of known
+// motion. Returns false if there is no such junction.
 bool spread(const Network& network, Motion& motion) {
     const Motion before = motion;
     bool added = false;

@@ -85,7 +85,7 @@ struct Wall {
     FilmId film;
     bool is_narrow;  // MazeRule::narrow
     double weight;   // the spanning tree opens films of small weight first, but narrow films last
-    double number;   // random; a part of the weight; its order is that of additional openings
+    double number;   // random; a part of the weight; additional films are opened in its order
 };
 
 // Returns true if a film is narrow (MazeRule::narrow): if it is shorter than `width`, or if a

@@ -22,7 +22,7 @@ inline constexpr MapTraits kNormalMap = {
     .shows_relief = true};
 
 /// Returns the traits of a map that differs from the map normal in one respect: its y has a fixed
-/// direction. One bake can draw both of these maps and thus have normals of both directions.
+/// direction. A bake that draws normal_gl and normal_dx has normals for both conventions.
 constexpr MapTraits fixed_normal_traits(std::string_view name, std::string_view meaning) {
     MapTraits traits = kNormalMap;
     traits.name = name;

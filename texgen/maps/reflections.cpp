@@ -72,7 +72,7 @@ Window::Window(double azimuth, double elevation, double degrees, double softness
       half_size_(ieee::tan(0.5 * degrees * kDegree)),
       softness_(std::max(softness, kSharpest)) {}
 
-// The direction is projected from the surface to the plane of the window.
+// Projects the direction to the plane of the window.
 double Window::at(const Direction& direction) const {
     const double distance = direction.dot(middle_);
     if (!(distance > 0.0)) {

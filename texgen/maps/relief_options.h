@@ -25,10 +25,10 @@ struct ReliefOptions {
     double width = 0.2;     // distance from a film to the foot of its ridge, or radius of Plateau
                             // borders; in diameters of the mean bubble; not used by domes
     double strength = 1.0;  // factor on heights
-    // Height of the grain (grain.h) on the relief in diameters of the mean bubble, times
-    // `strength`; 0 draws no grain. Not for the walls of a maze.
+    // Height of the grain (grain.h) in diameters of the mean bubble, before the factor `strength`;
+    // 0 draws no grain. The walls of a maze have no grain.
     double grain = 0.0;
-    double grain_size = 0.4;  // of the largest features, in diameters of a mean bubble of the
+    double grain_size = 0.4;  // size of its largest features, in diameters of a mean bubble of the
                               // seeded foam
     MeanBubble mean_bubble = MeanBubble::Current;  // its diameter is the unit of heights and widths
 };

@@ -157,9 +157,9 @@ std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) 
     return by_cell_id(layers, films, Film{});
 }
 
-// Returns a number from -1 to 1 that varies smoothly over a bubble: two crossed waves, one of them
-// bent by the other. The bubble is twisted about its middle, so that waves wind around it. `phase`
-// turns the pattern and shifts the waves, so that bubbles differ.
+// Returns a number from -1 to 1 that varies smoothly over a bubble: the sum of two crossed waves,
+// one of which bends the other. The pattern is twisted about the middle of the bubble, so that the
+// waves wind around it. `phase` turns the pattern and shifts the waves, so that bubbles differ.
 double swirl_at(const Vec2& place, double phase) {
     constexpr double kTwist = 2.2;  // angle between the middle and the rim, radians
     const double angle = phase + kTwist * place.squaredNorm();
