@@ -13,8 +13,8 @@ namespace foam::texgen {
 inline constexpr std::uint8_t kBackgroundGray = 0x2b;
 
 /// A frame for display, with red, green and blue from 0 to 1. Colors are linear light, composited
-/// over kBackgroundGray. In a map of data, 0 and 1 stand for the numbers that the smallest and the
-/// largest code of a PNG represent, even if the file is not a PNG.
+/// over kBackgroundGray. In a map of data, 0 stands for the number that the smallest code of a PNG
+/// represents, and 1 for the number of the largest code, even if the file is not a PNG.
 struct DisplayFrame {
     static constexpr int kColors = 3;
 
@@ -26,9 +26,9 @@ struct DisplayFrame {
 /// blue. If there is no R, the channels X, Y and Z are shown as red, green and blue; if there is
 /// neither R nor X, the channel Y is shown as gray. Floats are scaled to [0, 1] from the range in
 /// the manifest (MapSamples::range), if there is one, and clamped. Throws InputError if the file
-/// cannot be read or lacks the layer of the map. For a file without codes, also throws InputError
-/// if R, X and Y are all missing or not floats, or if the map is data and its range is not in the
-/// manifest.
+/// cannot be read or lacks the layer of the map. If the samples of the file are not codes of 8 or
+/// 16 bits, also throws InputError in two cases: if R, X and Y are all missing or not floats, and
+/// if the map is data and its range is not in the manifest.
 DisplayFrame read_display_frame(const MapFile& file, const ManifestMap& map);
 
 /// Returns a frame reduced to a smaller size. Each new pixel is the mean of the old pixels that it

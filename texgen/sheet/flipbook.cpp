@@ -62,7 +62,7 @@ Flipbook write_flipbook(const BakedSet& set,
     ProgressMeter progress(
         Phase::Sheets, static_cast<int>(sequences.size() * frames.size()), on_progress);
     progress.begin();
-    // No file gets its name before all of them are complete.
+    // No file gets its name before all files are complete.
     std::vector<StagedFile> staged;
     std::vector<SheetImage> images;
     for (const MapSequence& sequence : sequences) {

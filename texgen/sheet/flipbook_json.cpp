@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kSameDisplacement = 1e-9;  // largest relative difference of equal displacements
 
-// Returns true if the frames form a closed loop: if they have a common step, and the number of
-// frames times the absolute value of this step is the period of the loop. The step of a single
-// frame is 1.
+// Returns true if the frames form a closed loop: if successive frame numbers have the same
+// difference (step), and the number of frames times the magnitude of the step is the period of the
+// loop. The step of a single frame is 1.
 bool closes(const ManifestLoop& loop, std::span<const int> frames) {
     const std::optional<int> step = common_step(frames);
     return loop.period > 0 && step &&
@@ -64,8 +64,9 @@ Json layout_value(const SheetLayout& layout, bool tiles) {
             {"uv", uv_value(layout)}};
 }
 
-// Returns the displacement of a map (ManifestFile::displacement), if it is the same in all frames;
-// null if it differs between frames or is not recorded.
+// Returns the displacement of a map (ManifestFile::displacement) if all frames have the same
+// displacement. Returns null if frames have different displacements, or if a displacement is not
+// recorded.
 Json displacement_value(const BakedSet& set, std::span<const int> frames, const std::string& map) {
     std::optional<double> common;
     for (const int frame : frames) {

@@ -51,7 +51,8 @@ void check_layout(const SheetLayout& layout) {
                         layout.columns,
                         layout.gutter));
     }
-    // These limits come first, so that the products below do not overflow.
+    // The limits of lengths are compared first, so that the product of width and height does not
+    // overflow.
     if (layout.gutter > kMaxImageExtent || layout.width() > kMaxImageExtent ||
         layout.height() > kMaxImageExtent || layout.width() * layout.height() > kMaxImagePixels) {
         throw std::invalid_argument(

@@ -29,8 +29,8 @@ struct SheetLayout {
     friend bool operator==(const SheetLayout&, const SheetLayout&) = default;
 };
 
-/// Returns the power of two that, as the number of columns, makes a sheet most nearly square. If
-/// two powers are equally good, returns the larger one. Graphics hardware prefers widths that are
+/// Returns the number of columns, a power of two, for which a sheet is most nearly square. If two
+/// powers are equally good, returns the larger one. Graphics hardware prefers widths that are
 /// powers of two, and the width of the sheet is a power of two if the width of a cell is a power of
 /// two.
 int near_square_columns(int frames, int cell_width, int cell_height);

@@ -30,13 +30,13 @@ struct MapSequence {
     bool tiles() const;
 };
 
-/// Returns the difference between successive frame numbers, or nullopt if not all differences are
-/// equal or if they are 0. Returns 1 for fewer than two frames.
+/// Returns the difference between successive frame numbers. Returns nullopt if the differences are
+/// not all equal, or if they are 0. Returns 1 for fewer than two frames.
 std::optional<int> common_step(std::span<const int> frames);
 
 /// Returns the frame rate at which the given frames show the foam at the same speed as the whole
-/// set. For example, every second frame of a set with 24 frames per second is played at 24 frames
-/// in 2 seconds. Returns the frame rate of the set if the frames have no common step.
+/// set. For example, if every second frame of a set with 24 frames per second is given, the rate is
+/// 24 frames in 2 seconds. Returns the frame rate of the set if the frames have no common step.
 FrameRate playing_rate(const BakedSet& set, std::span<const int> frames);
 
 /// Returns the files of the given frames of a map. `folder` is the folder of the manifest of the

@@ -28,17 +28,17 @@ inline constexpr std::array<std::string_view, 5> kPreviewNames = {
 
 /// The previews to write.
 struct PreviewOptions {
-    // Empty for the first map of colors or, if there is none, the first map of numbers.
+    // If empty, the first map of colors is shown or, if there is none, the first map of numbers.
     std::vector<std::string> maps = {};
     std::vector<int> frames = {};  // in this order; empty for all frames of the set
-    // Empty for Contact and Loop, and also Tiling if the first frame tiles.
+    // If empty, Contact and Loop are written, and also Tiling if the first frame tiles.
     std::vector<PreviewKind> kinds = {};
     int size = 384;   // largest width and height of animations, in pixels
     int threads = 0;  // 0: one per hardware thread
 };
 
-/// Throws std::invalid_argument if previews of the given kinds are impossible because the first
-/// frame, of the given number, does not tile.
+/// Throws std::invalid_argument if a preview of the kind Tiling is wanted (options.kinds), but
+/// `tiles` is false. `tiles` tells whether the first frame tiles; `frame` is its number.
 void check_tiling(const PreviewOptions& options, bool tiles, int frame, const std::string& preset);
 
 /// Throws std::invalid_argument if a map whose samples have the given kind (MapSamples::kind)

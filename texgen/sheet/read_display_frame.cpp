@@ -43,7 +43,8 @@ std::vector<float> values_of_codes(bool is_light) {
     return values;
 }
 
-// Returns the frame of an image of codes. The last of two or four channels is the opacity.
+// Returns the frame of an image of codes. If the image has two or four channels, the last one is
+// the opacity.
 template <class Sample>
 DisplayFrame shown_codes(const Image<Sample>& image, bool is_light) {
     const std::vector<float> values = values_of_codes<Sample>(is_light);

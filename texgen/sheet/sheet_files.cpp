@@ -63,8 +63,8 @@ std::string channel_list(const Picture& picture) {
     return list;
 }
 
-// Throws InputError if the channels of a frame differ from the channels of the sheet, or if its
-// size differs from the frame size of the layout.
+// Throws InputError if a frame has other channels than the sheet, or another size than the layout
+// gives for frames.
 void check_frame(const Picture& frame,
                  const Picture& sheet,
                  const SheetLayout& layout,
