@@ -49,7 +49,7 @@ array area[last_frame]
 remember(frame, count, mean) = (bubbles[frame] = count, area[frame] = mean, frame)
 stats frames every ::1 using (remember(int($1), $3, $4)) nooutput
 
-# Frames with enough bubbles to average over; all frames if the first has too few.
+# Frames with enough bubbles to average over; all frames if the first frame has too few bubbles.
 least = first_bubbles >= few_bubbles ? few_bubbles : 0
 measurable(count) = count >= least
 # The scaling state: at most a quarter of the first bubbles are left.

@@ -17,7 +17,7 @@ namespace foam::texgen {
 /// frame,time,bubbles,mean_area,energy,second_moment,area_error,angle_error,t1,t2,seconds
 std::string frames_csv(const RunRecord& run);
 
-/// Returns a table with one row per frame and number of sides that occurs in it:
+/// Returns a table with one row for each frame and each number of sides that occurs in this frame:
 /// frame,time,sides,bubbles,share,mean_area,mean_pressure,untouched,area_rate,film_rate,law_rate
 /// `area_rate` is empty in the rows of the first frame and of lone bubbles (0 sides). In any other
 /// row it is empty if every bubble with this number of sides has other neighbors than in the
