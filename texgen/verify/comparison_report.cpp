@@ -34,7 +34,7 @@ const char* json_value_of(Verdict verdict) {
     }
 }
 
-// Returns the value of the result of a comparison in JSON.
+// Returns the value of "verdict" for a compared image in JSON.
 const char* json_value_of(const ComparedImage& image) {
     switch (image.pair.presence) {
         case Presence::OnlyA:

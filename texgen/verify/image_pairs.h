@@ -32,9 +32,9 @@ struct ImagePair {
 ///                      if a folder has a manifest, it determines the map and frame of an image
 ///     manifests        one pair per file that at least one of the manifests lists, by path
 ///
-/// With `frames`, `a` and `b` are patterns, even if files have these names. The result then has a
-/// pair for each of these frames, whether its files exist or not. Without `frames`, pairs are in
-/// the order of frame numbers or paths, and contain every image that exists (or is listed) on at
+/// If `frames` is given, `a` and `b` are patterns, even if files have these names. The result then
+/// has a pair for each of these frames, whether its files exist or not. Without `frames`, pairs are
+/// in the order of frame numbers or paths, and contain every image that exists (or is listed) on at
 /// least one side.
 ///
 /// Throws std::invalid_argument if a pattern is malformed, or if `a` and `b` are of different kinds

@@ -77,7 +77,8 @@ Keys<DifferenceLimits> severity_keys() {
     };
 }
 
-// Returns the keys of the limits of a severity, which is a member of CompareLimits.
+// Returns the keys of the limits of a severity. `limits` is the member of CompareLimits that
+// contains these limits.
 Keys<CompareLimits> keys_of(std::string_view severity, DifferenceLimits CompareLimits::*limits) {
     Keys<CompareLimits> keys = nested_keys("", limits, severity_keys());
     for (Key<CompareLimits>& key : keys) {
@@ -89,8 +90,8 @@ Keys<CompareLimits> keys_of(std::string_view severity, DifferenceLimits CompareL
 }  // namespace
 
 std::string PercentileLimits::allowed() const {
-    return "\"P=T\" (P percent of the pixels differ by at most T), or several, separated by "
-           "commas, with P above 0 and at most 100, and T at least 0";
+    return "\"P=T\" (at least P percent of the pixels differ by at most T), or several, separated "
+           "by commas, with P above 0 and at most 100, and T at least 0";
 }
 
 std::string PercentileLimits::schema() const {

@@ -32,8 +32,8 @@ class Tolerances {
     std::map<std::string, CompareLimits, std::less<>> tables_;
 };
 
-/// Parses a TOML document with a table per map, and perhaps a table [default]. The keys of a table
-/// are the keys in limit_keys. A table without a limit of warnings gives no warnings. Throws
+/// Parses a TOML document with a table per map, and optionally a table [default]. The keys of a
+/// table are the keys in limit_keys. A table without a limit of warnings gives no warnings. Throws
 /// PresetError (preset/assignment.h), whose message is one line that gives the location, the key
 /// and the allowed values. `source` is the name of the document for messages.
 Tolerances parse_tolerances(std::string_view toml, const std::string& source);

@@ -78,10 +78,11 @@ TEST(Tolerances, ErrorsNameLineKeyAndAllowedValues) {
     EXPECT_EQ(error_of("[normal]\nfail_pixels = 0.5"),
               "t.toml:2: key 'normal.fail_pixels' = 0.5: must be an integer from 0 to "
               "1000000000000");
-    EXPECT_EQ(error_of("[normal]\nfail_percentile = \"99\""),
-              "t.toml:2: key 'normal.fail_percentile' = \"99\": must be \"P=T\" (P percent of the "
-              "pixels differ by at most T), or several, separated by commas, with P above 0 and at "
-              "most 100, and T at least 0");
+    EXPECT_EQ(
+        error_of("[normal]\nfail_percentile = \"99\""),
+        "t.toml:2: key 'normal.fail_percentile' = \"99\": must be \"P=T\" (at least P percent of "
+        "the pixels differ by at most T), or several, separated by commas, with P above 0 "
+        "and at most 100, and T at least 0");
     EXPECT_EQ(error_of("[albedo]\nfail_angle = 1"),
               "t.toml:2: key 'albedo.fail_angle' = 1: only the tables of normal maps (normal, "
               "normal_gl, normal_dx) and [default] have limits of angles");
