@@ -11,9 +11,9 @@
 namespace foam::fuzz {
 
 /// A function that gives input to one reader of the program. It returns normally if the reader
-/// accepts the input, and if the reader rejects the input with an exception that its header
-/// documents. Any other exception, a failed requirement, a crash and an error that a sanitizer
-/// finds are faults.
+/// accepts the input, or rejects it with an exception that the reader's header documents. Any other
+/// exception, a failed requirement (`require`), a crash and an error that a sanitizer finds are
+/// faults.
 struct FuzzTarget {
     std::string_view name;
     void (*run)(std::string_view input);
@@ -26,7 +26,8 @@ std::span<const FuzzTarget> all_targets();
 /// ends the program with the exit code 2.
 const FuzzTarget& target_named(std::string_view name);
 
-/// Prints the violated requirement and aborts, unless it holds. It aborts also in release builds.
+/// Does nothing if `holds` is true. Otherwise prints the requirement and aborts, in release builds,
+/// too.
 void require(bool holds, std::string_view requirement);
 
 /// Returns read(), or nullopt if it throws an exception of one of the given types. Other exceptions

@@ -25,8 +25,8 @@ const foam::fuzz::FuzzTarget& chosen_target() {
 
 }  // namespace
 
-// Unlike the time limit of libFuzzer, the limit of processor time does not depend on other work of
-// the machine.
+// Limits the processor time of a run. Unlike the time limit of libFuzzer, this limit does not
+// depend on other programs that the machine runs.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const foam::fuzz::FuzzTarget& target = chosen_target();
     const double start = processor_seconds();

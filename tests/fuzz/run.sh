@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Fuzzes readers of the program with libFuzzer, under the address and undefined-behavior sanitizers. Prints a table of the
-# runs, the crashes and the coverage. Inputs that are found stay in build/fuzz/findings and build/fuzz/corpus, so that the
-# next run continues from them.
+# Fuzzes readers of the program with libFuzzer, under the address and undefined-behavior sanitizers. Prints a table of
+# the runs, the crashes and the coverage. New inputs stay in build/fuzz/work/corpus, so that the next run continues from
+# them; inputs that crash stay in build/fuzz/work/findings.
 #
 #     tests/fuzz/run.sh 10                   all targets, 10 minutes each
 #     tests/fuzz/run.sh 10 png exr           these targets
-#     tests/fuzz/run.sh --minimize           replaces the checked-in corpora by the smallest ones of the same coverage
+#     tests/fuzz/run.sh --minimize           replaces the checked-in corpora by smaller ones of the same coverage
 #
 # Limits of a run: 1 second of processor time, 512 MiB of memory. Environment: JOBS, the number of targets that are fuzzed
 # at once (default: the number of processors).
@@ -73,7 +73,7 @@ build() {
     cmake --build --preset fuzz --target fuzz_readers
 }
 
-# all_targets: prints the names of all targets, which are those of the folders with their inputs.
+# all_targets: prints the names of all targets. Each target has a folder of its name in the corpus.
 all_targets() {
     find "$seeds" -mindepth 1 -maxdepth 1 -type d -printf '%f\n' | sort
 }

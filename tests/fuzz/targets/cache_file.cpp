@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t kHeaderSize = 72;  // the checksum of the rest is at the end of the header
 constexpr std::string_view kSimulation = "0123456789abcdef0123456789abcdef";
 
-// Returns the bytes with the right checksum, which mutated inputs would never have.
+// Returns the bytes with a correct checksum. Without this correction, the reader would reject
+// nearly every input because of its checksum.
 texgen::Bytes with_checksum(std::string_view input) {
     const std::span<const std::byte> bytes = bytes_of(input);
     texgen::Bytes file(bytes.begin(), bytes.end());

@@ -16,7 +16,7 @@ namespace foam::fuzz {
 
 namespace {
 
-// Describes the sheets of all maps whose frames are complete.
+// Describes the sheets of those maps of which all frames were baked.
 void describe_sheets(const texgen::BakedSet& set) {
     const std::vector<int> frames = set.frames();
     std::vector<texgen::SheetImage> images;
@@ -36,7 +36,7 @@ void describe_sheets(const texgen::BakedSet& set) {
 
 }  // namespace
 
-// Gives a manifest of foreign origin to the writer of the JSON file of a flipbook.
+// Parses the input as a manifest and writes the JSON file of a flipbook for each of its sets.
 void fuzz_flipbook(std::string_view input) {
     const auto manifest = unless_rejected<texgen::InputError>(
         [&] { return texgen::parse_manifest(input, "manifest.json"); });
