@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs commands with closed and full standard streams, and with few file descriptors.
 
-No stream may change an image. An exit code may become 5 if stdout cannot be written, and nothing else. The short form uses
-some combinations of streams, the long form all of them with every command.
+The streams must not change an image. If stdout cannot be written, a command whose only result is on stdout may end with the
+exit code 5; all other exit codes must stay the same. The short form tries some combinations of streams, the long form all
+combinations with more commands.
 """
 import itertools
 import os

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Bakes into folders that are read-only, in the way, or vanish, and two bakes into one folder.
+"""Bakes into folders that are read-only or vanish, and where a file or folder is in the way; runs two bakes in one folder.
 
 Root may write everywhere, so root runs the program as an ordinary user as well.
 """
@@ -89,7 +89,7 @@ def vanished_working_folder(lab, folder):
 
 
 def two_bakes(lab, folder):
-    """Runs two bakes of other presets, and two of the same, in one folder at the same time."""
+    """Runs two bakes in one folder at the same time: first of different presets, then of the same preset."""
     for presets in (("sea_foam", "soap_raft"), ("sea_foam", "sea_foam")):
         commands = [[*BAKE[:1], preset, *BAKE[2:-1], "both/{preset}_{map}.####.png"] for preset in presets]
         running = [lab.start(one, folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) for one in commands]

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes to disks that are too small.
 
-A command must end with the exit code 5 and one line, or with 0. No file may be torn, and with more space the bake must
-resume to the images of a bake with enough space. The disk is a tmpfs, which only root may mount; if this is not possible,
-the largest size of a file is limited instead. The short form tries 8 sizes, the long form 60.
+A command must end with the exit code 5 and one line, or with 0. No image may be incomplete. After the bake has been resumed
+with enough space, it must have the same images as a bake that always had enough space. The disk is a tmpfs, which only root
+may mount; if it cannot be mounted, the largest size of a file is limited instead. The short form tries 8 sizes, the long
+form 60 (or all 11 limits of the file size).
 """
 import contextlib
 import resource

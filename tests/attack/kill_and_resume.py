@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Kills bakes with SIGKILL at random moments and resumes them.
+"""Kills bakes and simulations with SIGKILL at random moments, and resumes or repeats them.
 
-No killed bake may leave a torn image or manifest, and the images of a resumed bake must be those of a bake that was not
-killed, byte for byte. The short form kills 10 bakes, the long form 100.
+No killed bake may leave an incomplete image or manifest, and a resumed bake must have the same images as a bake that was
+not killed, byte for byte. The short form kills the program 10 times, the long form 100 times.
 """
 import json
 import subprocess
@@ -27,7 +27,7 @@ def kill_after(lab, arguments, folder, seconds):
 
 
 def check_killed(lab, folder, good):
-    """Checks what a killed bake left: complete images of the right pixels, and a readable manifest."""
+    """Checks the files that a killed bake left: complete images with the right pixels, and a readable manifest."""
     for name, content in attack.images_in(folder / "out").items():
         lab.expect(content == good[name], f"torn image {name}")
     manifest = folder / "out" / "manifest.json"

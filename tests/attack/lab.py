@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What all attacks share: running the program, comparing folders, and the command line of an attack."""
+"""Functions that all attacks share: running the program, reading images, and the command line of an attack."""
 import argparse
 import collections
 import dataclasses
@@ -14,11 +14,11 @@ import tempfile
 
 NOBODY = 65534  # the id of the user without rights
 SKIPPED = 77  # the exit code that ctest counts as a skipped test
-DOCUMENTED = {0, 2, 3, 4, 5, 6, 130, 143}  # the exit codes of the program, except 1: a bug, or out of memory
+DOCUMENTED = {0, 2, 3, 4, 5, 6, 130, 143}  # the exit codes of the program, except 1, which means a bug or too little memory
 PROCESSOR_TIME_LIMIT = 60  # seconds; the signal SIGXCPU ends a run that takes more
 TIME_LIMIT = 1200  # seconds; a run that takes longer counts as a hang
 
-# A bake of a second or less whose images have all sample types.
+# Options of a bake that takes a second or less.
 SMALL = ["--set", "foam.bubbles=24", "--set", "foam.lloyd=2", "--size", "48", "--threads", "2", "-q"]
 
 
@@ -34,7 +34,7 @@ class Outcome:
 
 
 class Lab:
-    """A temporary folder with a copy of the program, which every user may run. Counts what went wrong."""
+    """A temporary folder with a copy of the program, which every user may run. Collects the faults that are found."""
 
     def __init__(self, arguments):
         self.random = random.Random(arguments.seed)
@@ -61,7 +61,7 @@ class Lab:
         if self.user is not None:
             options |= {"user": self.user, "group": self.user, "extra_groups": []}
         options.setdefault("stdin", subprocess.DEVNULL)
-        # The limit is set in the new process, since changing that of another user's process takes a privilege.
+        # The new process sets its own limit, because only a privileged user may set the limit of another user's process.
         prepare = options.pop("preexec_fn", lambda: None)
         options["preexec_fn"] = lambda: (limit_processor_time(), prepare())
         return subprocess.Popen([self.program, *map(str, arguments)], cwd=cwd, **options)

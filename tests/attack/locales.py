@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs commands under foreign locales, time zones and environments.
 
-Images, manifests, texts and exit codes must be the same everywhere: no decimal commas, no dotless i. Locales that are not
-installed are compiled with localedef, if its sources are there (Debian package locales). The short form has a locale with
-decimal commas and one with a dotless i, the long form more of them.
+Images, printed texts, exit codes and the number of commas in each table must be the same everywhere: no decimal commas, no
+dotless i. The locales are compiled with localedef, if their sources are installed (Debian package locales). The short form
+tries a locale with decimal commas and one with a dotless i, the long form tries more locales.
 """
 import os
 import shutil
@@ -32,7 +32,7 @@ def compile_locales(lab, names):
 
 
 def results(lab, environment):
-    """Returns what the commands write and print, without the times in the manifest."""
+    """Returns exit codes and printed texts, images, and the number of commas in each table."""
     folder = lab.folder("work")
     outcomes = [lab.run(command, folder, env=environment) for command in COMMANDS]
     printed = [(outcome.code, outcome.out, outcome.err) for outcome in outcomes]

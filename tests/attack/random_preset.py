@@ -3,7 +3,7 @@
 import json
 import math
 
-# Upper limits of keys that decide how long a bake takes, below the limits of the schema.
+# Upper limits below the limits of the schema: for keys that decide how long a bake takes, and for the low end of a range.
 LARGEST = {
     "foam.bubbles": 40, "foam.lloyd": 4, "frames.count": 5, "frames.time_step": 20, "frames.warm_up": 20,
     "frames.step_growth": 2, "loop.cycles": 6, "loop.growth": 8, "image.size": 40, "pressure.smoothing": 30,
@@ -11,7 +11,7 @@ LARGEST = {
     "event.frames": 6, "event.time": 20, "event.bubble": 45, "event.count": 5, "pressure.low": -1e-3,
     "albedo.pressure_low": -1e-3,
 }
-# Lower limits above those of the schema: a low end must be below its high end.
+# Lower limits above the limits of the schema: the high end of a range must be above its low end.
 SMALLEST = {"pressure.high": 0, "albedo.pressure_high": 0, "image.size": 3}
 # Gauss-Seidel is hundreds of times slower than Newton's method: such presets have short steps and wide tolerances.
 LARGEST_GAUSS_SEIDEL = {"frames.time_step": 0.1, "frames.warm_up": 0.1, "frames.count": 2, "loop.cycles": 1}
@@ -20,7 +20,7 @@ POLYGONS = ["disc", "rectangle", "POLYGON((0 0, 4 0, 4 3, 0 3))", "POLYGON((0 0,
             "POLYGON((-2 -2, 2 -2, 2 -1, -1 -1, -1 2, -2 2))"]
 PATTERNS = ["out/{map}.####.png", "out/{map}.####.png", "out/{map}.%04d.exr", "out/{preset}_layers.@@@.exr", "out/{map}.png"]
 TEXTS = {"foam.outline": POLYGONS, "output.pattern": PATTERNS, "preset.description": ["", "foam of the caf\u00e9"]}
-# Values that 70 % of the presets have, because the others exclude many values of other keys.
+# Values that these keys get in 70 % of all cases, because their other values exclude many values of other keys.
 USUAL = {"loop.kind": '"none"', "frames.first": '"equilibrium"', "output.pattern": '"out/{map}.####.png"'}
 SKIPPED = {"extends", "event"}
 # Keys of every preset: without them, a bake takes too long.
@@ -56,7 +56,7 @@ class PresetMaker:
                 yield f"{name} = {self.chosen[path]}"
 
     def is_allowed(self, path, key):
-        """Returns true if the keys so far allow the key; sometimes also if not, so that presets are rejected."""
+        """Returns true if the keys chosen before allow the key, and rarely also if not, so that presets are rejected."""
         if self.random.random() < 0.002:
             return True
         if path == "loop.drift":
@@ -73,7 +73,7 @@ class PresetMaker:
         return self.schema["properties"][table]["properties"][name]
 
     def event(self):
-        """Yields the lines of an event, with one key that says when and one that says where."""
+        """Yields the lines of an event: one key gives its time, one key chooses bubbles or a position."""
         keys = self.random.choice(self.schema["properties"]["event"]["items"]["anyOf"])["properties"]
         when = self.random.choice(["frame", "frames", "frame", "time"])
         where = self.random.choice([name for name in ("at", "at", "bubble", "sides") if name in keys] or [None])
