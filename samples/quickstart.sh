@@ -16,7 +16,7 @@ source samples/setup/build.sh
 
 bake() {
     mkdir -p out
-    # One second early, because the times of files are coarse: files of a quick bake could have the same time.
+    # The mark is one second old, because file times are coarse: otherwise files of a quick bake could be as old as it.
     touch -d '1 second ago' build/quickstart/bake_started
     say "baking the preset sea_foam"
     "$foamtex" bake sea_foam "$@"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Bakes sea_foam and renders it with Blender into out/blender/. This takes two minutes and needs a large package.
+# Bakes sea_foam and renders it with Blender into out/blender/. This takes two minutes, and installs Blender, a large package.
 #
 #     samples/blender/run.sh
 #     FOAM_FIGURES=1 samples/blender/run.sh      also updates the pictures of the README
@@ -23,7 +23,7 @@ bake() {
     "$foamtex" flipbook "$out/book" --gutter 4
 }
 
-# Checks that the pictures drawn from the sheet and from the files of the frames are the same, up to rounding.
+# Checks that the pictures drawn from the sheet differ by at most 1 % from the pictures drawn from the files of the frames.
 compare() {
     local picture
     for picture in "$out"/sheet.*.png; do

@@ -40,8 +40,8 @@ seconds "$FOAMTEX" bake "${foam[@]}" "${maps[@]}" --out 'bake/{map}.####.png' -q
 printf 'simulate: '
 seconds "$FOAMTEX" simulate "${foam[@]}" --cache cache -q
 
-# Files contain the preset, which includes the file pattern. For equal files, the pattern must be that of the bake, so
-# another working folder is used.
+# Files contain the preset, which includes the file pattern. Files can be equal to those of the bake only if they have the
+# same pattern. Therefore the pattern is unchanged, and the working folder differs.
 mkdir -p slurm parallel
 if command -v sbatch >/dev/null; then
     printf 'slurm, 4 tasks: '

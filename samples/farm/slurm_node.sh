@@ -3,7 +3,7 @@
 #
 # Sets up a Slurm cluster of one node on this machine, for trying bake.slurm: installs Debian's
 # slurm-wlm, configures it for this host and starts its daemons. It is meant for a virtual machine or
-# a container and must run as root. If the machine already has another slurm.conf, nothing is changed.
+# a container and must run as root. If the machine already has a slurm.conf of its own, nothing is changed.
 #
 #     samples/farm/slurm_node.sh          sets up and starts the cluster
 #     samples/farm/slurm_node.sh stop     stops the daemons

@@ -10,7 +10,7 @@ source samples/setup/packages.sh
 # shellcheck disable=SC2034  # used where this file is sourced
 foamtex=build/quickstart/texgen/foamtex
 
-# The processor time of a build from scratch, in minutes.
+# The approximate processor time of a build from scratch, in minutes, for the message below.
 build_minutes=8
 
 build_foamtex() {

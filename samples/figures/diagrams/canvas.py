@@ -15,7 +15,7 @@ FILM = 2.5
 THIN = 1.25
 DASH = "5 4"
 
-# Type sizes. Every text is one of the two.
+# Type sizes. Every text has one of these two sizes.
 LABEL = 16
 NOTE = 13
 SUBSCRIPT = 0.72  # size of a subscript, as a fraction of the size of the text

@@ -57,7 +57,7 @@ def make_layers(uses):
 
 
 def crossings(layers):
-    """Returns how many pairs of arrows cross."""
+    """Returns the number of pairs of arrows that cross."""
     total = 0
     for upper, lower in zip(layers.rows, layers.rows[1:]):
         position = {node: index for index, node in enumerate(upper)}

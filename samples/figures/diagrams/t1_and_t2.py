@@ -96,7 +96,7 @@ def draw_t2(canvas, cache, y):
 
 
 def draw_angles(canvas, state, view):
-    """Marks the three angles of 120 degrees at the junction that is left."""
+    """Marks the three angles of 120 degrees at the junction that replaces the bubble."""
     films = films_near(state, view.center, 1)
     junction = min((end for film in films for end in (film.tail, film.head)), key=lambda end: abs(end - view.center))
     film = next(film for film in films if abs(film.tail - junction) < 1e-9)

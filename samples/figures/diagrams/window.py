@@ -76,7 +76,7 @@ def is_inside(point, polygon):
 
 
 def room_for_label(outline, center, radius):
-    """Returns the point of a bubble in a round window that has the most room for a label around it."""
+    """Returns the point of a bubble, in a round window, with the most space around it for a label."""
     polygon = points_of(outline)
     border = [center + cmath.rect(radius, math.radians(degrees)) for degrees in range(0, 360, 5)]
 
