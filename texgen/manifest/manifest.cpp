@@ -51,8 +51,8 @@ void merge_into(BakedSet& into, const BakedSet& more) {
     const std::optional<double> closing_error = into.loop.closing_error;
     into.loop = more.loop;
     into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
-    // The conventions contain the motion multiplier. If it is automatic, only a bake of the map
-    // motion fits it, so the conventions of other bakes are not used.
+    // The conventions contain the motion multiplier. If the multiplier is automatic, only a bake of
+    // the map motion determines it. A bake without this map does not change the conventions.
     if (more.find_map(kMotionMap.name) != nullptr) {
         into.conventions = more.conventions;
     }

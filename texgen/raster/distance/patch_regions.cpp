@@ -27,9 +27,9 @@ constexpr std::size_t kRegionsPerTask = 256;
 // the same area. Within a pixel that contains whole edges, the two areas cancel, so short edges may
 // have a larger sagitta. Longer edges must be accurate on their own.
 //
-// An arc whose sagitta is at most kSagitta is replaced by its chord. Any other arc gets one edge
-// more than the limits require, because its ends cannot be moved: only n - 1 inner points
-// compensate for n edges, and a single edge has no inner point. All lengths are in pixels.
+// An arc whose sagitta is at most kSagitta is replaced by its chord. Any other arc is divided into
+// one edge more than the limits require. The ends of the arc cannot be moved, so only the points
+// between its edges add area; a single edge would have no such point. All lengths are in pixels.
 constexpr double kSagittaOfShortEdges = 1.0 / 256;  // largest sagitta of short edges
 constexpr double kShortEdge = std::numbers::sqrt2;  // largest length of short edges
 constexpr double kSagitta = 1.0 / 1024;             // largest sagitta of longer edges
