@@ -120,8 +120,8 @@ std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
         const double area = foam.target_areas[bubbles[k]];
         boiling.push_back({.identity = foam.identities[bubbles[k]],
                            .birth = static_cast<int>(turn * steps),
-                           .peak_area = kPeakFraction * area,
-                           .min_peak_area = kMinPeakFraction * area,
+                           .area_rise = kPeakFraction * area,
+                           .min_area_rise = kMinPeakFraction * area,
                            .last_position = centers[k]});
     }
     return boiling;
@@ -136,7 +136,7 @@ std::optional<double> area_at(const BoilingBubble& bubble,
         return std::nullopt;
     }
     const double wave = ieee::sin(std::numbers::pi * age / life(steps));
-    return first_area + bubble.peak_area * wave * wave;
+    return first_area + bubble.area_rise * wave * wave;
 }
 
 bool give_birth(Foam& foam, const BoilingBubble& bubble, double area) {

@@ -15,11 +15,11 @@ namespace foam {
 /// same identity.
 struct BoilingBubble {
     BubbleIdentity identity = 0;
-    // The last position in the cycle, from 0 to steps - 1, at which the bubble is absent. It is
-    // present from the next position on.
+    // The position in the cycle, from 0 to steps - 1, directly before the bubble appears: the
+    // bubble is absent at this position and present at the next one.
     int birth = 0;
-    double peak_area = 0.0;      // largest rise of the target area above `first_area` (area_at)
-    double min_peak_area = 0.0;  // Cycle::calm does not reduce peak_area below this area
+    double area_rise = 0.0;      // largest rise of the target area above `first_area` (area_at)
+    double min_area_rise = 0.0;  // Cycle::calm does not reduce area_rise below this area
     // Where the bubble last vanished. Until it has vanished for the first time, the mean of its
     // junctions when it was chosen.
     Vec2 last_position{0.0, 0.0};
@@ -37,7 +37,7 @@ std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
 
 /// Returns the target area of the bubble at a position of a cycle with the given number of steps,
 /// or nothing if the bubble is absent. The bubble is present for nine tenths of the cycle. In this
-/// time its target area rises from `first_area` to `first_area` + `peak_area` and falls back.
+/// time its target area rises from `first_area` to `first_area` + `area_rise` and falls back.
 /// Precondition: `first_area` is above the T2 area (E8).
 std::optional<double> area_at(const BoilingBubble& bubble,
                               int position,

@@ -134,7 +134,7 @@ void Cycle::calm(const Foam& foam) {
     }
     near_unrest.erase(nullptr);
     for (BoilingBubble* bubble : near_unrest) {
-        bubble->peak_area *= kCalming;
+        bubble->area_rise *= kCalming;
     }
     for (Oscillation& oscillation : oscillations_) {
         if (std::binary_search(restless.begin(), restless.end(), oscillation.bubble)) {
@@ -248,7 +248,7 @@ BoilingBubble* Cycle::nearest_reducible(const Domain& domain,
         const auto present = centers.find(bubble.identity);
         const Vec2& position = present != centers.end() ? present->second : bubble.last_position;
         const double distance = domain.nearest_copy(position - point).norm();
-        if (bubble.peak_area * kCalming > bubble.min_peak_area && distance < smallest) {
+        if (bubble.area_rise * kCalming > bubble.min_area_rise && distance < smallest) {
             smallest = distance;
             nearest = &bubble;
         }

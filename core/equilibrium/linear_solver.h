@@ -25,9 +25,9 @@ std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns)
 enum class Precision { Single, Double };
 
 /// A direct solver for linear systems with the Hessian of E3. The Hessian is given as a lower
-/// triangle. Near a stable state the regularized Hessian is quasi-definite: positive definite in
-/// the positions and half angles, and negative definite in the pressures. No pivoting is then
-/// needed.
+/// triangle. Near a stable state, the Hessian with the small numbers that NewtonSystem adds to
+/// its diagonal is quasi-definite: positive definite in the positions and half angles, and negative
+/// definite in the pressures. No pivoting is then needed.
 class LinearSolver {
   public:
     /// Prepares the solver for some unknowns of a foam. The preparation stays valid when the foam

@@ -161,7 +161,7 @@ class FoamBuilder {
             foam_.target_areas[bubble] = volume_of(body);
         }
         complete_areas();
-        check_sum_of_areas();
+        check_and_scale_areas();
     }
 
     // Returns the volume of the body, or 0 if it has none.
@@ -210,7 +210,7 @@ class FoamBuilder {
     // Checks that target areas are positive. On a torus, also checks that their sum is the area of
     // the torus within kVolumeTolerance, and scales them to the area of the torus if the relative
     // difference exceeds kVolumeRounding.
-    void check_sum_of_areas() {
+    void check_and_scale_areas() {
         double sum = 0.0;
         for (const BubbleId bubble : foam_.network.bubbles()) {
             if (!(foam_.target_areas[bubble] > 0.0)) {

@@ -75,10 +75,10 @@ bool can_flip(const Network& network, FilmId film) {
     const T1Site site = t1_site(network, film);
     const BubbleId a = network.left(site.film);
     const BubbleId b = network.right(site.film);
-    const int sides_lost_by_a = a == b ? 2 : 1;
+    const int lost_sides = a == b ? 2 : 1;
     return network.tail(site.film) != network.head(site.film) &&
-           keeps_two_sides(network, site.film, sides_lost_by_a) &&
-           keeps_two_sides(network, twin(site.film), sides_lost_by_a) && !ends_meet(network, site);
+           keeps_two_sides(network, site.film, lost_sides) &&
+           keeps_two_sides(network, twin(site.film), lost_sides) && !ends_meet(network, site);
 }
 
 void flip(Network& network, FilmId film) {

@@ -25,10 +25,11 @@ class ProgressMeter {
     /// Counts a frame and reports it with the number of its bubbles and its errors.
     void add(const SimulatedFrame& shown);
 
-    /// Returns a callback for the source of the frames that this meter counts. Until the phase of
-    /// the meter begins, the returned callback passes the reports of the source on. Afterwards it
-    /// repeats the last report of the meter instead, so that the callback of the meter can stop
-    /// the run between two frames, too, by throwing. The meter must outlive the returned callback.
+    /// Returns a callback for the simulation (simulate_frames.h) whose frames this meter counts.
+    /// Until the phase of the meter begins, it passes the reports of the simulation to the callback
+    /// of the meter. Afterwards, at each report of the simulation, it repeats the last report of
+    /// the meter, so that the callback of the meter can stop the run between two frames, too, by
+    /// throwing. The meter must outlive the returned callback.
     ProgressCallback for_source();
 
   private:

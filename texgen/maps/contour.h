@@ -13,7 +13,8 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kContourMap = {
     .name = "contour",
-    .meaning = "line art: only the films between different levels of pressure",
+    .meaning =
+        "line art: the films between different levels of pressure, and the outline of a patch",
     .unit = "light",
     .channels = "R G B",
     .png_filter = PngFilter::Up};

@@ -22,7 +22,7 @@ struct NumberExtent {
 NumberExtent extent_of(const NumberPixels& numbers);
 
 /// Returns the extent of two images together: the smallest and the largest number of both, and the
-/// larger of the two clipped fractions.
+/// larger of the two clipped fractions. Precondition: both images have a finite number.
 NumberExtent joined(const NumberExtent& one, const NumberExtent& other);
 
 }  // namespace foam::texgen

@@ -51,7 +51,7 @@ TEST(Boiling, AtLeastOneBubbleBoils) {
 // The life takes 43 of 48 steps, so that the bubble is absent at 6 positions, where an area would
 // be needed at the ages 0 and 43 to 47.
 TEST(Boiling, TheAreaRisesAndFallsAndTheBubbleIsAbsentForATenth) {
-    const BoilingBubble bubble{.birth = 40, .peak_area = 2.0};
+    const BoilingBubble bubble{.birth = 40, .area_rise = 2.0};
     int absent = 0;
     double largest = 0.0;
     for (int position = 0; position < kSteps; ++position) {
