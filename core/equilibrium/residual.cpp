@@ -56,17 +56,18 @@ FilmGradient film_gradient(const Foam& foam, FilmId film) {
             energy.segment_area};
 }
 
-// Adds a contribution to a row. Does nothing if the row is negative, which means that the unknown
-// is held.
-void add(Eigen::VectorXd& r, int row, const Vec2& force) {
+// Adds a part of the gradient to a row and the next row. Does nothing if the row is negative, which
+// means that the unknown is held.
+void add(Eigen::VectorXd& r, int row, const Vec2& part) {
     if (row >= 0) {
-        r.segment<2>(row) += force;
+        r.segment<2>(row) += part;
     }
 }
 
-void add(Eigen::VectorXd& r, int row, double area) {
+// Adds a part of the gradient to a row.
+void add(Eigen::VectorXd& r, int row, double part) {
     if (row >= 0) {
-        r[row] += area;
+        r[row] += part;
     }
 }
 

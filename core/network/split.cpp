@@ -14,8 +14,8 @@ namespace {
 // The two outer films that the torn film separates on one of its sides. Both are films of the
 // bubble on this side.
 struct TornSide {
-    HalfEdgeId before;          // side of the bubble that ends at the torn film
-    HalfEdgeId after;           // side of the bubble that begins at the torn film
+    HalfEdgeId before;          // half-edge of the bubble that arrives at the torn film
+    HalfEdgeId after;           // half-edge of the bubble that leaves the torn film
     HalfEdgeId ghost_previous;  // half-edge before twin(after) around the ghost
 };
 

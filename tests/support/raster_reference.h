@@ -12,9 +12,9 @@
 namespace foam::test {
 
 /// The image of a frame as a brute-force rasterizer computes it: for each pixel, the fraction of
-/// its area that each bubble covers, estimated by point samples. Shares no code with texgen/raster.
-/// Rows are ordered from bottom to top. In a patch, the ghost bubble and the lone bubbles follow
-/// the other bubbles, as in CellValues.
+/// its area that each bubble covers, estimated by point samples. Uses no code of texgen/raster,
+/// except the type View. Rows are ordered from bottom to top. In a patch, the ghost bubble and the
+/// lone bubbles follow the other bubbles, as in CellValues.
 struct SampledCoverage {
     int width = 0;
     int height = 0;

@@ -15,7 +15,8 @@
 namespace foam::texgen {
 
 /// The effort of simulating a frame, and its equilibrium errors. The effort covers the steps since
-/// the previous frame that was passed to the visitor, or since the seed if there is none.
+/// the previous frame that was passed to the FrameVisitor; for the first such frame, all steps
+/// since the foam was seeded.
 struct FrameEffort {
     int t1 = 0;                // number of T1s
     int t2 = 0;                // number of T2s
@@ -29,7 +30,7 @@ struct DrawnState {
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const FoamRecord> record;
     std::shared_ptr<const Frame> next;    // the frame after `frame`; null if not requested
-    std::vector<double> fade_ranks = {};  // of the bubbles (FadeOrder); only in a flow
+    std::vector<double> fade_ranks = {};  // FadeOrder::ranks; empty unless loop.kind is "flow"
 
     /// Returns the input of FrameLayers, which borrows this state and the cross-fade. `distance`
     /// lists the images of the distance field that the maps need.

@@ -53,8 +53,8 @@ class JsonValue {
         }
     }
 
-    /// Returns a string that may become a part of a file name (is_plain_name). Throws InputError if
-    /// it must not, because a JSON file may come from an untrusted source.
+    /// Returns a string that is safe as a part of a file name. Throws InputError if it is not safe
+    /// (is_plain_name): a JSON file may come from an untrusted source.
     const std::string& name() const;
 
     /// Throws InputError. Its message gives the file, the path and the value, and ends with

@@ -21,14 +21,15 @@ Key<LoopOptions> kind_key() {
                                                {"drift", LoopKind::Drift},
                                                {"flow", LoopKind::Flow},
                                                {"pingpong", LoopKind::PingPong}}}};
-    return key("kind",
-               kKinds,
-               "how the animation loops after frames.count frames: bubbles grow and shrink "
-               "(breathe), the foam is sheared to and fro (shear), some bubbles vanish and are "
-               "born again (boil), the foam moves by a whole number of image widths and heights "
-               "(drift), renews its bubbles and fades into the beginning (flow), or the frames "
-               "are shown backwards (pingpong)",
-               &LoopOptions::kind);
+    return key(
+        "kind",
+        kKinds,
+        "how the animation loops after frames.count frames: bubbles grow and shrink "
+        "(breathe), the foam is sheared to and fro (shear), some bubbles vanish and are "
+        "born again (boil), the foam moves by a whole number of image widths and heights "
+        "(drift), bubbles are renewed and the last frames fade into the first ones (flow), or "
+        "the second half shows the first half backwards (pingpong)",
+        &LoopOptions::kind);
 }
 
 constexpr int kMaxPeriods = 100;  // largest number of widths or heights of `drift`
@@ -60,8 +61,8 @@ Keys<LoopOptions> loop_keys() {
             .only_for("foam.domain", {"torus"}),
         key("current",
             Reals{0.0, 0.6},
-            "strength of a current that carries bubbles around and back in every loop, as the "
-            "typical strain; 0.1 is gentle, 0.3 clearly flows, more stretches bubbles",
+            "typical strain by a current that carries bubbles around and back in every loop: 0.1 "
+            "is gentle, 0.3 clearly flows, more stretches bubbles",
             &LoopOptions::current)
             .in("strain")
             .only_for("foam.domain", {"torus"}),
