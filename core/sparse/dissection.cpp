@@ -12,10 +12,11 @@
 
 namespace foam {
 
-// Nested dissection is a recursion on ranges of the order of elimination. The nodes of a range are
-// a part of the graph. PartDivider assigns the nodes of a range to two zones and a separator. The
+// Nested dissection is a recursion on ranges of the order of elimination. The nodes of a range form
+// a subgraph. PartDivider assigns the nodes of a range to two zones and a separator. The
 // range is then sorted into low zone, high zone and separator. Both zones are dissected one after
-// the other, or by different threads if the range is large. The parts are collected in postorder.
+// the other, or by different threads if the range is large. Each leaf and each separator becomes a
+// DissectionPart; these are collected in postorder.
 
 namespace {
 

@@ -16,12 +16,12 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest depth of nesting; manifests have 5 levels. Functions of nlohmann's values are
-// recursive and need stack in proportion to it.
+// The largest number of arrays and objects around a value; in manifests it is 6. Functions of
+// nlohmann's values are recursive and need stack in proportion to it.
 constexpr int kDeepest = 16;
 
-/// Returns the parser's message without its error code. The text that the message quotes at its end
-/// is cut to kLongestQuote characters.
+/// Returns the parser's message without its error code. The text that the message quotes, with all
+/// that follows it, is made printable and shortened in its middle to kLongestQuote characters.
 std::string reason(const std::string& what) {
     constexpr std::string_view kQuote = "last read: '";
     const std::size_t code = what.find("] ");
