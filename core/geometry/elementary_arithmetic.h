@@ -69,7 +69,7 @@ inline constexpr double kRounder = 0x1.8p52;
 }
 
 /// Returns a * b exactly, unless it underflows (Dekker, with G. W. Veltkamp's splitting of each
-/// factor into halves of 26 bits). Precondition: |a|, |b| < 2^995.
+/// factor into halves of 26 bits). Precondition: |a|, |b| < 2^995, and a * b does not overflow.
 [[gnu::always_inline]] inline TwoDoubles exact_product(double a, double b) {
     constexpr double kSplitter = 0x1p27 + 1.0;
     const double a_scaled = kSplitter * a;

@@ -44,9 +44,9 @@ inline FilmArc reversed(const FilmArc& arc) {
 }
 
 /// Returns the function g of E3, (asin s - s sqrt(1 - s²)) / s². For an arc of half angle asin s,
-/// g is four times the segment area divided by the square of the chord length. The result is
-/// accurate to a few units in the last place. Near s = 0, where the two terms nearly cancel, a
-/// series is used instead. Precondition: |s| <= 1.
+/// g is four times the segment area divided by the square of the chord length. Near s = 0, where
+/// the two terms nearly cancel, a series is used instead. The relative error is below 1e-14.
+/// Precondition: |s| <= 1.
 double segment_shape(double s);
 
 /// Returns the derivative of segment_shape, the function g' of E3. Precondition: |s| < 1.

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Prints the coefficients of the polynomials in trigonometric.h, trigonometric.cpp and exponential.h.
 
+Also prints some constants of these files as sums of two doubles.
+
 Each polynomial p minimizes the largest value of |p(z) - f(z)| * weight(z) on an interval (minimax approximation). It is
 found by Remez's exchange algorithm (E. Remez, 1934) in 60 decimal digits with mpmath, and is then rounded to double
-precision. The functions f have a removable singularity at z = 0, so that z is kept above 1e-20.
+precision. The functions f have a removable singularity at z = 0, so that |z| is kept above 1e-20.
 """
 
 from mpmath import asin, atan, cos, exp, log, lu_solve, matrix, mp, mpf, pi, sin, sqrt
