@@ -40,7 +40,7 @@ class PointSet {
 
     // Returns the index of the point that the given point is merged with. If there is none, adds
     // the given point and returns its index.
-    std::uint32_t index_of_point(const Vec2& point) {
+    std::uint32_t find_or_add(const Vec2& point) {
         const auto [x, y] = box_of(point);
         for (std::int64_t dx = -1; dx <= 1; ++dx) {
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
@@ -92,8 +92,7 @@ Cell cell_of_ring(const std::vector<Vec2>& ring,
     Cell cell;
     for (const Vec2& point : ring) {
         const bool is_corner = std::find(corners.begin(), corners.end(), point) != corners.end();
-        const std::uint32_t index =
-            (is_corner ? points.corners : points.cuts).index_of_point(point);
+        const std::uint32_t index = (is_corner ? points.corners : points.cuts).find_or_add(point);
         if (cell.empty() || (cell.back() != index && cell.front() != index)) {
             cell.push_back(index);
         }

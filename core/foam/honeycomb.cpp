@@ -51,7 +51,7 @@ std::vector<CellCorner> hexagon(int column, int row, int columns, int rows, doub
 Foam honeycomb(int columns, int rows) {
     if (columns < 1 || rows < 2 || rows % 2 != 0) {
         throw std::invalid_argument(
-            "a honeycomb needs at least one column and an even number of rows");
+            "a honeycomb needs at least one column and a positive, even number of rows");
     }
     const double side = std::sqrt(2.0 / (3.0 * std::sqrt(3.0)));
     const Domain domain{std::sqrt(3.0) * side * columns, 1.5 * side * rows};

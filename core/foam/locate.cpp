@@ -49,7 +49,8 @@ bool is_in_segment(const Vec2& from, const FilmArc& arc) {
 struct BubbleOutline {
     std::vector<Vec2> corners;  // in the plane, relative to the first corner
     std::vector<FilmArc> arcs;
-    double reach = 0.0;  // upper bound of the distance from the first corner to the outline
+    double reach = 0.0;  // upper bound of the distance from the first corner to any point of the
+                         // outline
 };
 
 BubbleOutline outline_of(const Foam& foam, BubbleId bubble) {

@@ -27,8 +27,9 @@ struct SidesStatistics {
 struct FoamStatistics {
     int bubbles = 0;
     double mean_area = 0.0;
-    double energy = 0.0;         // film tension times the length of all films
-    double mean_sides = 0.0;     // 6 on a torus (Euler), fewer in a patch
+    double energy = 0.0;         // film tension times the length of all films and of the circles
+                                 // of lone bubbles
+    double mean_sides = 0.0;     // 6 on a torus (Euler), usually fewer in a patch
     double second_moment = 0.0;  // mu_2, the variance of the number of sides over all bubbles
     std::vector<SidesStatistics> by_sides;  // by increasing number of sides; no empty groups
 };

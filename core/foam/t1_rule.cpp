@@ -38,7 +38,7 @@ double scaled_distance(const Foam& foam, FilmId film, const TopologyThresholds& 
     return thresholds.t1_distance * std::min(1.0, std::sqrt(smallest));
 }
 
-// Returns the unit tangent of the film's arc at its tail, or zero if the film has no length.
+// Returns the unit tangent of the arc along h at the tail of h, or zero if the chord is zero.
 Vec2 tangent(const Foam& foam, HalfEdgeId h) {
     const FilmArc arc = film_arc(foam, h);
     return arc.chord == Vec2::Zero() ? Vec2(0.0, 0.0) : tangent_at_tail(arc);

@@ -8,7 +8,8 @@ namespace foam {
 /// in foam units.
 struct TopologyThresholds {
     double t1_distance = 0.05;  // a film with a shorter chord may flip (E7)
-    double t2_area = 0.01;      // bubbles of 2 or 3 sides vanish at or below this target area (E8)
+    // Bubbles of two or three sides, and lone bubbles, vanish at or below this target area (E8).
+    double t2_area = 0.01;
 };
 
 }  // namespace foam
