@@ -52,7 +52,7 @@ struct Work {
 struct Progress {
     EquilibriumSummary summary;
     int rounds = 0;
-    bool is_at_rest = false;  // Newton's method has converged and no T1 is due
+    bool is_at_rest = false;  // Newton's method has converged and no T1 is due, or no film is left
     // True while defect regions are solved on their own, in the first kRoundsWithRegions rounds.
     // While it is true, Newton's method also predicts T1s.
     bool solves_regions = true;
@@ -68,10 +68,10 @@ void count_t1(int t1, Progress& progress) {
     progress.needs_restart = progress.needs_restart || t1 > 0;
 }
 
-// Returns the number of sweeps of the next relaxation of the whole foam. The number cycles through
-// `sweeps`, a quarter, a sixteenth and a sixty-fourth of `sweeps`, rounded down, but is at least
-// one. It varies so that repeated relaxations do not lead Newton's method back to the same state,
-// in which it would stall again.
+// Returns the number of sweeps of the next relaxation of the whole foam, and counts this relaxation
+// in `progress`. The number cycles through `sweeps`, a quarter, a sixteenth and a sixty-fourth of
+// `sweeps`, rounded down, but is at least one. It varies so that repeated relaxations do not lead
+// Newton's method back to the same state, in which it would stall again.
 int next_sweeps(int sweeps, Progress& progress) {
     const int quarterings = progress.global_relaxations++ % 4;
     return std::max(1, sweeps >> (2 * quarterings));

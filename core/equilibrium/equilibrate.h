@@ -11,8 +11,10 @@ namespace foam {
 /// The outcome of an equilibration.
 enum class EquilibriumStatus {
     Converged,
-    RoundLimit,       // no equilibrium within max_rounds rounds
-    ToleranceMissed,  // the solver has stopped, but an error is above the tolerance
+    RoundLimit,  // no equilibrium within max_rounds rounds
+    // The solver has stopped, but an error is not below the tolerance, or an inner film is at the
+    // limit of its half angle (EquilibriumErrors::are_below).
+    ToleranceMissed,
 };
 
 /// The work and the result of an equilibration.
@@ -25,16 +27,16 @@ struct EquilibriumSummary {
     int t2 = 0;                // number of T2s, counted by dynamics/step; 0 after `equilibrate`
     double area_error = 0.0;   // largest area error, relative to the target area
     double angle_error = 0.0;  // largest deviation of an angle from 120 degrees, radians
-    double energy = 0.0;       // film tension times the total length of the films
+    double energy = 0.0;  // film tension times the total length of all films (energy, measure.h)
 
     bool converged() const { return status == EquilibriumStatus::Converged; }
 };
 
 /// Brings the foam to mechanical equilibrium (E2) at its target areas by relaxation (E4) and
-/// Newton's method (E3). Makes a T1 (E7) where a film collapses meanwhile, and where a film is
-/// still shorter than its T1 distance when equilibrium is reached. On a torus, the mean of the
-/// resulting pressures, weighted by target area, is 0. Preconditions: the network is valid; target
-/// areas are positive, and on a torus they add up to its area.
+/// Newton's method (E3). Makes the T1s (E7) that are due on the way to equilibrium and in
+/// equilibrium. On a torus, the mean of the resulting pressures, weighted by target area, is 0.
+/// Preconditions: the network is valid; target areas are positive, and on a torus they add up to
+/// its area.
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);
 
 /// Performs the last steps of an equilibration, which are the same for all solvers. Undoes the

@@ -11,10 +11,10 @@
 
 namespace foam {
 
-// The foam is scaled to a mean area of 1 and a film tension of 1, since the default thresholds
-// (TopologyThresholds) apply to these units. Up to three attempts start from the given state:
-// Newton's method without an initial relaxation, then relaxation and Newton's method, and finally
-// both with T1s. Each attempt may change more of the state than the attempt before.
+// The foam is scaled to a mean bubble area of 1 and a film tension of 1, since the default
+// thresholds (TopologyThresholds) apply to these units. Up to three attempts start from the given
+// state: Newton's method without an initial relaxation, then relaxation and Newton's method, and
+// finally both with T1s. Each attempt may change more of the state than the attempt before.
 
 namespace {
 
@@ -24,7 +24,8 @@ constexpr TopologyThresholds kKeepTopology{.t1_distance = 0.0, .t2_area = 0.0};
 // scaled.
 constexpr double kRounding = 1e-9;
 
-// The units of length and tension in which a foam has a mean area of 1 and a film tension of 1.
+// The units of length and tension in which the bubbles of the network have a mean area of 1 and the
+// film tension is 1.
 struct Units {
     double length = 1.0;
     double tension = 1.0;

@@ -10,8 +10,8 @@ namespace foam {
 /// bubble area and its film tension may have any value. The first two attempts keep the topology:
 /// the first begins with Newton's method, the second with relaxation. If neither attempt
 /// converges, the third attempt allows T1s. Its T1 distance is the default of TopologyThresholds,
-/// in units in which the mean bubble area is 1. If no attempt converges, the foam stays as it was
-/// given. The events of the T1s are appended to the events of the foam.
+/// in units in which the mean bubble area, without lone bubbles, is 1. If no attempt converges, the
+/// foam stays as it was given. The events of the T1s are appended to the events of the foam.
 ///
 /// In the summary, `iterations` and `sweeps` are sums over all attempts. All other members describe
 /// the last attempt. The energy is in the units of the foam if this attempt converged, otherwise in

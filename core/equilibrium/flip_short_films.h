@@ -14,15 +14,15 @@ using FourBubbles = std::array<BubbleId, 4>;
 
 /// A function that flip_short_films calls after it has applied the T1 rule to a film. The arguments
 /// are the film, the four bubbles that were around it, some of which may be the ghost, and whether
-/// the network changed. If it changed, the film and any of the bubbles may be dead. If not, the
-/// film may still have been reopened (reopen_film).
+/// the network changed. If it changed, the film may be dead. If not, the film may still have been
+/// reopened (reopen_film).
 using OnT1Rule = std::function<void(FilmId, const FourBubbles&, bool)>;
 
-/// Applies the T1 rule (core/foam/t1_rule.h) to each film of a part of the foam that has both ends
-/// in the part and a chord shorter than the T1 distance of the thresholds. Calls `on_t1_rule` after
-/// each application. Erases dead ids from the junctions, films and bubbles of the part, but updates
-/// neither the rank tables nor the `outer_films` of the part. Returns the number of changes of the
-/// network.
+/// Applies the T1 rule (core/foam/t1_rule.h) to each film of a part of the foam if both ends of the
+/// film are in the part and its chord is shorter than the T1 distance of the thresholds. Calls
+/// `on_t1_rule` after each application. Erases dead ids from the junctions, films and bubbles of
+/// the part, but updates neither the rank tables nor the `outer_films` of the part. Returns the
+/// number of changes of the network.
 int flip_short_films(Foam& foam,
                      Unknowns& part,
                      const TopologyThresholds& thresholds,

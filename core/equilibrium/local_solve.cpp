@@ -22,11 +22,12 @@ constexpr int kMaxIterations = 12;     // largest number of Newton steps in a ro
 constexpr int kMaxRounds = 5;          // largest number of rounds
 constexpr int kRelaxationSweeps = 30;  // sweeps in a region in which Newton's method stalls
 constexpr int kWorstRings = 3;         // rings of neighbors around the worst defects
-// A defect is among the worst if its force or area error is at least this share of the largest.
+// A defect is among the worst if its force is at least this share of the largest force, or its area
+// error at least this share of the largest area error.
 constexpr double kWorstFraction = 0.2;
 
-// Erases bubbles that are no longer in the network, because they became lone bubbles when a
-// film tore.
+// Erases bubbles that are no longer in the network. This is a precaution, because the T1 rule
+// removes no bubble.
 void remove_dead(const Network& network, DefectRegion& region) {
     std::erase_if(region, [&](BubbleId bubble) { return !network.is_live(bubble); });
 }

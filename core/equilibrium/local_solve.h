@@ -38,9 +38,9 @@ LocalSummary solve_defect_regions(Foam& foam,
 
 /// Returns the regions around the worst defects. A defect (DefectOptions) is among the worst if its
 /// force is at least a fifth of ResidualNorms::force of the whole foam, or if its area error is at
-/// least a fifth of the largest area error. A region contains three rings of neighbors. Returns no
-/// region if there is no such defect, or if the regions would contain more than
-/// DefectOptions::largest_fraction of the bubbles.
+/// least a fifth of the largest area error. Three rings of neighbors around the defects belong to
+/// the regions. Returns no region if there is no such defect, or if the regions would contain more
+/// than DefectOptions::largest_fraction of the bubbles.
 std::vector<DefectRegion> worst_regions(const Foam& foam, int threads);
 
 /// Relaxes each of the regions, with everything else held fixed. Returns the number of T1s.

@@ -23,8 +23,8 @@ namespace foam {
 
 namespace {
 
-// A move by the fraction f of a step must reduce the sum of squares to less than 1 - f *
-// kSufficientDecrease times its value before.
+// A move by the fraction f of a step must reduce the sum of squares to less than (1 - f *
+// kSufficientDecrease) times its value before.
 constexpr double kSufficientDecrease = 1e-4;
 constexpr double kSmallestStep = 1.0 / 64.0;  // smallest fraction of a step that is tried
 // A factor is kept while at most this many further steps with it are expected. A new factor costs
