@@ -25,11 +25,13 @@ struct BoilingBubble {
     Vec2 last_position{0.0, 0.0};
     // The bubbles between which the bubble last vanished; empty until it has vanished.
     std::set<BubbleIdentity> neighbors{};
-    bool neighbors_changed = true;  // false if it vanished between the same bubbles twice in a row
+    // False if the bubble has vanished between the same bubbles the last two times.
+    bool neighbors_changed = true;
 };
 
 /// Chooses the given fraction of the bubbles of a foam, at least one bubble, so that they are far
-/// from each other. Their births are evenly distributed over the steps of the cycle.
+/// from each other. The cycle is divided into as many equal parts as bubbles are chosen; in each
+/// part one of them is born, at a random position.
 std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
                                                   double fraction,
                                                   int steps,
@@ -47,8 +49,7 @@ std::optional<double> area_at(const BoilingBubble& bubble,
 /// Adds the bubble to the foam with the given target area. It is born at the junction at which the
 /// bubbles of BoilingBubble::neighbors meet. If there are several such junctions, the junction
 /// nearest to BoilingBubble::last_position is taken. If there is none, the nearest of all junctions
-/// is taken.
-/// Returns false and changes nothing if the surrounding bubbles have too little gas
+/// is taken. Returns false and changes nothing if the surrounding bubbles have too little gas
 /// (nucleate_at_junction).
 bool give_birth(Foam& foam, const BoilingBubble& bubble, double area);
 

@@ -34,11 +34,12 @@ namespace foam {
 
 namespace {
 
-// The factor by which Cycle::calm multiplies the amplitudes of restless bubbles, and the peak areas
-// of the boiling bubbles nearest to them.
+// The factor by which Cycle::calm multiplies the amplitudes of restless bubbles, and the rise of
+// the target areas of the boiling bubbles nearest to them (BoilingBubble::area_rise).
 constexpr double kCalming = 0.8;
 
-// Returns the center of each bubble. On a torus it is the mean of its junctions (mean_corner).
+// Returns the center of each bubble: in a patch the mean of all points of its films
+// (bubble_centers), on a torus the mean of its junctions (mean_corner).
 std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
     if (foam.domain.is_plane()) {
         return bubble_centers(foam);
@@ -52,7 +53,9 @@ std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
 
 // Returns the largest distance from a corner in `from` to the nearest corner in `to`, modulo the
 // periods of the torus. A translation of the whole foam between the two states is not removed.
-double farthest(const Domain& domain, const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
+double largest_distance(const Domain& domain,
+                        const std::vector<Vec2>& from,
+                        const std::vector<Vec2>& to) {
     double largest = 0.0;
     for (const Vec2& a : from) {
         double min_distance = std::numeric_limits<double>::infinity();
@@ -143,17 +146,18 @@ void Cycle::calm(const Foam& foam) {
     }
 }
 
-// Returns the sine of an oscillation with the given phase, in turns.
+// Returns the value, at a position of the cycle, of a sine that makes one oscillation per cycle.
+// `phase` is its phase at the start of the cycle, in turns.
 double Cycle::sine_at(int position, double phase) const {
     const double turns = static_cast<double>(position % options_.steps) / options_.steps;
     return ieee::sin(2.0 * std::numbers::pi * (turns + phase));
 }
 
-// Returns the strain that leads a torus from the preceding position to the given one. Domain::shear
+// Returns the strain that leads a torus with the given domain to the given position. Domain::shear
 // is determined only up to multiples of the width. Of the possible strains, the function therefore
-// returns the strain nearest to the difference between the strains of the two positions. Without
-// this choice, a tall torus would be sheared by a whole width in each step in which its shear is
-// above half of its width.
+// returns the strain nearest to the difference between the strains of this position and of the
+// position before it. Without this choice, a tall torus would be sheared by a whole width in each
+// step in which its shear is above half of its width.
 double Cycle::strain_to(int position, const Domain& domain) const {
     const double target = options_.strain * sine_at(position, 0.0);
     const double before = position > 0 ? options_.strain * sine_at(position - 1, 0.0) : 0.0;
@@ -236,7 +240,7 @@ void Cycle::record_ends(const Foam& foam, std::size_t first_event, const Vec2& t
     }
 }
 
-// Returns the boiling bubble nearest to a point among those whose peak area can still be reduced,
+// Returns the boiling bubble nearest to a point among those whose area rise can still be reduced,
 // or nullptr if there is none. The position of an absent bubble is the position where it vanished
 // last.
 BoilingBubble* Cycle::nearest_reducible(const Domain& domain,
@@ -272,7 +276,7 @@ double closing_error(const Foam& one, const Foam& other) {
         if (found == bubbles.end() || found->second.size() != current.size()) {
             return kInfinity;
         }
-        largest = std::max(largest, farthest(one.domain, current, found->second));
+        largest = std::max(largest, largest_distance(one.domain, current, found->second));
     }
     return largest / mean_diameter(one);
 }

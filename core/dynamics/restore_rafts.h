@@ -15,7 +15,8 @@ std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch);
 /// Moves and rotates every raft of a patch as a rigid body so that the centers of its bubbles fit
 /// their earlier centers, `before`, by least squares. Equilibrium determines neither the position
 /// nor the rotation of a raft, so that a solver may change both, although no force moves the raft.
-/// A lone bubble returns to its earlier center.
+/// Bubbles without an earlier center are ignored. A lone bubble returns to its earlier center, if
+/// it has one.
 void restore_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before);
 
 }  // namespace foam

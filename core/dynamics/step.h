@@ -18,8 +18,9 @@ struct StepOptions {
     int max_halvings = 12;       // largest number of times that a failed substep is halved
 };
 
-/// The result of a step. The counts are sums over all substeps. The errors and the energy describe
-/// the foam at the end of the step.
+/// The result of a step. The counts are sums over all substeps that found an equilibrium. The
+/// errors and the energy describe the foam at the end of the step; they are 0 if no substep found
+/// an equilibrium.
 struct StepSummary {
     int substeps = 0;
     EquilibriumSummary equilibrium;

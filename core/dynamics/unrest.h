@@ -19,7 +19,8 @@ class Unrest {
     /// Compares the foam at the end of a cycle with the foam at the end of the cycle before.
     /// Returns the restless bubbles, by increasing identity: their neighbors changed in this cycle
     /// and also in earlier cycles. Changes in the first two cycles do not count, because every foam
-    /// changes at first.
+    /// changes at first. Must be called once per cycle, since it stores the neighbors for the next
+    /// call.
     std::vector<BubbleIdentity> restless_bubbles(const Foam& end);
 
   private:
