@@ -17,7 +17,8 @@ using Parameters = std::map<std::string, double>;
 /// (find_function in evolver_expression.cpp has the list). Outside parentheses, a sign with white
 /// space before it and none after it begins the next expression of a list, as in Evolver: `1 -2` is
 /// two expressions. Outside parentheses, an operator at the start of a line also ends the
-/// expression. Throws FormatError if there is no expression or if its value is not finite.
+/// expression. Throws FormatError if the expression is missing, malformed or nested too deeply, or
+/// if its value is not finite.
 double take_expression(TokenReader& tokens, const Parameters& parameters);
 
 }  // namespace foam::evolver

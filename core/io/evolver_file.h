@@ -34,10 +34,12 @@ enum class EvolverEdges {
 
 /// Returns the foam as the text of a Surface Evolver data file. Elements are numbered from 1 by
 /// increasing id; dead slots are skipped. The pressures of a torus are shifted so that the first
-/// body has the pressure 0, which is Evolver's convention; all other numbers read back to the same
-/// bits. The time, the identities and the armed flags of films (Foam::t1_armed) are not written.
-/// Throws std::range_error if the format cannot store the foam: if it has lone bubbles, or if a
-/// component of a lattice offset is below -16 or above 15.
+/// body has the pressure 0, which is Evolver's convention. Every number is written with the fewest
+/// digits that read back to the same bits. The time, the identities, the armed flags of films
+/// (Foam::t1_armed) and the half angles of outer films are not written. (The midpoints of arcs show
+/// the half angles, but read_evolver ignores midpoints.) Throws std::range_error if the format
+/// cannot store the foam: if it has lone bubbles, or if a component of a lattice offset is below
+/// -16 or above 15.
 std::string write_evolver(const Foam& foam, EvolverEdges edges = EvolverEdges::Arcs);
 
 }  // namespace foam

@@ -10,11 +10,12 @@
 #include <cmath>
 #include <cstdlib>
 
-// Converts faces to loops of films. First, the loop of edges of each face is copied; if the body
-// refers to the reversed face, the loop is reversed. Then two checks are made: the loops must be
-// closed, and each side of an edge must have one face. In the plane, one of the two sides of an
-// edge may have no face. If the total area of all loops is negative, the loops are clockwise, and
-// all of them are reversed. Finally, each loop is split into films at the vertices of three edges.
+// Converts faces to loops of films. First, the wrap of every edge is determined. Then the loop of
+// edges of each face is copied; if the body refers to the reversed face, the loop is reversed. Two
+// checks follow: the loops must be closed, and each side of an edge must have one face. In the
+// plane, one of the two sides of an edge may have no face. If the total area of all loops is
+// negative, the loops are clockwise, and all of them are reversed. Finally, each loop is split into
+// films at the vertices of three edges.
 
 namespace foam::evolver {
 

@@ -104,7 +104,7 @@ class MeshReader {
     }
 
     // Returns true at the end of an element: at the end of the file, or before a line that begins
-    // with an integer, with the name of a section or with `read`.
+    // with an integer, with the name of a later section or with `read`.
     bool at_element_end() const {
         return tokens_.at_end() ||
                (tokens_.at_line_start() &&
@@ -149,7 +149,8 @@ class MeshReader {
         mesh_.edges.push_back(edge);
     }
 
-    // Reads the number of a vertex of the element `user`. Returns the index of the vertex.
+    // Reads the number of a vertex to which the element `user` refers. Returns the index of this
+    // vertex.
     std::size_t take_vertex(const std::string& user) {
         const int line = tokens_.peek().line;
         return vertex_ids_.index_of(tokens_.take_integer("a vertex number"), line, user);
@@ -228,7 +229,8 @@ class MeshReader {
     bool at_integer_of_element() const { return !tokens_.at_line_start() && tokens_.at_integer(); }
 
     // Reads the attributes of an element. Passes each word and its line to `handle`, which may read
-    // the values that follow the word. Skips all other tokens.
+    // the values that follow the word. Skips all other tokens. Counts the element if it is fixed or
+    // has constraints. Throws FormatError if the first token is not a word.
     template <class Handle>
     void read_attributes(Handle handle) {
         if (!at_element_end() && tokens_.peek().kind != TokenKind::Word) {

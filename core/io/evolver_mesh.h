@@ -67,8 +67,8 @@ struct Mesh {
 };
 
 /// Reads the sections of vertices, edges, faces and bodies, up to `read` or the end of the file.
-/// Ignores attributes that do not affect the equilibrium of a foam. Throws FormatError if a section
-/// is missing or malformed, or has an attribute that is not supported.
+/// Ignores unknown attributes. Throws FormatError if a section is missing or malformed, refers to
+/// an element that the file does not define, or has an attribute that is not supported.
 Mesh read_mesh(TokenReader& tokens, const Parameters& parameters);
 
 }  // namespace foam::evolver

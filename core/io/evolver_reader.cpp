@@ -144,8 +144,8 @@ class FoamBuilder {
         foam_.identities.push_back(foam_.next_identity++);
     }
 
-    // Wraps the junctions into the fundamental cell of the torus. In the file, their coordinates
-    // may be anywhere in the plane.
+    // Wraps the junctions of a torus into its fundamental cell. In the file, junctions may be
+    // outside of this cell.
     void place_junctions() {
         for (const JunctionId junction : foam_.network.junctions()) {
             place_junction(foam_, junction, foam_.positions[junction]);
@@ -164,7 +164,8 @@ class FoamBuilder {
         check_and_scale_areas();
     }
 
-    // Returns the volume of the body, or 0 if it has none.
+    // Returns the volume of the body, or 0 if it has none. Throws FormatError if the volume is not
+    // positive.
     double volume_of(const Body& body) const {
         if (!body.volume) {
             return 0.0;
@@ -244,7 +245,7 @@ class FoamBuilder {
     const Mesh& mesh_;
     const std::string& file_;
     std::vector<FilmLoop> loops_;
-    std::vector<JunctionId> junctions_;   // per vertex; none for midpoints and dissolved vertices
+    std::vector<JunctionId> junctions_;   // per vertex; kNone unless films begin at the vertex
     std::vector<HalfEdgeId> half_edges_;  // by index(); kNone unless a film begins with this side
     Foam foam_;
 };
@@ -256,9 +257,9 @@ std::vector<std::string> notes_of(const Header& header, const Mesh& mesh) {
                                     mesh.constrained_count,
                                     mesh.constrained_count == 1 ? "" : "s"));
     }
-    const bool measured = std::none_of(
+    const bool no_volumes = std::none_of(
         mesh.bodies.begin(), mesh.bodies.end(), [](const Body& b) { return b.volume.has_value(); });
-    if (measured) {
+    if (no_volumes) {
         notes.emplace_back(
             "no body has a volume; each bubble keeps the area of its straight-edged polygon");
     }

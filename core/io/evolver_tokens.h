@@ -26,8 +26,9 @@ struct Token {
     bool starts_line = false;     // true for the first token of a line; line ends within a comment
                                   // or a quoted text do not count
     bool follows_space = false;   // true if white space or a comment is before the token
-    bool precedes_space = false;  // true if white space is after the token; also true at the end of
-                                  // the file, unless the token is a Text
+    bool precedes_space = false;  // true if the next character is white space (a comment does not
+                                  // count); also true at the end of the file, unless the token is
+                                  // a Text
 
     bool is_symbol(char symbol) const {
         return kind == TokenKind::Symbol && text.front() == symbol;
@@ -62,7 +63,8 @@ class TokenReader {
 
     // Each of these functions consumes the next token and returns its value. take_integer also
     // consumes a sign before the integer. The functions throw FormatError if the token is of
-    // another kind. The message says that `meaning` was expected.
+    // another kind, or if the integer does not fit into an int. The message says that `meaning` was
+    // expected.
     int take_integer(std::string_view meaning);
     std::string_view take_word(std::string_view meaning);
     std::string_view take_text(std::string_view meaning);

@@ -52,7 +52,7 @@ class Reader {
     }
 
     HalfEdgeId half_edge(const JsonItem& item) const {
-        return id_at<HalfEdgeId>(item.index(2 * films_, "half-edge"));
+        return id_at<HalfEdgeId>(item.index(2 * film_count_, "half-edge"));
     }
 
     void check_format() const {
@@ -123,16 +123,17 @@ class Reader {
     }
 
     void count_films_and_bubbles() {
-        films_ = root_.member("films").size();
-        bubbles_ = root_.member("bubbles").size();
-        if (films_ > std::numeric_limits<std::int32_t>::max() / 2) {
-            root_.member("films").fail(fmt::format("{} films are too many", films_));
+        film_count_ = root_.member("films").size();
+        bubble_count_ = root_.member("bubbles").size();
+        if (film_count_ > std::numeric_limits<std::int32_t>::max() / 2) {
+            root_.member("films").fail(fmt::format("{} films are too many", film_count_));
         }
     }
 
     void read_film(const JsonItem& item) {
         item.expect_size(9);
-        const std::size_t regions = bubbles_ + (foam_.domain.is_plane() ? 1 : 0);  // with the ghost
+        const std::size_t regions =
+            bubble_count_ + (foam_.domain.is_plane() ? 1 : 0);  // with the ghost
         const HalfEdgeId h = forward_side(foam_.network.add_film());
         foam_.network.set_tail(h, junction(item.value(0)));
         foam_.network.set_tail(twin(h), junction(item.value(1)));
@@ -155,7 +156,7 @@ class Reader {
 
     // Reads a number of sides.
     int sides(const JsonItem& item) const {
-        return static_cast<int>(item.integer(0.0, 2.0 * static_cast<double>(films_)));
+        return static_cast<int>(item.integer(0.0, 2.0 * static_cast<double>(film_count_)));
     }
 
     void read_bubble(const JsonItem& item) {
@@ -191,7 +192,7 @@ class Reader {
             ghost, ghost_sides > 0 ? half_edge(ghost_item.value(0)) : kNone<HalfEdgeId>);
         complete_patch(foam_);
         const JsonItem angles = root_.member("half_angles");
-        angles.expect_size(films_);
+        angles.expect_size(film_count_);
         for (const FilmId film : foam_.network.films()) {
             foam_.half_angles[film] = half_angle(angles.element(index_of(film)));
         }
@@ -212,7 +213,8 @@ class Reader {
     }
 
     // Sets the outgoing half-edge of each junction to the outgoing half-edge in the file. This must
-    // be done last, because set_tail in read_film also sets outgoing half-edges.
+    // be done after all films are read, because set_tail in read_film also sets outgoing
+    // half-edges.
     void set_outgoing() {
         const JsonItem junctions = root_.member("junctions");
         for (const JunctionId junction : foam_.network.junctions()) {
@@ -227,7 +229,7 @@ class Reader {
     }
 
     void check_foam() const {
-        if (films_ == 0 && foam_.lone_bubbles.empty()) {
+        if (film_count_ == 0 && foam_.lone_bubbles.empty()) {
             root_.member("films").fail("the foam has no films and no lone bubbles");
         }
         if (const auto fault = find_fault(foam_.network)) {
@@ -250,8 +252,8 @@ class Reader {
 
     JsonItem root_;
     Foam foam_;
-    std::size_t films_ = 0;
-    std::size_t bubbles_ = 0;
+    std::size_t film_count_ = 0;
+    std::size_t bubble_count_ = 0;
     std::unordered_set<BubbleIdentity> identities_;
 };
 

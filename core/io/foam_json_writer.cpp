@@ -15,9 +15,9 @@ namespace foam {
 
 namespace {
 
-// Returns a number with the fewest digits that read back to the same bits, and with a point or an
-// exponent. Without both, -0.0 would be read as the integer 0 and lose its sign. Precondition: the
-// number is finite.
+// Returns the text of a number, with the fewest digits that read back to the same bits, and with a
+// point or an exponent. The text "-0", which has neither, would be read as the integer 0, and the
+// sign would be lost. Precondition: the number is finite.
 std::string real(double number) {
     constexpr std::size_t kLongest = 32;  // characters; the longest doubles have 24
     std::array<char, kLongest> digits{};

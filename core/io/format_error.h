@@ -7,9 +7,9 @@
 
 namespace foam {
 
-/// The error that all readers throw: a file does not conform to its format, or does not describe a
-/// valid foam. what() is one line, "file:line: message", in printable ASCII apart from the file
-/// name.
+/// The error that all readers of this library throw if a file does not conform to its format, or
+/// does not describe a valid foam. what() is "file:line: message"; the message is one line of
+/// printable ASCII.
 class FormatError : public std::runtime_error {
   public:
     FormatError(const std::string& file, int line, const std::string& message);

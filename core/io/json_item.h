@@ -60,8 +60,8 @@ class JsonItem {
     const JsonTree* tree_;
     const std::string* file_;
     const char* member_ = nullptr;        // nullptr for the root
-    std::optional<std::size_t> element_;  // in the member
-    std::optional<std::size_t> value_;    // in the member or in its element
+    std::optional<std::size_t> element_;  // index in the list; nothing for a whole member
+    std::optional<std::size_t> value_;    // index in the array; nothing for a whole array
 };
 
 }  // namespace foam

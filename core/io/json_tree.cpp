@@ -103,8 +103,9 @@ class TreeBuilder : public Json::json_sax_t {
         throw FormatError(file_, progress_.token_line(), message);
     }
 
-    // Returns the node for the next value. Pointers in open_ stay valid: nothing is appended to the
-    // container that contains an open node until this node is closed.
+    // Returns the node for the next value; appends it if the value is in an array. Pointers in
+    // open_ stay valid: nothing is appended to the container that contains an open node until this
+    // node is closed.
     JsonTree& next_node() {
         if (open_.empty()) {
             return root_;
