@@ -9,8 +9,9 @@
 
 namespace foam {
 
-// The level is decided at the first call of simd_level() and then stored in an atomic variable. If
-// several threads make this first call at once, all of them decide on the same level.
+// The level is decided at the first call of simd_level(), unless it has been forced before, and is
+// stored in an atomic variable. If several threads make this first call at once, all of them decide
+// on the same level.
 
 namespace {
 

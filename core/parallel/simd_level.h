@@ -33,8 +33,9 @@ SimdLevel decide_simd_level();
 }  // namespace detail
 
 /// Returns the level in use. This is the highest available level, unless the environment variable
-/// FOAMTEX_SIMD names another level or force_simd_level was called. Throws std::invalid_argument if
-/// FOAMTEX_SIMD is not empty and names no available level.
+/// FOAMTEX_SIMD names another level or force_simd_level was called. FOAMTEX_SIMD is read only while
+/// no level has been decided or forced; it then causes std::invalid_argument if it is not empty and
+/// names no available level.
 inline SimdLevel simd_level() {
     const int level = detail::simd_level.load(std::memory_order_relaxed);
     return level != detail::kUndecided ? static_cast<SimdLevel>(level)
@@ -96,7 +97,8 @@ template <class Kernel>
 }  // namespace detail
 
 /// Runs a kernel at simd_level() and returns its result. The kernel is a lambda whose loops the
-/// compiler vectorizes. It is compiled once for each level. If it accepts an argument of type
+/// compiler vectorizes. It is compiled once for each level (only for the baseline if
+/// FOAM_HAS_SIMD_LEVELS is not defined). If it accepts an argument of type
 /// std::integral_constant<SimdLevel, level>, it is called as kernel(level), otherwise as kernel().
 /// It should capture by value: a variable that is captured by reference has an address, so that the
 /// compiler must assume that every store might change it.

@@ -76,8 +76,8 @@ void WorkerPool::remove(Task& task) {
     task_count_ = tasks_.size();
 }
 
-// Starts threads until the pool has `count` threads. If the system cannot start a thread, the pool
-// keeps the threads that it has, and does not try again. Precondition: mutex_ is locked.
+// Starts threads until the pool has at least `count` threads. If the system cannot start a thread,
+// the pool keeps the threads that it has, and never tries again. Precondition: mutex_ is locked.
 void WorkerPool::start_threads(int count) {
     if (!is_full_) {
         is_full_ = !start_up_to(static_cast<std::size_t>(count), threads_, [this] {
