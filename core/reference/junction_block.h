@@ -23,8 +23,8 @@ using BlockMatrix = Eigen::MatrixXd;
 /// of the junction. The number of constraints is the same. The constraints are the areas of the
 /// bubbles, followed by two angles between films of the junction. These are the angles on the left
 /// of the first two half-edges of Network::leaving; the third angle follows from them (paper eq.
-/// 13). On a torus, two of the three bubbles at the junction may be periodic copies of one bubble.
-/// This bubble counts once: the block has one pressure and one area fewer.
+/// 13). On a torus, bubbles at the junction may be periodic copies of one bubble. This bubble
+/// counts once, so that the block has fewer pressures and areas.
 ///
 /// In a patch the ghost's pressure and area are left out of the block (paper eq. 15). Each outer
 /// film of the block's bubbles adds one unknown, the change of the film's half angle, and one
@@ -93,7 +93,8 @@ class JunctionBlock {
         double segment = 0.0;       // area between arc and chord, positive if it adds to the left
         double half_angle = 0.0;    // radians; only used for an outer film
         double start_weight = 0.0;  // 1 if the tail moves with the junction, else 0
-        double chord_weight = 0.0;  // 1: only the head moves with the junction; -1: only the tail
+        double chord_weight = 0.0;  // 1: only the head moves with the junction; -1: only the tail;
+                                    // 0: neither of them, or both
         int left = kFixed;          // index in bubbles_ of the bubble on the left, or kFixed
         int right = kFixed;         // index in bubbles_ of the bubble on the right, or kFixed
         int outer = kFixed;         // index in outer_films_, or kFixed for an inner film

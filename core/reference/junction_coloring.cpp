@@ -27,14 +27,14 @@ class Coloring {
         }
         for (const HalfEdgeId h : leaving) {
             if (network_.left(h) != network_.ghost()) {
-                take(network_.left(h), color);
+                mark_used(network_.left(h), color);
             }
         }
         return color;
     }
 
   private:
-    void take(BubbleId bubble, std::size_t color) {
+    void mark_used(BubbleId bubble, std::size_t color) {
         std::vector<bool>& used_colors = used_colors_[bubble];
         used_colors.resize(std::max(used_colors.size(), color + 1));
         used_colors[color] = true;
