@@ -42,9 +42,9 @@ struct Dissection {
 /// by a light separator (a separator of few rows), which is eliminated last. Both sides are then
 /// divided in the same way, until a part has at most DissectionOptions::leaf_rows rows or one side
 /// of its separator would be empty. Separators are found from positions, or from the edges of the
-/// graph where positions give heavy separators (PartDivider). On a torus, the separators of the
-/// first two levels consist of two lines each: one closed line does not divide a torus, and one
-/// line across a band around the torus does not divide this band.
+/// graph where positions give heavy separators (PartDivider). On a torus, the separator of the
+/// first level consists of two lines, because one closed line does not divide a torus. A separator
+/// across a band that closes around the torus also consists of two lines.
 ///
 /// The order is valid for any positions, and is the same for any number of threads. `threads` has
 /// the same meaning as in thread_count. Precondition: there is at least one node.

@@ -12,9 +12,9 @@
 namespace foam {
 
 // The multifrontal method (Duff, Reid 1983): fronts are processed in postorder. A front consists of
-// its panel and its update matrix (Front). The update matrix is added to the parent front. The two
-// subtrees of a front with `may_fork` are factored by different threads. All sums are taken in the
-// same order for any number of threads.
+// its panel and its update matrix (Front). The update matrix is added to the parent front. If there
+// are several threads, the two subtrees of a front with `may_fork` are factored at the same time.
+// All sums are taken in the same order for any number of threads.
 
 namespace {
 

@@ -15,9 +15,9 @@
 namespace foam {
 
 // A part is halved at the median coordinate along the longer axis of its box. The nodes of one half
-// that have neighbors in the other half are a separator, which is then refined by moving it through
-// the nodes near it (SeparatorRefinement). If it has more rows than a multiple of the square root
-// of the part's number of rows, the part is divided by multilevel bisection instead.
+// that have neighbors in the other half are a separator. In a part of many rows, the separator is
+// then refined: moved through the nodes near it (SeparatorRefinement). If the separator is heavy
+// before or after this (DissectionOptions), the part is divided by multilevel bisection instead.
 
 namespace {
 
