@@ -54,7 +54,7 @@ class IdTable {
     std::unordered_map<int, std::size_t> indices_;
 };
 
-// A section of the file. It begins with one of `words`, of which unused entries are empty.
+// A section of the file. It begins with one of `words`; empty entries are unused.
 struct Section {
     std::array<std::string_view, 4> words;
     const char* name = "";
