@@ -6,9 +6,10 @@
 
 namespace foam::texgen {
 
-/// Returns the frame with its junctions, and the middles of its films, displaced. Each film becomes
-/// the arc through the new positions of its ends and its middle. Areas and pressures of bubbles
-/// stay as they are. Precondition: the frame is on a torus.
+/// Returns the frame with its junctions displaced by `of_junctions`, and the middles of its films
+/// by `of_middles`. Each film becomes the arc through the new positions of its ends and its middle.
+/// The stored areas and pressures of bubbles stay as they are. Precondition: the frame is on a
+/// torus.
 Frame displaced(Frame frame,
                 const Indexed<JunctionId, Vec2>& of_junctions,
                 const Indexed<FilmId, Vec2>& of_middles);

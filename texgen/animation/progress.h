@@ -41,9 +41,10 @@ struct RunProgress {
     bool finished() const { return total > 0 && done >= total; }
 };
 
-/// Receives the progress of a run: at the beginning of each phase and after each of its units. It
-/// is called by one thread at a time, but not always by the same thread. It may throw to stop the
-/// run. An empty callback is allowed wherever a callback is an argument.
+/// Receives the progress of a run: at the beginning of each phase and after each of its units. In
+/// the phases WarmUp and States, the last unit is not reported. The callback is called by one
+/// thread at a time, but not always by the same thread. It may throw to stop the run. An empty
+/// callback is allowed wherever a callback is an argument.
 using ProgressCallback = std::function<void(const RunProgress&)>;
 
 }  // namespace foam::texgen

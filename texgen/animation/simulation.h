@@ -34,7 +34,8 @@ class Simulation {
     /// close; the foam must not be used after that. Rethrows the exceptions of the callback.
     bool advance();
 
-    /// Returns the frame that was reached, as images show it (display_transform.h).
+    /// Returns the frame that was reached, as images show it (display_transform.h), but without the
+    /// current of the loop (current.h).
     Frame frame() const;
 
     /// Returns the distance between the states at the start and at the end of the last cycle before

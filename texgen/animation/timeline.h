@@ -30,8 +30,8 @@ class Timeline {
     /// increasing order.
     StateChange changes_to(int frame, Foam& foam);
 
-    /// Sets the view of a patch. The positions of events are fractions of this view. In the default
-    /// view one foam unit is one pixel.
+    /// Sets the view of a patch. The positions of events are fractions of this view. Without a
+    /// call, one foam unit is one pixel, and the origin is in the middle of the image.
     void set_view(const View& view) { view_ = view; }
 
   private:
