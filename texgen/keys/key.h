@@ -24,7 +24,8 @@ struct Condition {
     bool allows(std::string_view value) const;
 };
 
-/// The properties of a key that do not depend on the type of the object that the key sets.
+/// The properties of a key that do not depend on the type of its owner, the object in which the key
+/// stores its value.
 struct KeyInfo {
     std::string path;     // "foam.bubbles", or "bubbles" outside of a table
     std::string allowed;  // the allowed values: "an integer from 4 to 1000000"
