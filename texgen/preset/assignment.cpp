@@ -18,8 +18,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest number of parts of a key; "a.b" has two. toml++ and the functions below need stack in
-// proportion to it.
+// The largest number of parts of a key; "a.b" has two. toml++ and collect_node are recursive and
+// need stack in proportion to the number of parts.
 constexpr int kMaxKeyParts = 32;
 
 Value value_of(const toml::node& node);
@@ -73,7 +73,8 @@ struct Located {
 };
 
 // Appends the assignment of a node to `found`, and then the assignments of all nodes nested in it.
-// `position` is the position and `path` the key of the node.
+// An array of tables has no assignment of its own. `position` is the position and `path` the key of
+// the node.
 void collect_node(const toml::node& node,
                   const toml::source_position& position,
                   const std::string& path,

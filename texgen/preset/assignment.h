@@ -11,8 +11,8 @@
 
 namespace foam::texgen {
 
-/// The error of an invalid preset. Its message is one line. For a value that is not allowed, it
-/// contains the location, the key, the value and the allowed values.
+/// The error of an invalid preset or file of tolerances. Its message is one line. For a value that
+/// is not allowed, it contains the location, the key, the value and the allowed values.
 class PresetError : public std::runtime_error {
     using runtime_error::runtime_error;
 };
@@ -34,7 +34,7 @@ std::vector<Assignment> read_assignments(std::string_view toml, const std::strin
 Value read_value(const std::string& text);
 
 /// Parses KEY=VALUE, the argument of `--set`. The value is parsed by read_value. Throws PresetError
-/// if the key or the '=' is missing.
+/// if the key or the '=' is missing, or if the argument is not UTF-8.
 Assignment read_set_argument(const std::string& argument);
 
 }  // namespace foam::texgen

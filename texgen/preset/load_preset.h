@@ -15,7 +15,8 @@ namespace foam::texgen {
 ///
 /// The preset then inherits all values that it does not set. It inherits the events if it has no
 /// events of its own. Throws PresetError if a preset is invalid, if a file is missing or
-/// unreadable, or if presets extend each other in a circle.
+/// unreadable, if the name of a file without ".toml" is not plain (is_plain_name), or if presets
+/// extend each other in a circle.
 Preset load_preset(const std::string& name_or_path);
 
 }  // namespace foam::texgen

@@ -62,13 +62,13 @@ void check_current(const Preset& preset, std::span<const Assignment> assignments
     }
     const double aspect = static_cast<double>(preset.image.width) / preset.image.height;
     const double across = std::sqrt(preset.seeding.bubbles * std::min(aspect, 1.0 / aspect));
-    const int most = std::max(static_cast<int>(across / kBubblesInEddy), 1);
-    if (loop.eddies > most) {
+    const int max_eddies = std::max(static_cast<int>(across / kBubblesInEddy), 1);
+    if (loop.eddies > max_eddies) {
         reject_last(assignments,
                     {"loop.eddies", "foam.bubbles", "image.size"},
                     fmt::format("loop.eddies must be at most {} for {} bubbles, so that an eddy is "
                                 "at least {} bubbles wide",
-                                most,
+                                max_eddies,
                                 preset.seeding.bubbles,
                                 kBubblesInEddy));
     }
