@@ -10,7 +10,8 @@
 
 namespace foam::texgen {
 
-/// Which image of a pair exists.
+/// Which image of a pair exists or, for manifests, which manifest lists it. For single images and
+/// for frames of a range the value is Both, even if a file does not exist.
 enum class Presence { Both, OnlyA, OnlyB };
 
 /// Two images to compare: `a` is the reference, `b` the new image. The path of a missing image is
@@ -19,8 +20,8 @@ struct ImagePair {
     std::filesystem::path a;
     std::filesystem::path b;
     Presence presence = Presence::Both;
-    std::string map{};           // the only map of the images, by their manifest; else empty
-    std::optional<int> frame{};  // by a pattern or a manifest
+    std::string map{};  // the map of the images if their manifest names only one; else empty
+    std::optional<int> frame{};  // from a pattern or a manifest; nullopt if it is not known
 };
 
 /// Returns the pairs of images to compare. `a` and `b` are of the same kind:
@@ -37,10 +38,11 @@ struct ImagePair {
 /// in the order of frame numbers or paths, and contain every image that exists (or is listed) on at
 /// least one side.
 ///
-/// Throws std::invalid_argument if a pattern is malformed, or if `a` and `b` are of different kinds
-/// although both exist. Throws InputError if they are of different kinds because a name that is not
-/// a pattern does not exist, if a manifest is unreadable, or if there is no image on either side.
-/// An image file that does not exist is not an error here.
+/// Throws std::invalid_argument if a pattern or `frames` is malformed, if several frames would
+/// share a file, or if `a` and `b` are of different kinds. However, throws InputError if they are
+/// of different kinds and one of them is not a pattern and does not exist. Also throws InputError
+/// if a manifest is unreadable, or if there is no image on either side. An image file that does not
+/// exist is not an error here.
 std::vector<ImagePair> image_pairs(const std::string& a,
                                    const std::string& b,
                                    const std::optional<std::string>& frames);

@@ -13,7 +13,7 @@
 
 namespace foam::texgen {
 
-/// The limits of a comparison by map.
+/// The limits of the differences between images, with a table of limits for each map.
 class Tolerances {
   public:
     /// The limits of all maps are the defaults of CompareLimits.

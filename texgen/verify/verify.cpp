@@ -29,7 +29,7 @@ namespace {
 // largest steps within frames, across the borders of frames and from frame to frame. After the last
 // file, the MapCheck returns the steps across seams together with the largest other steps.
 
-using File = std::shared_ptr<const Picture>;  // a decoded file
+using DecodedFile = std::shared_ptr<const Picture>;
 
 // Returns how samples of a map are compared.
 Difference difference_of(const ManifestMap& map) {
@@ -45,7 +45,7 @@ class MapCheck {
 
     // Adds a frame of the map. Frames must be added in increasing order. `tiles` is true if the
     // seams at the border of the frame are to be checked.
-    void add(const File& file, int frame, bool tiles) {
+    void add(const DecodedFile& file, int frame, bool tiles) {
         if (tiles) {
             add_tile(tile_seams(groups_of(*file, found_.name), difference_), frame);
         }
@@ -72,7 +72,7 @@ class MapCheck {
     }
 
   private:
-    void add_loop_frame(const File& file, int frame) {
+    void add_loop_frame(const DecodedFile& file, int frame) {
         if (last_ && frame == last_frame_ + 1) {
             loop_.largest_within = std::max(loop_.largest_within, step(*last_, *file));
             ++steps_;
@@ -117,8 +117,8 @@ class MapCheck {
     Difference difference_;
     int period_;
     VerifiedMap found_;
-    File first_;  // the first frame of the period that was added
-    File last_;   // the last frame of the period that was added
+    DecodedFile first_;  // the first frame of the period that was added
+    DecodedFile last_;   // the last frame of the period that was added
     int first_frame_ = 0;
     int last_frame_ = 0;
     int steps_ = 0;  // number of steps that were measured between successive frames of the period
@@ -129,9 +129,9 @@ class MapCheck {
 
 // Returns the picture in a file if its pixels have the hash in the manifest. Otherwise adds a
 // problem and returns null.
-File read_baked(const ManifestFile& file,
-                const std::filesystem::path& folder,
-                std::vector<std::string>& problems) {
+DecodedFile read_baked(const ManifestFile& file,
+                       const std::filesystem::path& folder,
+                       std::vector<std::string>& problems) {
     try {
         auto read = std::make_shared<const Picture>(read_picture(folder / file.path));
         if (pixel_hash(*read) == file.pixels) {
@@ -187,7 +187,8 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
     }
 }
 
-// Returns the numbers in all files of a map.
+// Returns the extent of the numbers in all files of a map, or nullopt if the manifest does not
+// record it.
 std::optional<NumberExtent> numbers_of(const BakedSet& set, const std::string& map) {
     std::optional<NumberExtent> numbers;
     for (const ManifestFile& file : set.files) {
@@ -211,7 +212,7 @@ VerifiedSet verify_set(const BakedSet& set,
     note_missing(set, found.problems);
     std::map<std::string, MapCheck> checks;
     for (const ManifestFile& file : set.files) {
-        if (const File read = read_baked(file, folder, found.problems)) {
+        if (const DecodedFile read = read_baked(file, folder, found.problems)) {
             ++found.files_same;
             for (const std::string& map : file.maps) {
                 auto& check =

@@ -28,8 +28,8 @@ inline constexpr int kShortestLoop = 5;
 /// Returns the largest allowed Seam::ratio of a loop with a period of `period` >= kShortestLoop
 /// frames. The ratio is the step from the last frame to the first, divided by the largest step
 /// between successive frames. If every pixel changes like a sine, the steps before and after the
-/// largest step are cos(2 pi / period) times as large. 1.1 times the inverse of this number is
-/// allowed: 1.11 for 48 frames, 1.56 for 8 frames.
+/// largest step are cos(2 pi / period) times as large. The allowed ratio is 1.1 / cos(2
+/// pi / period): 1.11 for 48 frames, 1.56 for 8 frames.
 double largest_loop_ratio(int period);
 
 /// The result of checking the seams of a map. A seam that was not checked is nullopt. `tile` is the
@@ -85,8 +85,9 @@ struct Verification {
 /// have the hash in the manifest. The ratios of the seams (Seam::ratio) of frames that tile and of
 /// loops must not exceed their limits. A loop is checked only if its period is at least
 /// kShortestLoop frames and all frames from 1 to its period have the recorded pixels; later frames
-/// are ignored. `path` is the folder or the manifest in it. Throws InputError if the choice selects
-/// no set; all other problems are part of the result. `on_progress` receives the phase Files.
+/// are ignored. `path` is the folder or the manifest in it. Throws InputError if the manifest has
+/// sets, but the choice selects none; all other problems are part of the result. `on_progress`
+/// receives the phase Files.
 Verification verify(const Manifest& manifest,
                     const std::filesystem::path& path,
                     const VerifyOptions& options,
