@@ -48,13 +48,13 @@ struct MapOptions {
     EventMapOptions event_map;
     MotionOptions motion;
     DistanceOptions distance;
-    ReliefOptions relief;  // used by lit, height, normal, occlusion, curvature and caustics
+    ReliefOptions relief;  // used by all maps whose MapTraits::shows_relief is true
     HeightOptions height;
     NormalOptions normal;
     OcclusionOptions occlusion;
     CurvatureOptions curvature;
     ThinFilmOptions thin_film;
-    MazeOptions maze;  // used by maze and maze_solution, by lit, and by the relief
+    MazeOptions maze;  // used by maze and maze_solution, by lit, and by reliefs of walls
     ContourOptions contour;
     CausticsOptions caustics;
 };

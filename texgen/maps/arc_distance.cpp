@@ -127,8 +127,8 @@ void limit(ArcDistances& distances, double reach) {
 
 NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point) {
     // The nearest point is an inner point of the arc if the given point is between the normals at
-    // both ends, which is a test of two half-planes. The test is valid only for arcs that turn by a
-    // small angle (DistanceArc::kMinCosine), so other arcs are halved first.
+    // both ends, which is a test of two half-planes. The test fails for arcs that turn by more than
+    // 180 degrees, so arcs that turn by more than 120 degrees (DistanceArc::kMinCosine) are halved.
     if (arc.cosine < DistanceArc::kMinCosine) {
         const auto [first, second] = halves(arc);
         const NearestOnArc on_first = nearest_on_arc(first, point);

@@ -21,9 +21,11 @@ namespace foam::texgen {
 struct FrameInput {
     const Frame& frame;
     const FoamRecord& record;
-    const Frame* next = nullptr;      // the frame after `frame`; null if no map needs it
-    DistanceNeeds distance{};         // images of the distance field that maps need
-    const CrossFade* fade = nullptr;  // in a cross-fade, of which `frame` is one of the two foams
+    const Frame* next = nullptr;  // the frame after `frame`; null if no map needs it
+    DistanceNeeds distance{};     // images of the distance field that maps need
+    /// The cross-fade of which `frame` is one of the two foams; null if the frame shows only one
+    /// foam.
+    const CrossFade* fade = nullptr;
 };
 
 /// A frame on a raster grid, and the intermediate results that its maps share. Each result is

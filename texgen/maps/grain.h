@@ -29,10 +29,10 @@ struct GrainValue {
 GrainValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
 
 /// A fine texture of noise in every bubble. It moves with the centroid of the bubble, does not turn
-/// or stretch, and differs from bubble to bubble. There is no noise around a patch. The first
-/// octave is always used; further octaves are left out if their features are smaller than two
-/// pixels. If a bubble of a torus extends beyond half the width or height of the image from its
-/// centroid, the noise has a visible step at this distance. Borrows the layers.
+/// or stretch, and differs from bubble to bubble. There is no noise around a patch. There are up
+/// to five octaves: the first one, and further ones whose features are not smaller than two pixels.
+/// If a bubble of a torus extends beyond half the width or height of the image from its centroid,
+/// the noise has a visible step at this distance. Borrows the layers.
 class Grain {
   public:
     /// `size` is the size of the largest features, in diameters of a mean bubble of the seeded

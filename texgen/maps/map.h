@@ -40,8 +40,8 @@ struct MapTraits {
     Mixing mixing = Mixing::Values;
     bool shows_relief = false;  // true if the map depends on the relief
     // The name of the key that sets the largest number that a file of codes, such as a PNG, can
-    // store. Larger numbers are clipped, and the program reports them. The name is empty for maps
-    // whose numbers always fit or are clipped on purpose.
+    // store. Numbers outside of the range of the file are clipped, and the program reports them.
+    // The name is empty for maps whose numbers always fit or are clipped on purpose.
     std::string_view full_key{};
 };
 

@@ -221,8 +221,9 @@ class Search {
     std::vector<BubbleId> order_;
 };
 
-// Returns the longest side of a bubble that is an outer film, or kNone if it has no outer film.
-HalfEdgeId outer_side_of(const Frame& frame, BubbleId bubble) {
+// Returns the longest outer film of a bubble, as a side of this bubble, or kNone if the bubble has
+// no outer film.
+HalfEdgeId longest_outer_side(const Frame& frame, BubbleId bubble) {
     HalfEdgeId longest = kNone<HalfEdgeId>;
     double length = -1.0;
     for (const HalfEdgeId side : frame.network.around(bubble)) {
@@ -242,7 +243,7 @@ int rank_as_end(const Frame& frame, const MazeRule& rule, BubbleId bubble) {
     if (!frame.domain.is_plane()) {
         return 2;
     }
-    const HalfEdgeId side = outer_side_of(frame, bubble);
+    const HalfEdgeId side = longest_outer_side(frame, bubble);
     if (side == kNone<HalfEdgeId>) {
         return 0;
     }
@@ -272,8 +273,8 @@ Maze find_maze(const Frame& frame, const MazeRule& rule) {
     const BubbleId end = farthest_end(frame, rule, Search(frame, tree.is_open, start));
     maze.solution = Search(frame, maze.is_open, start).way_to(end);
     if (frame.domain.is_plane()) {
-        maze.solution.insert(maze.solution.begin(), twin(outer_side_of(frame, start)));
-        maze.solution.push_back(outer_side_of(frame, end));
+        maze.solution.insert(maze.solution.begin(), twin(longest_outer_side(frame, start)));
+        maze.solution.push_back(longest_outer_side(frame, end));
         maze.is_open[film_of(maze.solution.front())] = 1;
         maze.is_open[film_of(maze.solution.back())] = 1;
     }

@@ -16,7 +16,7 @@ enum class MeanBubble {
 inline constexpr Choices<MeanBubble> kMeanBubbles = {
     {{{"seed", MeanBubble::Seed}, {"current", MeanBubble::Current}}}};
 
-/// Returns the area of a mean bubble in foam units; 1 if the frame has no bubbles.
+/// Returns the area of a mean bubble in square foam units; 1 if the frame has no bubbles.
 double area_of(MeanBubble bubble, const Frame& frame);
 
 /// Returns the diameter of a circle that has the area of a mean bubble, in foam units.

@@ -25,8 +25,8 @@ ChannelGroup number_channels(MapImage map, const ChannelNames& names, SampleType
 /// Returns the sample type of the group that number_channels returns for the same arguments.
 SampleType number_type(const MapImage& map, SampleType numbers);
 
-/// Returns straight 16-bit colors as linear light from 0 to 1. If they have an opacity, red, green
-/// and blue are multiplied by it.
+/// Converts samples of colors to linear light from 0 to 1. If the colors have an opacity, red,
+/// green and blue are multiplied by it.
 Image<float> premultiplied(const ColorPixels& colors);
 
 }  // namespace foam::texgen

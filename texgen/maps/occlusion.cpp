@@ -22,7 +22,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The visible fraction of the sky is computed once per frame for points of a ReliefSection. For
+// The visible fraction of the sky is computed once per image for points of a ReliefSection. For
 // each pixel, the fraction is looked up by the distance from the nearest film. The section is
 // treated as the cross-section of an endless furrow. In a furrow the visible fraction of a uniform
 // sky is (sin a + sin b) / 2, where a and b are the angles from the normal to the horizons on both

@@ -24,8 +24,8 @@ inline constexpr MapTraits kPressureMap = {
 /// pressures of the frame.
 enum class PressureScaling {
     Range,       // from PressureOptions::low to PressureOptions::high
-    Percentile,  // from a low to a high percentile of these pressures
-    Rank,        // the rank among these pressures, which spreads the bubbles evenly over all tones
+    Percentile,  // from a low to a high percentile of the pressures
+    Rank,        // the rank among the pressures, which spreads the bubbles evenly over all tones
     Share,       // the fraction of the area of the frame's bubbles in which the pressure is lower,
                  // which spreads the area evenly over all tones
 };
@@ -46,9 +46,9 @@ struct PressureOptions {
 Keys<PressureOptions> pressure_keys();
 
 /// Returns the tone of every bubble: the position of its pressure on the scale, with its difference
-/// from 0.5 multiplied by options.exaggeration. All tones are 0.5 in two cases: if the scale begins
-/// and ends at the same pressure, because both percentiles are equal; and if percentiles or ranks
-/// are unknown, because FoamRecord::first_pressures is empty. Throws std::invalid_argument if
+/// from 0.5 multiplied by options.exaggeration. All tones are 0.5 if the scale begins and ends at
+/// the same pressure, because both percentiles are equal, or if percentiles or ranks are unknown,
+/// because FoamRecord::first_pressures is empty. Throws std::invalid_argument if
 /// options.low is not below options.high, even if the scaling is not Range.
 PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options);
 

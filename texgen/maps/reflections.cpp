@@ -34,7 +34,7 @@ Keys<ReflectionOptions> reflection_keys() {
     return {key("windows",
                 Integers{0, 2},
                 "number of windows that every bubble reflects: the first in the direction of the "
-                "light, the second, fainter one opposite to it",
+                "light, the second, fainter one at the opposite azimuth",
                 &Options::windows)
                 .in("windows"),
             key("window_size",

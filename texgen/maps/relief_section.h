@@ -24,7 +24,7 @@ class ReliefSection {
 
     /// Return the height at a smooth distance, and its derivative with respect to the smooth
     /// distance. Precondition: the distance is not negative. For ridges and wet films it may be
-    /// infinite, as it is around a patch whose last bubble has vanished.
+    /// infinite, for example around a patch whose last bubble has vanished.
     double height(double smooth) const;
     double slope(double smooth) const;
 
