@@ -16,8 +16,8 @@
 // A bubble that shrinks to nothing and grows again at the same place needs no T1 if it is always
 // surrounded by the same bubbles: its birth is the inverse of its T2. While a bubble is large, T1s
 // give it further neighbors. When it shrinks, some of these T1s are not undone. Therefore boiling
-// bubbles are chosen far from each other, and where neighbors keep changing from cycle to cycle,
-// Cycle::calm makes the boiling bubbles nearby grow less large.
+// bubbles are chosen far from each other, and Cycle::calm reduces the peak areas of boiling bubbles
+// near which neighbors keep changing from cycle to cycle.
 
 namespace foam {
 
