@@ -122,8 +122,8 @@ std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
         const double area = foam.target_areas[bubbles[k]];
         boiling.push_back({.identity = foam.identities[bubbles[k]],
                            .birth = static_cast<int>(turn * steps),
-                           .area_rise = kRiseFraction * area,
-                           .min_area_rise = kMinRiseFraction * area,
+                           .area_rise = kPeakFraction * area,
+                           .min_area_rise = kMinPeakFraction * area,
                            .last_position = centers[k]});
     }
     return boiling;

@@ -18,8 +18,8 @@ struct BoilingBubble {
     // The position in the cycle, from 0 to steps - 1, directly before the bubble appears: the
     // bubble is absent at this position and present at the next one.
     int birth = 0;
-    double peak_area = 0.0;      // largest rise of the target area above `first_area` (area_at)
-    double min_peak_area = 0.0;  // Cycle::calm does not reduce peak_area below this area
+    double area_rise = 0.0;      // largest rise of the target area above `first_area` (area_at)
+    double min_area_rise = 0.0;  // Cycle::calm does not reduce area_rise below this area
     // Where the bubble last vanished. Until it has vanished for the first time, the mean of its
     // junctions when it was chosen.
     Vec2 last_position{0.0, 0.0};
