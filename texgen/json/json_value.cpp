@@ -20,8 +20,8 @@ namespace {
 // nlohmann's values are recursive and need stack in proportion to it.
 constexpr int kDeepest = 16;
 
-/// Returns the parser's message without its error code. The text that the message quotes at its end
-/// is cut to kLongestQuote characters.
+/// Returns the parser's message without its error code. The text that the message quotes, with all
+/// that follows it, is made printable and shortened in its middle to kLongestQuote characters.
 std::string reason(const std::string& what) {
     constexpr std::string_view kQuote = "last read: '";
     const std::size_t code = what.find("] ");
