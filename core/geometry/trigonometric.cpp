@@ -79,8 +79,8 @@ detail::ReducedAngle detail::reduced_large(double x) {
         high = ~high + (low == 0 ? 1 : 0);
         low = 0 - low;
     }
-    // The difference is the sum of four numbers of 32 bits, each of which a double represents
-    // exactly.
+    // The magnitude of the difference is the sum of four numbers of 32 bits, each of which a double
+    // represents exactly.
     const double first = static_cast<double>(high >> 32) * 0x1p-32;
     const double second = static_cast<double>(high & 0xffffffff) * 0x1p-64;
     const double third = static_cast<double>(low >> 32) * 0x1p-96;

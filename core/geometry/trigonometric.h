@@ -36,8 +36,8 @@ inline constexpr double kLargestAngle = 0x1p20;
 ReducedAngle reduced_large(double x);
 
 // Reduces an angle in [0, kLargestAngle] by subtraction of k pi/2 (W. J. Cody and W. Waite,
-// "Software Manual for the Elementary Functions", 1980). pi/2 is the sum of three numbers of 33
-// bits, whose products with k are exact, and a small remainder.
+// "Software Manual for the Elementary Functions", 1980). pi/2 is the sum of three numbers of at
+// most 33 bits, whose products with k are exact, and a small remainder.
 [[gnu::always_inline]] inline ReducedAngle reduced(double x) {
     const double shifted = x * (2.0 / std::numbers::pi) + kRounder;
     const double k = shifted - kRounder;
