@@ -16,8 +16,8 @@
 // A bubble that shrinks to nothing and grows again at the same place needs no T1 if it is always
 // surrounded by the same bubbles: its birth is the inverse of its T2. While a bubble is large, T1s
 // give it further neighbors. When it shrinks, some of these T1s are not undone. Therefore boiling
-// bubbles are chosen far from each other, and Cycle::calm reduces the peak areas of boiling bubbles
-// near which neighbors keep changing from cycle to cycle.
+// bubbles are chosen far from each other, and where neighbors keep changing from cycle to cycle,
+// Cycle::calm makes the boiling bubbles nearby grow less large.
 
 namespace foam {
 
@@ -122,8 +122,8 @@ std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
         const double area = foam.target_areas[bubbles[k]];
         boiling.push_back({.identity = foam.identities[bubbles[k]],
                            .birth = static_cast<int>(turn * steps),
-                           .area_rise = kPeakFraction * area,
-                           .min_area_rise = kMinPeakFraction * area,
+                           .area_rise = kRiseFraction * area,
+                           .min_area_rise = kMinRiseFraction * area,
                            .last_position = centers[k]});
     }
     return boiling;
