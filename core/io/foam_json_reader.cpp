@@ -52,7 +52,7 @@ class Reader {
     }
 
     HalfEdgeId half_edge(const JsonItem& item) const {
-        return id_at<HalfEdgeId>(item.index(2 * films_, "half-edge"));
+        return id_at<HalfEdgeId>(item.index(2 * film_count_, "half-edge"));
     }
 
     void check_format() const {
