@@ -34,8 +34,8 @@ SimdLevel decide_simd_level();
 
 /// Returns the level in use. This is the highest available level, unless the environment variable
 /// FOAMTEX_SIMD names another level or force_simd_level was called. FOAMTEX_SIMD is read only while
-/// no level has been decided or forced; it then causes std::invalid_argument if it is not empty and
-/// names no available level.
+/// no level has been decided or forced. Throws std::invalid_argument if it is read, is not empty
+/// and names no available level.
 inline SimdLevel simd_level() {
     const int level = detail::simd_level.load(std::memory_order_relaxed);
     return level != detail::kUndecided ? static_cast<SimdLevel>(level)
