@@ -195,8 +195,9 @@ void FrameAssembly::release(const Request& request) {
 }
 
 // Returns the part of the effort `total` that emitted frames have not reported yet. `total` is the
-// effort from the seed to a state. It is 0 if emitted frames have already reported the effort up to
-// this state or a later one. The errors in the result are the errors of the state.
+// effort from the seed to a state. The counts and the time in the result are 0 if emitted frames
+// have already reported the effort up to this state or a later one. The errors in the result are
+// the errors of the state.
 FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total) {
     FrameEffort effort = total;
     if (total.seconds < reported_.seconds) {

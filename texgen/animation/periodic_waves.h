@@ -22,7 +22,7 @@ struct PeriodicWave {
 struct WaveOptions {
     int count = 1;
     double number = 1.0;     // typical number of waves along the shorter side of the torus
-    double variation = 0.0;  // of `number`: it is multiplied by 1 - variation to 1 + variation
+    double variation = 0.0;  // multiplies `number` by a random factor in 1 ± variation, per wave
     double aspect = 1.0;     // width of the torus divided by its height
     std::uint64_t seed = 1;
 };
