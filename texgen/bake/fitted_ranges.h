@@ -25,7 +25,8 @@ bool has_automatic_ranges(const Preset& preset);
 ///
 /// `source` gives the frames. `threads`, as for thread_count, is the number of threads that draw.
 /// `on_progress` receives the phases of the source, and then the phase Ranges. If the source fails,
-/// its outcome is returned, and the preset is unchanged. Throws the exceptions of the source.
+/// its outcome is returned, and the preset is unchanged. Throws the exceptions of the source and of
+/// the callback.
 RunOutcome fit_automatic_ranges(Preset& preset,
                                 const FrameSource& source,
                                 const std::vector<int>& frames,

@@ -146,9 +146,9 @@ Picture FrameFiles::picture_of(std::span<const Map* const> maps,
     return picture;
 }
 
-// Returns the metadata of a file. Unless output.texts leaves texts out, a file of codes contains
-// the name, unit, range and note of its map. In a file of numbers the samples are in the unit of
-// their map, so the file contains only the notes of its maps.
+// Returns the metadata of a file. Unless output.texts leaves texts out, a file of codes contains,
+// besides the texts of all files (texts_of), the name, unit, range and note of its map. In a file
+// of numbers the samples are in the unit of their map, so only the notes of its maps are added.
 ImageMetadata FrameFiles::metadata_of(std::span<const Map* const> maps) const {
     ImageMetadata metadata = metadata_;
     if (metadata.text.empty()) {
