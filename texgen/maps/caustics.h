@@ -26,7 +26,8 @@ struct CausticsOptions {
     double depth = 1.0;  // of the water, in bubble diameters (ReliefOptions::mean_bubble)
     // The brightness is 1 - exp(-exposure * light). Under flat water, the light is 1.
     double exposure = 0.7;
-    // The colors (sRGB) of the brightnesses from 0 to 1, evenly spaced.
+    // The colors (sRGB) of the brightnesses from 0 to 1, evenly spaced. An empty list stands for
+    // these default colors.
     std::vector<std::string> colors = {"#04465c", "#0d7d96", "#59c9d2", "#d9fbf4", "#ffffff"};
     // Rays per pixel in each direction. Fewer are used if a side of the image of rays would exceed
     // kLargestSide.

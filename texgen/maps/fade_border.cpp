@@ -22,8 +22,8 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// The border affects the relief of the old foam up to this distance, in mean bubble widths. It is
-// about the radius of a bubble. Farther away, the distance from the border has creases, which would
+// The border affects the relief of the old foam up to this distance, in mean bubble widths: about
+// the radius of a bubble. Farther away, the distance from the border has creases, which would
 // be visible in the relief.
 constexpr double kReach = 0.5;
 
@@ -152,8 +152,9 @@ class FieldJoiner {
 
   private:
     // Returns true if a pixel of a growing bubble is within the rim of the bubble; joins both
-    // fields there. `nearest` is the distance from the nearest film of the border. In both cases,
-    // replaces it by the distance from the rim if the rim is nearer.
+    // fields there. `nearest` is the distance from the nearest film of the border; at every
+    // pixel, within the rim or not, it is replaced by the distance from the rim if the rim is
+    // nearer.
     bool join_growing(std::size_t k, std::size_t bubble, Lead& nearest) {
         const Lead smooth = grown(k, bubble);
         const Lead rim = from_rim(smooth, growth_[bubble] * radii_[bubble]);

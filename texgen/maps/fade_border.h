@@ -27,8 +27,8 @@ struct CrossFade {
 struct FadeBorder {
     /// The distance from the border in pixels: positive where the foam that fades in is shown,
     /// negative elsewhere. The distance from the rim of a growing bubble is an approximation that
-    /// is exact for circles. The distance is infinite inside complete bubbles and far from the
-    /// border, and minus infinity far from the border in the foam that fades out.
+    /// is exact for circles. The distance is infinite inside complete bubbles. It is minus infinity
+    /// far from the border in the foam that fades out, except where a bubble has begun to grow.
     Image<float> distance;
     /// The weight of the foam that fades in, from 0 to 1: the fraction of the pixel that shows it.
     Image<float> weights;

@@ -46,9 +46,9 @@ struct PressureOptions {
 Keys<PressureOptions> pressure_keys();
 
 /// Returns the tone of every bubble: the position of its pressure on the scale, with its difference
-/// from 0.5 multiplied by options.exaggeration. All tones are 0.5 in two cases: if the scale begins
-/// and ends at the same pressure, because both percentiles are equal; and if percentiles or ranks
-/// are unknown, because FoamRecord::first_pressures is empty. Throws std::invalid_argument if
+/// from 0.5 multiplied by options.exaggeration. All tones are 0.5 if the scale begins and ends at
+/// the same pressure, because both percentiles are equal, or if percentiles or ranks are unknown,
+/// because FoamRecord::first_pressures is empty. Throws std::invalid_argument if
 /// options.low is not below options.high, even if the scaling is not Range.
 PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options);
 

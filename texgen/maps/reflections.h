@@ -12,8 +12,8 @@ namespace foam::texgen {
 
 /// The options of the reflections in the map lit. The surface reflects up to two windows like a
 /// mirror, and a sky that is brightest just above the horizon. The first window is in the direction
-/// of the light. The second window is opposite to it and fainter, like the reflection from the back
-/// of a bubble.
+/// of the light. The second window has the same elevation and the opposite azimuth, and is fainter,
+/// like the reflection from the back of a bubble.
 struct ReflectionOptions {
     int windows = 0;
     double window_size = 30.0;       // width and height of a window, degrees
