@@ -101,8 +101,8 @@ Chunk take_chunk(Content& rest) {
 }
 
 /// Returns all chunks of a PNG. They refer to the bytes of `png`. Throws std::invalid_argument if
-/// the signature is wrong, if a chunk is incomplete, if the first chunk is not IHDR, if no chunk is
-/// IDAT, or if the PNG has a palette.
+/// the signature is wrong, if a chunk is incomplete, if the first chunk is not IHDR or is shorter
+/// than kSizeBytes, if no chunk is IDAT, or if the PNG has a palette.
 std::vector<Chunk> chunks_of(Content png) {
     std::vector<Chunk> chunks;
     for (Content rest = after_signature(png); !rest.empty();) {

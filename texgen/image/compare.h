@@ -20,9 +20,9 @@ enum class PixelContent {
 /// Returns true if the pictures have the same width, height and channel names.
 bool have_same_layout(const Picture& a, const Picture& b);
 
-/// Compares two pictures. Pixels that cannot hold normals (can_hold_normals) are compared as
-/// Numbers. If the layouts differ, the verdict is DifferentLayout and all other members keep their
-/// defaults.
+/// Compares two pictures. If `content` is Normals, but the pixels cannot be normals
+/// (can_hold_normals), they are compared as Numbers. If the layouts differ, the verdict is
+/// DifferentLayout and all other members keep their defaults.
 Comparison compare(const Picture& a,
                    const Picture& b,
                    const CompareLimits& limits = {},

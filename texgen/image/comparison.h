@@ -40,8 +40,8 @@ struct Comparison {
     std::optional<double> angle{};   // largest angle between normals, degrees; nullopt for Numbers
     int angle_x = 0;                 // column of the largest angle
     int angle_y = 0;                 // row of the largest angle
-    /// For Warning and Failure: the limits that are exceeded, in words, such as "rms 0.02 above
-    /// 0.01".
+    /// The exceeded limits in words, such as "rms 0.02 above 0.01". For the verdict Failure these
+    /// are only limits for failures, for Warning limits for warnings; otherwise there are none.
     std::vector<std::string> reasons{};
 };
 

@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// The default of DifferenceLimits::sample, which is also the default of OpenImageIO's program
-/// idiff.
+/// The limit of the difference of a sample if no other limit replaces it
+/// (DifferenceLimits::sample_limit). OpenImageIO's program idiff has the same default.
 inline constexpr double kDefaultSampleLimit = 1e-6;
 
 /// A limit on a percentile of the differences of all pixels: at least `percent` percent of the

@@ -45,15 +45,15 @@ struct ExrEncoding {
 };
 
 /// Returns channels encoded as an EXR. Samples are not clamped; samples of Half channels are
-/// rounded to half floats. There must be at least one channel. All channels must have the same
-/// width and height, and distinct names. Their order does not matter. By convention colors are
-/// linear light, premultiplied by the opacity, which is the channel A.
+/// rounded to half floats. There must be at least one channel and one pixel. All channels must have
+/// the same width and height, and distinct names that are not empty. Their order does not matter.
+/// By convention colors are linear light, premultiplied by the opacity, which is the channel A.
 ///
 /// The members `color`, `periodic` and `frame_rate` of the metadata are stored in the attributes
 /// `chromaticities`, `wrapmodes` and `framesPerSecond`. Each text is stored in a string attribute.
 /// The keywords of texts must be distinct and have 1 to 31 characters. They must not be names of
-/// attributes that every EXR has, such as `channels`, or names in the list kReservedNames in
-/// exr_encode.cpp.
+/// attributes that the header has anyway, such as `channels`, or names in the list kReservedNames
+/// in exr_encode.cpp.
 ///
 /// Throws std::invalid_argument for channels or texts that break these rules, and for a number that
 /// is not finite or that its type cannot hold. Throws OutputError if OpenEXR fails.

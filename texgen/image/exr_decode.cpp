@@ -24,7 +24,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The names of standard string attributes of EXR. These attributes are not returned as texts.
+// The names of string attributes with which OpenEXR describes the image and the parts of a file.
+// These attributes are not returned as texts.
 constexpr std::array<std::string_view, 4> kNoTexts = {"wrapmodes", "name", "type", "view"};
 
 SampleType type_of(const Imf::Channel& channel) {

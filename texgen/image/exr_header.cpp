@@ -23,7 +23,9 @@ namespace {
 
 constexpr std::size_t kPreamble = 8;  // bytes: the magic number and the version
 constexpr std::uint32_t kMagic = 20000630;
-constexpr double kBytesOfOffset = 8.0;  // bytes per block in the table of the blocks' positions
+// The number of bytes per block in the table of the positions of all blocks. A block is a tile, or
+// the rows that are compressed together.
+constexpr double kBytesOfOffset = 8.0;
 // The largest allowed size of a decoded block, in bytes, unless the whole image is larger.
 constexpr double kMaxBlock = 64.0 * 1024 * 1024;
 // The largest compression ratio of deflate. The other methods of EXR, except DWA, compress samples
@@ -33,7 +35,7 @@ constexpr double kMaxDeflateRatio = 1032.0;
 // samples, in the extreme case to a single number.
 constexpr double kMaxDwaRatio = 64.0 * kMaxDeflateRatio;
 
-/// The size of the values of a type of attributes, in bytes.
+/// A type of attributes whose values all have the same size in bytes.
 struct TypeSize {
     std::string_view type;
     std::size_t size;
@@ -52,7 +54,7 @@ constexpr std::array<TypeSize, 23> kTypeSizes = {
     throw InputError(reason);
 }
 
-/// Reads the attributes of a header as OpenEXR does, but checks the length of each attribute first.
+/// Checks the lengths of the attributes of a header in the order in which OpenEXR will read them.
 class AttributeScan {
   public:
     explicit AttributeScan(std::span<const std::byte> content) : rest_(content) {}
@@ -165,7 +167,7 @@ double max_ratio(Imf::Compression compression) {
     return is_dwa ? kMaxDwaRatio : kMaxDeflateRatio;
 }
 
-/// Returns the number of rows of a block, which are compressed together.
+/// Returns the number of rows that the compression method compresses together.
 int rows_of_block(Imf::Compression compression) {
     switch (compression) {
         case Imf::ZIP_COMPRESSION:

@@ -32,9 +32,9 @@ using Bytes = std::vector<std::byte>;
 /// a regular file but, for example, a folder or a pipe, or if it is larger than `kind` allows.
 Bytes read_file(const std::filesystem::path& path, const InputKind& kind = kImageInput);
 
-/// Returns true if the name can be a part of a file name: it is not empty, at most 200 bytes long,
-/// harmless (shown_text.h), and has no '/' and no leading '.'. Names in files from an untrusted
-/// source must be plain before they become parts of paths.
+/// Returns true if the name can be a part of a file name: it is not empty, has at most 200 bytes,
+/// is harmless (is_harmless in shown_text.h), and has no '/' and no leading '.'. Names in files
+/// from an untrusted source must be plain before they become parts of paths.
 bool is_plain_name(std::string_view name);
 
 /// Selects when the content of a file reaches the disk.

@@ -51,7 +51,7 @@ struct ImageFormat {
 /// Returns all formats.
 std::span<const ImageFormat> image_formats();
 
-/// Returns the format with the suffix in which the file name ends, or nullptr if no format has it.
+/// Returns the format whose suffix is the end of the file name, or nullptr if there is none.
 const ImageFormat* find_format(std::string_view file_name);
 
 /// Return the suffixes of all formats, such as ".png or .exr", and their names, such as "PNG or

@@ -11,7 +11,7 @@ namespace foam::texgen {
 // The limits of files that the program reads. They bound the memory and the time that a file from
 // an untrusted source can cost. SECURITY.md lists them.
 
-/// A kind of input files.
+/// A kind of input file.
 struct InputKind {
     std::string_view name;        // for messages, such as "a preset"
     std::uint64_t max_bytes = 0;  // the largest size of a file

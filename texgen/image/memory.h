@@ -8,15 +8,16 @@
 
 namespace foam::texgen {
 
-/// Reports that the machine has too little memory. The message says how much is needed.
+/// Reports that too little memory is available. The message says how much is needed.
 class OutOfMemory : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
 /// Returns the number of bytes that this process can still use without swapping. This is the
-/// smallest of three numbers: the available memory of the machine, the unused part of the limit of
-/// the process's control group (cgroup version 2), and the unused part of the limit of its address
-/// space (ulimit -v). A number that is not known counts as the largest std::uint64_t.
+/// smallest of these numbers: the available memory of the machine; the unused parts of the limits
+/// of the process's control group (cgroup version 2) and of the groups above it; and the unused
+/// part of the limit of the process's address space (ulimit -v). If there is no such limit, or a
+/// number is not known, the largest std::uint64_t takes its place.
 std::uint64_t available_memory();
 
 /// Throws OutOfMemory if fewer than `bytes` bytes are available (available_memory). The message

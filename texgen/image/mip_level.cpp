@@ -24,17 +24,18 @@ int half_of(int extent) {
 
 /// The interval that a pixel of the smaller level covers along one axis of the larger level.
 struct Footprint {
-    int from;   // number of pixels of the larger level
-    int to;     // number of pixels of the smaller level
+    int from;   // number of pixels of the larger level along the axis
+    int to;     // number of pixels of the smaller level along the axis
     int pixel;  // index of the pixel in the smaller level
 
     /// The pixels of the larger level that the interval overlaps are first(), ..., last() - 1.
     int first() const { return pixel * from / to; }
     int last() const { return ((pixel + 1) * from + to - 1) / to; }
 
-    /// Returns the fraction of the interval that is in the given pixel of the larger level. The
-    /// fractions of all pixels add up to 1. Lengths are measured in 1 / `to` of a pixel of the
-    /// larger level, so that the ends of all intervals are integers.
+    /// Returns the fraction of the interval that is in a pixel of the larger level; `larger` is the
+    /// index of this pixel. The fractions of all pixels that the interval overlaps add up to 1.
+    /// Here the unit of length is 1 / `to` of a pixel of the larger level, so that the ends of all
+    /// intervals are integers. Precondition: first() <= larger < last().
     double weight(int larger) const {
         const int begin = std::max(pixel * from, larger * to);
         const int end = std::min((pixel + 1) * from, (larger + 1) * to);
@@ -52,8 +53,9 @@ void add_means(
     for (int x = 0; x < width; ++x) {
         const Footprint covered{pixels.width(), width, x};
         double mean = 0.0;
-        for (int from = covered.first(); from < covered.last(); ++from) {
-            mean += covered.weight(from) * pixels.pixel(from, y)[static_cast<std::size_t>(channel)];
+        for (int larger = covered.first(); larger < covered.last(); ++larger) {
+            mean +=
+                covered.weight(larger) * pixels.pixel(larger, y)[static_cast<std::size_t>(channel)];
         }
         sums[static_cast<std::size_t>(x)] += weight * mean;
     }
@@ -67,8 +69,8 @@ Image<float> mean_level(ImageView<const float> pixels, int channel) {
     for (int y = 0; y < level.height(); ++y) {
         const Footprint covered{pixels.height(), level.height(), y};
         sums.assign(static_cast<std::size_t>(level.width()), 0.0);
-        for (int from = covered.first(); from < covered.last(); ++from) {
-            add_means(pixels, channel, from, covered.weight(from), sums);
+        for (int larger = covered.first(); larger < covered.last(); ++larger) {
+            add_means(pixels, channel, larger, covered.weight(larger), sums);
         }
         std::transform(sums.begin(), sums.end(), level.row(y).begin(), [](double sum) {
             return static_cast<float>(sum);

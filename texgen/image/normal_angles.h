@@ -12,10 +12,10 @@ namespace foam::texgen {
 bool can_hold_normals(const Picture& picture);
 
 /// Returns the angle between the normals of each pixel of two pictures, in degrees, row by row from
-/// the bottom. Codes from 0 to 1 are decoded to coordinates from -1 to 1; other samples are
-/// coordinates. Normals need not have unit length. The angle is 0 if the samples are equal, and 180
-/// if they differ and a normal is zero or not finite. Preconditions: can_hold_normals; the pictures
-/// have the same size and channels.
+/// the bottom. The smallest code represents the coordinate -1, the largest code 1; samples that are
+/// not codes are coordinates. Normals need not have unit length. The angle is 0 if the samples are
+/// equal (NaN equals NaN), and 180 if they differ and a normal is zero or not finite.
+/// Preconditions: can_hold_normals; the pictures have the same size and channels.
 std::vector<double> normal_angles(const Picture& a, const Picture& b);
 
 }  // namespace foam::texgen

@@ -56,7 +56,8 @@ struct ImageMetadata {
     bool color = false;
     bool periodic = false;  // the picture tiles in both directions
     std::optional<FrameRate> frame_rate = {};
-    /// Keywords and UTF-8 texts. A keyword has 1 to 31 printable ASCII characters.
+    /// Keywords and UTF-8 texts. To be accepted by the encoders of all formats, a keyword must have
+    /// 1 to 31 printable ASCII characters and satisfy the rules in png.h and exr.h.
     std::vector<std::pair<std::string, std::string>> text = {};
 };
 

@@ -33,8 +33,9 @@ struct PngEncoding {
 /// run upward and rows of a PNG downward, so the encoder reverses their order. If `metadata.color`
 /// is set, the file has the chunks sRGB (perceptual intent), gAMA and cHRM. The members `periodic`
 /// and `frame_rate` of `metadata` are not stored. Throws std::invalid_argument for an empty view,
-/// for a number of channels that is not from 1 to 4, and for a keyword that PNG forbids. Throws
-/// OutputError if libpng fails.
+/// for a number of channels that is not from 1 to 4, and for a text whose keyword does not have 1
+/// to 79 printable ASCII characters or has a leading, trailing or double space. Throws OutputError
+/// if libpng fails.
 Bytes encode_png(ImageView<const std::uint8_t> pixels,
                  const ImageMetadata& metadata = {},
                  const PngEncoding& encoding = {});

@@ -51,7 +51,7 @@ int text_kind(const std::string& text) {
 }
 
 /// Returns the texts as structures of libpng, which refer to the strings of `metadata`. Throws
-/// std::invalid_argument for a keyword that PNG forbids.
+/// std::invalid_argument for a keyword that is not allowed (encode_png).
 std::vector<png_text> text_chunks(const ImageMetadata& metadata) {
     std::vector<png_text> chunks;
     for (const auto& [key, text] : metadata.text) {

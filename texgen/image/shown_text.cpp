@@ -23,9 +23,9 @@ bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
 }
 
-// Returns the number of bytes of a character that begins with the given byte; also 1 for a byte
-// with which no character begins.
-std::size_t length_after(unsigned char first) {
+// Returns the number of bytes of a character of UTF-8 that begins with the given byte. Returns 1,
+// too, if no character begins with this byte.
+std::size_t length_of_character(unsigned char first) {
     if (first >= 0xf0 && first < 0xf5) {
         return 4;
     }
@@ -49,7 +49,7 @@ Character first_character(std::string_view text) {
     if (first < 0x80) {
         return {text.substr(0, 1), first};
     }
-    const std::size_t length = length_after(first);
+    const std::size_t length = length_of_character(first);
     const std::string_view bytes = text.substr(0, length);
     const std::string_view rest = bytes.substr(1);
     if (length == 1 || bytes.size() < length || !std::ranges::all_of(rest, is_continuation)) {

@@ -30,12 +30,12 @@ std::string valid_utf8(std::string_view text);
 /// begin with the place and end with the reason.
 std::string shown_text(std::string_view text, std::size_t longest = kLongestMessage);
 
-/// Returns a text of several lines in the same way, without a limit of its length. Keeps line
-/// feeds.
+/// Returns a text in which the same characters and bytes are replaced as in the result of
+/// shown_text, except line feeds, which are kept. The length is not limited.
 std::string shown_lines(std::string_view text);
 
-/// Returns the beginning of a text, at most `longest` characters followed by "..." if there are
-/// more. Does not split a character.
+/// Returns the text if it has at most `longest` characters. Otherwise returns its first `longest`
+/// characters, followed by "...".
 std::string cut_text(std::string_view text, std::size_t longest = kLongestQuote);
 
 }  // namespace foam::texgen
