@@ -30,7 +30,8 @@ bool is_cache(const std::filesystem::path& path);
 /// Returns the path of the file that contains the state with the given number.
 std::filesystem::path state_path(const std::filesystem::path& folder, int number);
 
-/// Returns the path of the file that contains the pressures of the first equilibrium.
+/// Returns the path of the file that contains the pressures at the end of the warm-up
+/// (FoamRecord::first_pressures).
 std::filesystem::path pressures_path(const std::filesystem::path& folder);
 
 /// Writes the description of a cache. Throws OutputError if the file cannot be written.

@@ -15,7 +15,8 @@ namespace foam::texgen {
 namespace {
 
 // The largest absolute value of a number of a state, in foam units. The mean area of the seeded
-// foam is 1, and a preset has at most 1e6 bubbles, so that all numbers are far below this limit.
+// foam is 1, and the seeded foam has at most 1e6 bubbles, so that all numbers are far below this
+// limit.
 constexpr double kLargestNumber = 1e15;
 
 using Fault = std::optional<std::string>;

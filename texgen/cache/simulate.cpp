@@ -19,7 +19,7 @@ namespace foam::texgen {
 namespace {
 
 // Writes states to a cache as they are simulated. cache.json is written immediately before the
-// first state, so a simulation that fails before its first state leaves no cache.
+// first state, so a simulation that fails before its first state creates no cache.
 class CacheWriter {
   public:
     CacheWriter(CacheInfo info, std::filesystem::path folder)

@@ -19,9 +19,9 @@ namespace foam::texgen {
 
 namespace {
 
-// The tables of presets that influence only how states are drawn. The exceptions are the camera
-// (needs_camera) and the aspect ratio of the image (needs_aspect). The tables of maps also
-// influence only drawing, but are not listed here.
+// The tables of presets that influence only how states are drawn, apart from two exceptions: in
+// some presets the camera (needs_camera) and the aspect ratio of the image (needs_aspect) also
+// influence the states. The tables of maps influence only drawing, too, but are not listed here.
 constexpr std::array<std::string_view, 4> kAppearanceTables = {
     "preset", "image", "camera", "output"};
 

@@ -15,10 +15,10 @@
 
 // An encoded state consists of its frame (frame_codec.h), its effort and its record, in this order.
 // In the record, values per bubble are in the order of the bubbles of the frame, followed by its
-// lone bubbles, so identities are stored only once, in the frame. The pressures of the first
-// equilibrium follow a flag. If the flag is 1, they equal the pressures in pressures.foam and are
-// left out. The averages of values are at the end of the record. A flag precedes them, too; it is 0
-// if nothing is averaged.
+// lone bubbles, so identities are stored only once, in the frame. A flag precedes the pressures at
+// the end of the warm-up. If it is 1, they equal the pressures in pressures.foam and are left out.
+// The averages of values are at the end of the record. A flag precedes them, too; it is 0 if
+// nothing is averaged.
 
 namespace foam::texgen {
 

@@ -12,14 +12,14 @@ namespace foam::texgen {
 
 /// Encodes a state: the frame, the effort of its simulation (FrameEffort), and the record of
 /// earlier frames that maps need (FoamRecord). The view and the closing error are not encoded;
-/// Cache::frames_of sets them. If the pressures of the first equilibrium (in the record) equal
-/// `first_pressures` and are not empty, they are left out. The times of births and changes are left
-/// out for bubbles that have vanished, because no map needs them.
+/// Cache::frames_of sets them. If FoamRecord::first_pressures, the pressures at the end of the
+/// warm-up, equal the argument `first_pressures` and are not empty, they are left out. The values
+/// per bubble of the record are left out for bubbles that have vanished, because no map needs them.
 Bytes pack_state(const SimulatedFrame& state, const std::vector<double>& first_pressures);
 
 /// Decodes a state. Maps drawn from the decoded state have the same bits as maps drawn from the
-/// original state. `first_pressures` replaces the pressures of the first equilibrium if pack_state
-/// has left them out. Throws BadContent if the bytes are not a state, or if `first_pressures` is
+/// original state. `first_pressures` becomes FoamRecord::first_pressures if pack_state has left out
+/// these pressures. Throws BadContent if the bytes are not a state, or if `first_pressures` is
 /// needed but empty.
 SimulatedFrame unpack_state(std::span<const std::byte> content,
                             const std::vector<double>& first_pressures);
