@@ -37,9 +37,10 @@ bool is_file_at(int file, const std::filesystem::path& path) {
 
 constexpr std::chrono::milliseconds kPause{5};  // between two attempts to lock the file
 
-// Returns false if another owner holds the lock of the file. Returns true without a lock if flock
-// fails for another reason, for example because the file system does not support it.
-bool is_free(int file) {
+// Locks a file; `file` is a file descriptor. Returns false if another owner holds the lock. Returns
+// true without a lock if flock fails for another reason, for example because the file system does
+// not support it.
+bool try_flock(int file) {
     return flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
@@ -71,7 +72,7 @@ bool FileLock::try_lock() {
         throw OutputError(fmt::format(
             "cannot write '{}': {}", path_.string(), std::generic_category().message(errno)));
     }
-    if (is_free(file_) && is_file_at(file_, path_)) {
+    if (try_flock(file_) && is_file_at(file_, path_)) {
         return true;
     }
     close(file_);

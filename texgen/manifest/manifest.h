@@ -46,9 +46,9 @@ struct ManifestFile {
     friend bool operator==(const ManifestFile&, const ManifestFile&) = default;
 };
 
-/// Statistics of the foam in a frame, in foam units, and the time spent on the frame. T1s and T2s
-/// are counted from the previous frame of the bake, or from the seeding of the foam for the first
-/// frame.
+/// Statistics of the foam in a frame, in foam units, and the time spent on the frame. T1s, T2s and
+/// `simulating` cover the simulation since the previous frame of the bake; for the first frame,
+/// since the foam was seeded.
 struct FrameStatistics {
     int frame = 0;
     bool tiles = false;  // true if the images of the frame tile in both directions
@@ -73,7 +73,8 @@ struct ManifestLoop {
     bool cross_faded = false;
     // Loops of the kinds breathe, shear and boil: the distance (closing_error in
     // core/dynamics/cycle.h) between the foam at the start and at the end of the last simulated
-    // cycle, in diameters of a mean bubble; nullopt if no cycle was simulated.
+    // cycle, in diameters of a mean bubble; nullopt if no cycle was simulated. An infinite distance
+    // becomes nullopt when a manifest is written and read again.
     std::optional<double> closing_error;
 
     friend bool operator==(const ManifestLoop&, const ManifestLoop&) = default;
@@ -106,8 +107,9 @@ struct BakedSet {
     ManifestLoop loop;
     ManifestConventions conventions;
     std::vector<ManifestMap> maps;
-    std::vector<ManifestFile> files;                // sorted by frame, then in the order of `maps`
-    std::vector<FrameStatistics> frame_statistics;  // sorted by frame
+    // In a Manifest, sorted by frame, then in the order of `maps`.
+    std::vector<ManifestFile> files;
+    std::vector<FrameStatistics> frame_statistics;  // in a Manifest, sorted by frame
     // The reason why the last bake ended early; empty if it did not end early, or if complete().
     std::string failure;
 
@@ -141,8 +143,11 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// Merges the set of a bake into a manifest. First, all files with the paths of files of `set` are
 /// removed from the manifest. If the manifest has a set with the same parameters, the maps, files
 /// and frame statistics of `set` are then added to that set; new statistics of a frame replace its
-/// old statistics. Otherwise, `set` is appended. In either case, the set becomes the last one of
-/// the manifest. Other sets that have no files left are removed.
+/// old statistics. The members `toml`, `loop` and `failure` of `set` replace the old ones, with two
+/// exceptions: the old closing error stays if `set` has none, and there is no failure if the merged
+/// set is complete. The conventions are replaced if `set` has the map motion. If the manifest has
+/// no set with the same parameters, `set` is appended. In either case, the set becomes the last one
+/// of the manifest. Other sets that have no files left are removed.
 void merge(Manifest& manifest, const BakedSet& set);
 
 /// The number of files of a set that a bake of another set replaces.

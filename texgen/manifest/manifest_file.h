@@ -21,7 +21,8 @@ std::filesystem::path manifest_path(const std::filesystem::path& path);
 Manifest read_manifest(const std::filesystem::path& path);
 
 /// Returns the manifest of a folder, or an empty manifest if the folder has none. Throws InputError
-/// if manifest.json in the folder is unreadable or not a manifest.
+/// if manifest.json in the folder is unreadable or not a manifest, and OutputError if the system
+/// cannot tell whether the file exists.
 Manifest manifest_in(const std::filesystem::path& folder);
 
 /// Reads the manifest of a folder, calls change(manifest), and writes the changed manifest

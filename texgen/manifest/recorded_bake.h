@@ -17,8 +17,8 @@ enum class Resume { No, Yes };
 /// The options of bake_recorded that concern the images of earlier bakes.
 struct RecordOptions {
     Resume resume = Resume::No;
-    // Called before the first frame is simulated if the bake replaces files of other sets of the
-    // manifest. May be empty.
+    // Called if the bake replaces files of other sets of the manifest, before the first file is
+    // replaced. May be empty.
     std::function<void(const std::vector<ReplacedFiles>&)> on_replace = {};
 };
 

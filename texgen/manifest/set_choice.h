@@ -27,8 +27,9 @@ std::string name_of(const BakedSet& set);
 /// Returns the sets that a choice selects, in the order of the manifest: the newest set is last.
 std::vector<const BakedSet*> selected_sets(const Manifest& manifest, const SetChoice& choice);
 
-/// Returns the newest set that a choice selects. Throws InputError if it selects no set; the
-/// message lists all sets. `path` is the file or the folder of the manifest, for the message.
+/// Returns the newest set that a choice selects. Throws InputError if it selects no set; if the
+/// manifest has any sets, the message lists them. `path` is the file or the folder of the manifest,
+/// for the message.
 const BakedSet& newest_set(const Manifest& manifest,
                            const SetChoice& choice,
                            const std::filesystem::path& path);
