@@ -41,7 +41,7 @@ std::vector<Cover> covers_of(int many, int few) {
 }
 
 // Computes the weighted mean of the covered rows, sample by sample, and writes it to `mean`.
-void add_rows(ImageView<const float> from, const Cover& cover, std::vector<float>& mean) {
+void average_rows(ImageView<const float> from, const Cover& cover, std::vector<float>& mean) {
     std::ranges::fill(mean, 0.0F);
     for (std::size_t k = 0; k < cover.parts.size(); ++k) {
         const auto row = from.row(cover.first + static_cast<int>(k));
@@ -71,7 +71,7 @@ DisplayFrame reduced(const DisplayFrame& frame, int width, int height) {
     const std::vector<Cover> columns = covers_of(from.width(), width);
     std::vector<float> mean(from.row_samples());
     for (int y = 0; y < height; ++y) {
-        add_rows(from, rows[static_cast<std::size_t>(y)], mean);
+        average_rows(from, rows[static_cast<std::size_t>(y)], mean);
         for (int x = 0; x < width; ++x) {
             add_pixels(mean, columns[static_cast<std::size_t>(x)], smaller.pixels.pixel(x, y));
         }

@@ -42,14 +42,14 @@ bool has_sheet(const Json& images, const char* member, const std::string& text) 
 
 }  // namespace
 
-std::vector<std::string> keep_earlier_sheets(Json& flipbook, const std::filesystem::path& file) {
+std::vector<std::string> keep_earlier_sheets(Json& description, const std::filesystem::path& file) {
     const Json earlier = description_in(file);
     std::vector<std::string> unlisted;
     if (earlier.is_null()) {
         return unlisted;
     }
-    const bool same = same_but_for_maps(flipbook, earlier);
-    Json& images = flipbook["images"];
+    const bool same = same_but_for_maps(description, earlier);
+    Json& images = description["images"];
     for (const Json& image : earlier["images"]) {
         const std::string name = text_of(image, "file");
         if (name.empty() || has_sheet(images, "file", name) ||

@@ -39,11 +39,11 @@ struct Flipbook {
 /// becomes an image {preset}_sheet_{map} or {preset}_strip_{map} in the format of the set's files.
 /// {preset}_sheet.json or {preset}_strip.json describes these images (flipbook_json.h), and the
 /// images of other maps that it already lists, if they belong to an earlier flipbook of the same
-/// frames (keep_earlier_sheets). `folder` is the folder of the manifest. `on_progress` receives the
-/// phase Sheets. If an exception is thrown before the last sheet is complete, there is no new file.
-/// Throws std::invalid_argument if a strip has a gutter or several columns. Also throws the
-/// exceptions of map_sequence, check_layout and stage_sheet, and OutputError if the JSON file
-/// cannot be written.
+/// frames and layout (keep_earlier_sheets). `folder` is the folder of the manifest. `on_progress`
+/// receives the phase Sheets. If an exception is thrown before the last sheet is complete, there is
+/// no new file. Throws std::invalid_argument if a strip has a gutter or several columns. Also
+/// throws the exceptions of map_sequence, check_layout, stage_sheet and keep_earlier_sheets, and
+/// OutputError if the JSON file cannot be written.
 Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& folder,
                         const FlipbookOptions& options,

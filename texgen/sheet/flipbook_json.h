@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// A sheet that has been written, and the frames in it.
+/// The image of a sheet, and the frames in it.
 struct SheetImage {
     std::string file;  // file name, relative to the folder of the JSON file
     MapSequence sequence;

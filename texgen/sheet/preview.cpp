@@ -26,9 +26,9 @@ namespace {
 using Codes = Image<std::uint8_t>;
 
 constexpr std::size_t kMaxThumbnails = 24;
-constexpr int kThumbnailSize = 200;  // the longer side, in pixels
-constexpr int kTileSize = 512;       // the longer side of a tile, in pixels
-constexpr int kTiles = 2;            // number of copies in each direction
+constexpr int kThumbnailSize = 200;  // largest width and height of a thumbnail, in pixels
+constexpr int kTileSize = 512;       // largest width and height of a tile, in pixels
+constexpr int kTiles = 2;            // number of tiles (copies of the frame) in each direction
 
 // Returns the 8-bit codes of a frame. The frame is reduced if its longer side exceeds `size`
 // pixels.
