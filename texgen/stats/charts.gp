@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 
-# Draws six charts of the tables stats.csv and sides.csv into the folder of the tables:
+# Draws up to six charts of the tables stats.csv and sides.csv into the folder of the tables:
 #
 #     gnuplot charts.gp
 #
@@ -52,7 +52,7 @@ stats frames every ::1 using (remember(int($1), $3, $4)) nooutput
 # Frames with enough bubbles to average over; all frames if the first frame has too few bubbles.
 least = first_bubbles >= few_bubbles ? few_bubbles : 0
 measurable(count) = count >= least
-# The scaling state: at most a quarter of the first bubbles are left.
+# The scaling state: of these frames, those in which at most a quarter of the bubbles of the first frame are left.
 scaling(count) = measurable(count) && count <= 0.25 * first_bubbles
 
 # Sums over the scaling state, and its first and last time; extremes over all measurable frames.
@@ -148,7 +148,7 @@ if (last_time > first_time) {
     unset logscale x
 }
 
-# Growth rates: means over all frames, weighted by bubbles ------------------------------------------
+# Growth rates: means over all frames, weighted by the numbers of bubbles that were measured --------
 last_sides = 0
 stats kinds every ::1 using (last_sides = $3 > last_sides ? $3 : last_sides, $3) nooutput
 array area_sum[last_sides]

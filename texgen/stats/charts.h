@@ -25,7 +25,7 @@ enum class ChartStatus { Drawn, NoGnuplot, GnuplotFailed };
 ///                    number, over log time
 ///     pressures      for each number of sides from 3 to 10, the mean pressure of the bubbles that
 ///                    have this number, over log time, in units of film tension / sqrt(mean
-///                    area); frames in which they are less than 1 % of all bubbles are omitted
+///                    area); frames in which these bubbles are less than 1 % of all are omitted
 ///     growth_rates   mean dA/dt against the number of sides, measured from areas and from
 ///                    pressures, and von Neumann's law
 ///     seconds        wall time per frame against the number of bubbles, and the times in Figure 5
