@@ -4,7 +4,7 @@
 
 namespace foam::texgen {
 
-/// The exit codes of the program. The help of the program and the help of `compare` also list them.
+/// The exit codes of the program. `foamtex --help` and `foamtex compare --help` also list them.
 /// `compare` differs from the other commands: like OpenImageIO's idiff, it returns its Verdict (0
 /// to 4, image/comparison.h) as the exit code. The codes 1 and 2 are verdicts, so `compare` returns
 /// codes of the BSD header sysexits.h in place of InternalFailure and BadRequest (code_for_command

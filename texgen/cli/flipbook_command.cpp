@@ -51,7 +51,7 @@ struct FlipbookArguments {
 void warn_of_size(const SheetLayout& layout) {
     if (layout.width() > kLargestTexture || layout.height() > kLargestTexture) {
         print_stderr(
-            "foamtex: warning: the sheet is {} x {} pixels; graphics hardware supports at "
+            "foamtex: warning: the sheet is {} x {} pixels; graphics hardware usually supports at "
             "most {} per side",
             layout.width(),
             layout.height(),

@@ -8,8 +8,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the placeholder of an option's value, or an empty text for a flag. Flags have the option
-// text " ", because the help would otherwise show a default value.
+// Returns the placeholder of an option's value, or an empty text for a flag. If an option with a
+// value has no placeholder, returns "VALUE". Flags have the option text " ", because the help would
+// otherwise show a default value.
 std::string value_of(const CLI::Option& option) {
     const std::string text = CLI::detail::trim_copy(option.get_option_text());
     const bool takes_one = option.get_items_expected_max() > 0;

@@ -18,9 +18,9 @@ class Interrupted : public std::runtime_error {
 };
 
 /// Installs handlers for SIGINT, SIGTERM and SIGHUP. If one of these signals arrives, the process
-/// does not end. Instead, a note on stderr says that the run will stop after its current step, and
-/// from then on throw_if_interrupted throws. A second signal of the same kind ends the process
-/// immediately. If the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
+/// does not end. Instead, the handler writes to stderr that the run will stop after its current
+/// step, and from then on throw_if_interrupted throws. A second signal of the same kind ends the
+/// process immediately. If the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
 void handle_stop_signals();
 
 /// Throws Interrupted if handle_stop_signals has been called and a signal has arrived since then.

@@ -8,6 +8,8 @@ namespace foam::texgen {
 
 namespace {
 
+// The number of reports from which the speed is computed: A, B and the latest report with further
+// units (PhaseClock::seconds_per_unit).
 constexpr std::size_t kMarks = 3;
 
 double seconds_between(PhaseClock::Clock::time_point from, PhaseClock::Clock::time_point to) {

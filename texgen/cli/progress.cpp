@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kBarInterval = 0.1;   // seconds between two drawings of the bar
 constexpr double kLineInterval = 1.0;  // seconds between two lines
-// A run that takes at least kLongRun is long. A note reports this once the speed of a phase has
-// been measured for kMeasured.
+// A run is long if its rest takes at least kLongRun. A note reports this once the speed of a phase
+// has been measured for kMeasured.
 constexpr double kLongRun = 60.0;  // seconds
 constexpr double kMeasured = 2.0;  // seconds
 

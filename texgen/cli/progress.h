@@ -25,14 +25,15 @@ struct ProgressOptions {
 ///
 /// - JSON lines (progress_json), if ProgressOptions::json is true: the first and the last report of
 ///   the run, and otherwise at most one line per second.
-/// - lines, for Verbosity::Verbose: one per frame; for every other phase at its start, at the end
-///   of each cycle of a loop, at its end, and otherwise at most one line per second.
+/// - lines, for Verbosity::Verbose: in the phase Frames one per frame; in every other phase one at
+///   its start, one at the end of each cycle of a loop, one at its end, and otherwise at most one
+///   per second.
 /// - a bar, for Verbosity::Normal if stderr is a terminal. It is in color only if the environment
 ///   variable NO_COLOR is unset or empty.
 /// - nothing, in all other cases, and always for Verbosity::Quiet.
 ///
-/// With Verbosity::Normal and without JSON, a note tells the user that the run takes a minute or
-/// more, as soon as this can be estimated from the first units of a phase.
+/// With Verbosity::Normal and without JSON, a note tells the user that the rest of the run takes a
+/// minute or more, as soon as this can be estimated from the first units of a phase.
 class ProgressReporter {
   public:
     /// Begins the run. Calls handle_stop_signals.
@@ -68,7 +69,7 @@ class ProgressReporter {
     PhaseClock::Clock::time_point last_print_ = begin_;
     RunProgress latest_;
     bool has_printed_ = false;
-    bool is_pending_ = false;  // true if the latest report has news and is not printed
+    bool is_pending_ = false;  // true if there has been news since the last report that was printed
     bool has_noted_ = false;
 };
 

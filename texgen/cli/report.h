@@ -20,7 +20,8 @@ namespace foam::texgen {
 /// Prints the paths of files on stdout, one per line.
 void print_files(std::span<const std::filesystem::path> files);
 
-/// If no charts were drawn, prints on stderr the reason and the command that draws them.
+/// If gnuplot is not installed or has failed, prints a note on stderr that says so and gives the
+/// command that draws the charts.
 void note_missing_charts(const StatisticsFiles& statistics);
 
 /// Prints a note on stderr if the states of a cache were simulated by another version of foamtex.
