@@ -154,6 +154,7 @@ bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts) {
     const FilmId inner = film_of_raft_of_two(foam.network, bubble);
     if (inner != kNone<FilmId>) {
         vanish_from_raft_of_two(foam, bubble, inner);
+        ++counts.t1;
         ++counts.t2;
         return true;
     }

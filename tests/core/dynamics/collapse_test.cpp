@@ -5,6 +5,7 @@
 #include "core/equilibrium/equilibrate.h"
 #include "core/foam/honeycomb.h"
 #include "tests/core/foams.h"
+#include "tests/core/patches.h"
 #include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
@@ -132,6 +133,16 @@ TEST(Collapse, KeepsTheOnlyOtherBubble) {
     EXPECT_EQ(foam.network.bubble_count(), 1U);
     EXPECT_EQ(foam.network.sides(BubbleId{1}), 6);
     EXPECT_NEAR(foam.target_areas[BubbleId{1}], 2.0, 1e-14);
+}
+
+// The film between two bubbles tears (T1) when one of them vanishes (T2); the other one is alone.
+TEST(Collapse, OfABubbleInARaftOfTwoCountsBothEvents) {
+    Foam foam = test::double_bubble(1.0, 1.0);
+    TopologyCounts counts;
+    ASSERT_TRUE(collapse(foam, BubbleId{0}, counts));
+    EXPECT_EQ(counts.t1, 1);
+    EXPECT_EQ(counts.t2, 1);
+    EXPECT_EQ(foam.lone_bubbles.size(), 1U);
 }
 
 // The films of the only bubble can flip forever, but the bubble never has fewer than six sides.
