@@ -2,6 +2,8 @@
 
 #include "texgen/verify/steps.h"
 
+#include "core/geometry/max_or_nan.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -67,7 +69,7 @@ void add_row_steps(const Image<Sample>& image, Difference difference, std::vecto
 Seam seam_of(const std::vector<double>& sums, double samples) {
     Seam seam{sums.front() / samples, 0.0};
     for (std::size_t k = 1; k < sums.size(); ++k) {
-        seam.largest_within = std::max(seam.largest_within, sums[k] / samples);
+        seam.largest_within = max_or_nan(seam.largest_within, sums[k] / samples);
     }
     return seam;
 }

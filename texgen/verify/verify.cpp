@@ -3,6 +3,7 @@
 #include "texgen/verify/verify.h"
 
 #include "core/geometry/elementary.h"
+#include "core/geometry/max_or_nan.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/image/file_io.h"
@@ -74,7 +75,7 @@ class MapCheck {
   private:
     void add_loop_frame(const DecodedFile& file, int frame) {
         if (last_ && frame == last_frame_ + 1) {
-            loop_.largest_within = std::max(loop_.largest_within, step(*last_, *file));
+            loop_.largest_within = max_or_nan(loop_.largest_within, step(*last_, *file));
             ++steps_;
         }
         if (!last_) {
@@ -101,7 +102,7 @@ class MapCheck {
                 seam.across = one.across;
                 frame = number;
             }
-            seam.largest_within = std::max(seam.largest_within, one.largest_within);
+            seam.largest_within = max_or_nan(seam.largest_within, one.largest_within);
         }
     };
 

@@ -54,6 +54,16 @@ TEST(Steps, SeamIsInfiniteWithoutOtherSteps) {
     EXPECT_TRUE(std::isinf(Seam({1.0, infinity}).ratio()));
 }
 
+TEST(Steps, ASampleThatIsNoNumberIsNotIgnored) {
+    Image<float> image(4, 1, 1);
+    image.row(0)[2] = std::numeric_limits<float>::quiet_NaN();
+    image.row(0)[3] = 1.0F;
+    const ChannelGroup group{{"Y"}, SampleType::Float, image};
+    const TileSeams seams = tile_seams(Groups{&group}, Difference::Numbers);
+    EXPECT_EQ(seams.columns.across, 1.0);
+    EXPECT_TRUE(std::isinf(seams.columns.ratio()));
+}
+
 // The rows have the values 0, 3, 6 and 9. The step across the border is from the last row to the
 // first.
 TEST(Steps, ASeamBetweenRowsCountsToo) {
