@@ -65,7 +65,7 @@ void check_current(const Preset& preset, std::span<const Assignment> assignments
     const int max_eddies = std::max(static_cast<int>(across / kBubblesInEddy), 1);
     if (loop.eddies > max_eddies) {
         reject_last(assignments,
-                    {"loop.eddies", "foam.bubbles", "image.size"},
+                    {"loop.eddies", "loop.current", "foam.bubbles", "image.size"},
                     fmt::format("loop.eddies must be at most {} for {} bubbles, so that an eddy is "
                                 "at least {} bubbles wide",
                                 max_eddies,
@@ -115,7 +115,16 @@ void check_flow(const Preset& preset, std::span<const Assignment> assignments) {
 }
 
 void check_boil(const Preset& preset, std::span<const Assignment> assignments) {
-    if (preset.loop.kind == LoopKind::Boil && preset.frames.count < kMinBoilFrames) {
+    if (preset.loop.kind != LoopKind::Boil) {
+        return;
+    }
+    if (preset.loop.cycles < 2) {
+        reject_last(assignments,
+                    {"loop.cycles", "loop.kind"},
+                    "the loop \"boil\" needs loop.cycles of at least 2, because it is closed once "
+                    "two cycles in a row are the same");
+    }
+    if (preset.frames.count < kMinBoilFrames) {
         reject_last(
             assignments,
             {"frames.count", "loop.kind"},
