@@ -164,8 +164,8 @@ add_area(n, rate, weight) = (area_sum[n] = area_sum[n] + rate * weight, \
     area_weight[n] = area_weight[n] + weight)
 add_film(n, rate, weight, law_rate) = (film_sum[n] = film_sum[n] + rate * weight, \
     film_weight[n] = film_weight[n] + weight, law[n] = law_rate)
-stats kinds every ::1 using (add_film(int($3), $10, $4, $11), \
-    valid(9) ? add_area(int($3), $9, $8) : 0, $3) nooutput
+stats kinds every ::1 using (int($3) < 1 ? 0 : add_film(int($3), $10, $4, $11), \
+    int($3) > 0 && valid(9) ? add_area(int($3), $9, $8) : 0, $3) nooutput
 mean(sum, weight) = weight > 0 ? sum / weight : NaN
 
 set output "growth_rates.svg"

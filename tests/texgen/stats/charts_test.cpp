@@ -69,6 +69,16 @@ TEST_F(Charts, AreAllDrawnOfThreeFrames) {
     EXPECT_TRUE(shows("seconds", "time of a frame (s)"));
 }
 
+// A lone bubble has no sides.
+TEST_F(Charts, AreAllDrawnWithLoneBubbles) {
+    RunRecord run = run_of_kinds();
+    run.frames.back().foam.by_sides.insert(run.frames.back().foam.by_sides.begin(),
+                                           {0, 1, 1.0, 0.1, 0.2});
+    draw(run);
+    EXPECT_TRUE(has_chart("growth_rates"));
+    EXPECT_TRUE(has_chart("seconds"));
+}
+
 TEST_F(Charts, AreDrawnForAnyRun) {
     draw({});
     EXPECT_FALSE(has_chart("mean_area"));
