@@ -19,7 +19,7 @@ bake() {
     say "baking"
     "$foamtex" bake sea_foam --maps albedo,normal,height --frames 1 \
         --out "$out/tile/{preset}_{map}.####.png"
-    "$foamtex" bake sea_foam --size 256 --out "$out/book/{preset}_{map}.####.png"
+    "$foamtex" bake sea_foam --maps albedo --size 256 --out "$out/book/{preset}_{map}.####.png"
     "$foamtex" flipbook "$out/book" --gutter 4
 }
 
