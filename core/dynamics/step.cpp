@@ -25,8 +25,8 @@ namespace {
 // A bubble whose target area is at most this many T2 areas may lose all its area in one substep.
 constexpr double kVanishingAreas = 4.0;
 // The imposed change of areas never limits a substep to less than this fraction of the step. This
-// bounds the number of substeps if the change is impossible, for example if every bubble is to
-// shrink.
+// bounds the number of substeps if the change is impossible, for example if every bubble of a
+// torus is to shrink.
 constexpr double kMinSubstepFraction = 0.01;
 constexpr double kLargestStrain = 0.05;  // largest strain of one substep
 
@@ -70,7 +70,7 @@ void restore_total(Foam& foam) {
 
 // Brings a foam that is near equilibrium to equilibrium. The rafts of a patch stay where they are
 // (restore_rafts).
-EquilibriumSummary equilibrate_in_place(Foam& foam, const StepOptions& step_options) {
+EquilibriumSummary equilibrate_keeping_rafts(Foam& foam, const StepOptions& step_options) {
     EquilibriumOptions options = step_options.equilibrium;
     options.relaxes_first = false;
     if (foam.network.ghost() == kNone<BubbleId>) {
@@ -128,7 +128,7 @@ EquilibriumSummary substep(Foam& foam,
     }
     compact(foam);
     restore_total(foam);
-    EquilibriumSummary summary = equilibrate_in_place(foam, options);
+    EquilibriumSummary summary = equilibrate_keeping_rafts(foam, options);
     summary.t1 += counts.t1;
     summary.t2 += counts.t2;
     foam.time += extent.time;

@@ -17,7 +17,7 @@ namespace {
 
 // Largest number of films between a tangled junction and the junctions that move with it.
 constexpr int kReach = 2;
-constexpr int kSweeps = 20;         // enough for all of a thousand tested states
+constexpr int kSweeps = 20;         // enough for each of a thousand tested states
 constexpr double kNoLength = 1e-9;  // a shorter chord counts as zero, foam units
 // A negative angle of at most this magnitude, in radians, is a rounding error of the angle 0 and
 // does not stand for almost a full turn. Such angles occur because the two chords of a two-sided

@@ -18,14 +18,14 @@ namespace foam {
 namespace {
 
 RelaxationSummary relax_first(Foam& foam, const EquilibriumOptions& options) {
-    SoftFoam memory(foam);
+    SoftFoam soft(foam);
     return relax_globally(foam,
                           {.sweeps = std::max(1, options.relaxation_sweeps),
                            .further_sweeps = options.relaxation_sweeps,
                            .restarts = true,
                            .thresholds = options.thresholds,
                            .threads = options.threads},
-                          memory);
+                          soft);
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ void add_choices(CLI::App& command, PreviewArguments& arguments) {
     add_maps_option(command,
                     arguments.maps,
                     "Maps, separated by commas (default for a preset: its first map; for a folder: "
-                    "its first map of colors or, without one, of numbers)");
+                    "its first map of colors or, if it has none, its first map of numbers)");
     command
         .add_option("--as",
                     arguments.kinds,

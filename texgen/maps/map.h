@@ -24,7 +24,7 @@ enum class Mixing {
 enum class SmoothDistance {
     Unused,
     Used,
-    UsedByFilms,  // used if films are wet or have a shade beside them (film_distance_needs)
+    UsedByFilms,  // used if films have the wet profile or a shade (film_distance_needs)
 };
 
 /// The properties of a map that do not depend on options.
@@ -39,8 +39,9 @@ struct MapTraits {
     SmoothDistance smooth_distance = SmoothDistance::Unused;
     Mixing mixing = Mixing::Values;
     bool shows_relief = false;  // true if the map depends on the relief
-    // The name of the key that sets the largest number that a file of codes, such as a PNG, can
-    // store. Numbers outside of the range of the file are clipped, and the program reports them.
+    // The name of the key that sets the number that the largest code stands for in files of integer
+    // samples (codes), such as PNGs. Numbers outside of the range of the file are clipped, and the
+    // program reports them.
     // The name is empty for maps whose numbers always fit or are clipped on purpose.
     std::string_view full_key{};
 };

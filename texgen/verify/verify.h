@@ -21,15 +21,15 @@ inline constexpr double kLargestTileRatio = 1.25;
 /// The smallest width and height, in pixels, of images whose tiling is checked. Smaller images have
 /// too few columns or rows for a comparison.
 inline constexpr int kSmallestTile = 64;
-/// The smallest period, in frames, of loops that are checked. In a shorter loop, the step from the
-/// last frame to the first may be any number of times as large as the others.
+/// The smallest period, in frames, of loops that are checked. Shorter loops have too few steps for
+/// a comparison.
 inline constexpr int kShortestLoop = 5;
 
 /// Returns the largest allowed Seam::ratio of a loop with a period of `period` >= kShortestLoop
 /// frames. The ratio is the step from the last frame to the first, divided by the largest step
-/// between successive frames. If every pixel changes like a sine, the steps before and after the
-/// largest step are cos(2 pi / period) times as large. The allowed ratio is 1.1 / cos(2
-/// pi / period): 1.11 for 48 frames, 1.56 for 8 frames.
+/// between successive frames. If all pixels change like sines of the same phase, the steps before
+/// and after the largest step are cos(2 pi / period) times as large. The allowed ratio is 1.1 /
+/// cos(2 pi / period): 1.11 for 48 frames, 1.56 for 8 frames.
 double largest_loop_ratio(int period);
 
 /// The result of checking the seams of a map. A seam that was not checked is nullopt. `tile` is the
@@ -54,8 +54,8 @@ struct VerifiedMap {
 struct VerifiedSet {
     BakedSet set;
     int files_same = 0;  // number of files whose pixels have the hash in the manifest
-    // One line for each bad file, one for all maps that lack the same frames, and one for each seam
-    // whose ratio is above its limit.
+    // One line for each bad file, one for each group of maps that lack the same frames, and one for
+    // each seam whose ratio is above its limit.
     std::vector<std::string> problems;
     std::vector<VerifiedMap> maps;  // maps of which at least one file has the recorded pixels
 
