@@ -57,8 +57,8 @@ struct RowSums {
 /// In each row, an arc adds its change of values times the area on its right. In the pixel of a
 /// part of the arc (ArcSplitter::Part), this is the area between the part and the right border of
 /// the pixel. In each pixel further right, it is the height of the part times the width of a pixel.
-/// The band therefore stores differences from pixel to pixel, and a running sum along a row
-/// converts them to sums of pixels.
+/// The band stores the parts of each row in a list. When the row is taken, its parts are added to
+/// one cell per pixel, and a running sum along the row converts the cells to sums of pixels.
 ///
 /// On a torus, where a row has no end, the signed heights of the closed outline of a bubble cancel
 /// in every row if all its arcs are in the same period. Therefore an arc that is k periods to the
@@ -79,8 +79,11 @@ class Coverage {
         bool wraps = false;  // if false, `period_correction` is 0
     };
 
-    /// Creates a band of `rows` rows and `width` columns whose differences are all zero.
+    /// Creates a band of `rows` rows and `width` columns without arcs.
     Coverage(int width, int rows, RowKind kind = RowKind::Ring);
+
+    /// Removes all arcs, so that the memory is reused for another band.
+    void clear();
 
     /// Adds an arc, moved by a translation. After the translation, y is relative to the lower
     /// border of the band. Parts above and below the band are ignored. Arcs are split in batches,
@@ -90,33 +93,40 @@ class Coverage {
     /// Adds all pending arcs.
     void finish();
 
-    /// Stores the sums of the pixels of a row, `start` plus the contributions of the arcs, and sets
-    /// the differences of the row to zero. Precondition: no arc is pending.
+    /// Stores the sums of the pixels of a row, `start` plus the contributions of the arcs, and
+    /// removes the parts of the row. Precondition: no arc is pending.
     void take_row(int row, const Sums& start, RowSums<Channels>& sums);
 
   private:
-    using Parts = std::span<const ArcSplitter::Part>;
-    struct Band;
+    // A part of an arc in a row, as in ArcSplitter::Part.
+    struct RowPart {
+        std::int32_t column;
+        std::int32_t twice_area;
+        std::int32_t twice_area_on_left;
+        std::uint32_t arc;  // index in across_
+    };
+    // The contributions of parts to the sums of the pixels of a row.
+    struct alignas(2 * sizeof(Sums)) Cell {
+        Sums all{};   // added to the pixel of a part and to all pixels further right
+        Sums left{};  // subtracted from the pixel of a part
+    };
+    struct Row {
+        std::vector<RowPart> parts;
+        Sums start{};  // added to the start of the running sum
+    };
 
-    // Returns true if all parts of a pending arc are in columns of the band.
-    bool is_inside(std::size_t arc) const {
-        return splitter_.leftmost(arc) >= 0 && splitter_.rightmost(arc) < width_;
-    }
-    void add_inside(Parts parts, const Step& step);
-    void add_outside(Parts parts, const Step& step);
+    void add_parts(std::size_t k);
+    void add_outside(const ArcSplitter::Part& part, std::uint32_t arc, Row& row);
 
     int width_;
     RowKind kind_;
-    std::size_t stride_;  // pixels from the start of a row to the start of the next one; at least
-                          // width_ + 1, because an arc in the last pixel also adds to the pixel on
-                          // its right
-    std::size_t words_;   // number of 64-bit words of flags per row
-    std::vector<Sums> differences_;
-    std::vector<std::uint64_t>
-        touched_;  // one flag per pixel, set if its difference may be nonzero
     ArcSplitter splitter_;
     std::array<Step, ArcSplitter::kMaxArcs> steps_;  // the steps of the pending arcs
-    std::vector<Sums> starts_;                       // added to the start of each row's running sum
+    std::vector<Row> rows_;
+    std::vector<Sums> across_;  // Step::across of each arc
+    // Scratch arrays for one row; all elements are 0 between calls.
+    std::vector<Cell> cells_;
+    std::vector<std::uint64_t> touched_;  // one flag per pixel, set if its cell may be nonzero
 };
 
 }  // namespace foam::texgen

@@ -22,19 +22,10 @@ namespace {
 // At first all pixels have the value of films, or in a patch the value of the ghost bubble, and
 // each arc adds the difference of the values on its two sides.
 
-// The intended number of bytes of the sums of a band (README.md).
-constexpr std::size_t kBandBytes = std::size_t{1} << 21;
+constexpr int kRowsPerBand = 64;  // see README.md
 // The number of arcs by which prefetching is ahead of processing: arcs that are sorted by tile are
 // not contiguous in memory.
 constexpr std::size_t kPrefetchDistance = 6;
-constexpr int kMinRows = 4;  // per band
-constexpr int kMaxRows = 64;
-
-// Returns the number of rows of a band. `sum_bytes` is the number of bytes of the sums of a pixel.
-int rows_per_band(int width, std::size_t sum_bytes) {
-    const std::size_t row_bytes = static_cast<std::size_t>(width) * sum_bytes;
-    return std::clamp(static_cast<int>(kBandBytes / row_bytes), kMinRows, kMaxRows);
-}
 
 // Throws std::invalid_argument if the arguments of fill_cells do not match.
 void check(const CellArcs& cells, const CellValues& values, ImageView<std::uint16_t> image) {
@@ -91,7 +82,7 @@ class Filler {
         : image_(image),
           threads_(thread_count(threads)),
           row_kind_(cells.grid.view ? RowKind::Line : RowKind::Ring),
-          bands_(cells, rows_per_band(image.width(), sizeof(Sums)), threads_),
+          bands_(cells, kRowsPerBand, threads_),
           differences_(differences_from_film<Channels>(values)) {
         const Sums& base = difference(cells.ghost ? arc_side(*cells.ghost) : kFilmSide);
         for (std::size_t c = 0; c < Channels; ++c) {
@@ -125,6 +116,7 @@ class Filler {
         const int first_row = bands_.first_row(band);
         const SubpixelPoint origin{0, first_row * kSubpixel};
         const std::span<const ArcBands::Entry> entries = bands_.entries(band);
+        worker.coverage.clear();
         for (std::size_t k = 0; k < entries.size(); ++k) {
             const MonotoneArc* ahead =
                 entries[std::min(k + kPrefetchDistance, entries.size() - 1)].arc;
