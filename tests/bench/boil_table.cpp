@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Prints how many cycles, and how much time, a boil (E9) takes to close, as a Markdown table.
+// Prints how many cycles, and how much processor time, a boil (E9) takes to close, as a Markdown
+// table.
 
 #include "core/dynamics/cycle.h"
 #include "core/foam/seeding.h"
@@ -8,10 +9,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +26,8 @@ constexpr const char* kUsage = R"(Usage: boil_table [SEEDS [BUBBLES...]]
 
 For each number of bubbles, by default 100, 300, 500, 1,000 and 2,000, makes foams with the seeds 1 to
 SEEDS (5 by default) and lets 12 % of their bubbles boil with 48 steps a cycle until two cycles in a row close.
-All together take about 20 minutes.
+Times are processor times of all threads. Each foam also prints a line on stderr. All together take about
+20 minutes.
 )";
 constexpr double kClosed = 1e-9;
 constexpr int kMaxCycles = 100;
@@ -34,9 +37,9 @@ constexpr int kSteps = 48;
 // The last cycle of a boil that has closed, and the search for it.
 struct ClosedBoil {
     int cycles = 0;
-    double seconds = 0.0;
-    double births = 0.0;  // in the last cycle, as a fraction of the bubbles
-    double t1 = 0.0;      // T1s in the last cycle per birth
+    double seconds = 0.0;  // processor time of all threads
+    double births = 0.0;   // in the last cycle, as a fraction of the bubbles
+    double t1 = 0.0;       // T1s in the last cycle per birth
 };
 
 // Makes the steps of one cycle and clears the events of earlier cycles. Returns false if a step
@@ -56,10 +59,16 @@ double count(const Foam& foam, TopologyEventKind kind) {
         foam.events, kind, [](const TopologyEvent& event) { return event.kind; }));
 }
 
+// Returns the processor time that all threads of the program have used. Other programs that run on
+// the same machine hardly change it.
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 // Returns nothing if no cycle closes.
 std::optional<ClosedBoil> close_boil(int bubbles, std::uint64_t seed) {
     Foam foam = seed_foam({.bubbles = bubbles, .lloyd_iterations = 2, .seed = seed});
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = processor_seconds();
     if (!equilibrate(foam, {}).converged()) {
         return std::nullopt;
     }
@@ -74,10 +83,9 @@ std::optional<ClosedBoil> close_boil(int bubbles, std::uint64_t seed) {
         const bool closes = closing_error(start, foam) < kClosed && cycle.repeats();
         closed = closes ? closed + 1 : 0;
         if (closed == kCloses) {
-            const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
             const double births = count(foam, TopologyEventKind::Birth);
             return ClosedBoil{.cycles = cycles,
-                              .seconds = time.count(),
+                              .seconds = processor_seconds() - begin,
                               .births = births / bubbles,
                               .t1 = count(foam, TopologyEventKind::T1) / births};
         }
@@ -99,19 +107,23 @@ std::string median_and_largest(std::vector<ClosedBoil> boils, const char* unit, 
                        unit);
 }
 
+void report(int bubbles, int seed, const std::optional<ClosedBoil>& boil) {
+    fmt::print(stderr, "{} bubbles, seed {}: ", bubbles, seed);
+    if (boil) {
+        fmt::print(stderr, "closed after {} cycles, {:.1f} s\n", boil->cycles, boil->seconds);
+    } else {
+        fmt::print(stderr, "not closed\n");
+    }
+}
+
 void print_row(int bubbles, int seeds) {
     std::vector<ClosedBoil> boils;
-    std::vector<int> open;
     for (int seed = 1; seed <= seeds; ++seed) {
-        if (const auto boil = close_boil(bubbles, static_cast<std::uint64_t>(seed))) {
+        const auto boil = close_boil(bubbles, static_cast<std::uint64_t>(seed));
+        report(bubbles, seed, boil);
+        if (boil) {
             boils.push_back(*boil);
-        } else {
-            open.push_back(seed);
         }
-    }
-    if (!open.empty()) {
-        fmt::print(
-            stderr, "{} bubbles: not closed with the seeds {}\n", bubbles, fmt::join(open, ", "));
     }
     if (boils.empty()) {
         fmt::print("| {} | 0 of {} | | | | |\n", bubbles, seeds);
@@ -140,7 +152,8 @@ int run(int argc, char** argv) {
         return EXIT_FAILURE;
     }
     fmt::print(
-        "| bubbles | closed | cycles, median / largest | time | fewest births per bubble | "
+        "| bubbles | closed | cycles, median / largest | processor time | fewest births per bubble "
+        "| "
         "T1s per birth |\n|---|---|---|---|---|---|\n");
     for (const int bubbles : sizes.empty() ? std::vector{100, 300, 500, 1000, 2000} : sizes) {
         print_row(bubbles, seeds);
