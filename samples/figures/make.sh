@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Updates the pictures and diagrams of this folder: all of them, or the given ones. Uses the program that
-# samples/quickstart.sh builds.
+# samples/quickstart.sh builds, or the program given by $FOAMTEX.
 #
 #     samples/figures/make.sh
 #     samples/figures/make.sh figure_4 figure_7
@@ -14,6 +14,7 @@ cd -- "$root"
 # shellcheck source=samples/setup/build.sh
 source samples/setup/build.sh
 
+foamtex=${FOAMTEX:-$foamtex}
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 
