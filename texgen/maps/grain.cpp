@@ -27,8 +27,14 @@ std::uint32_t scrambled(std::uint32_t x) {
     return x ^ (x >> 16U);
 }
 
-// Returns the unit gradient of a lattice point: one of 16 directions, 22.5 degrees apart.
-Vec2 lattice_gradient(std::int32_t x, std::int32_t y, std::uint32_t seed) {
+// Returns the hash of a row of the lattice.
+std::uint32_t row_hash(std::int32_t y, std::uint32_t seed) {
+    return scrambled(static_cast<std::uint32_t>(y) + scrambled(seed));
+}
+
+// Returns the unit gradient of a lattice point in the row with the given hash: one of 16
+// directions, 22.5 degrees apart.
+Vec2 lattice_gradient(std::int32_t x, std::uint32_t row) {
     constexpr double kA = 0.9238795325112867;  // cosine of 22.5 degrees
     constexpr double kB = 0.3826834323650898;  // sine of 22.5 degrees
     constexpr double kC = 0.7071067811865476;  // cosine of 45 degrees
@@ -48,8 +54,7 @@ Vec2 lattice_gradient(std::int32_t x, std::int32_t y, std::uint32_t seed) {
                                                                            {kB, -kA},
                                                                            {kC, -kC},
                                                                            {kA, -kB}}};
-    const std::uint32_t hash = scrambled(
-        static_cast<std::uint32_t>(x) + scrambled(static_cast<std::uint32_t>(y) + scrambled(seed)));
+    const std::uint32_t hash = scrambled(static_cast<std::uint32_t>(x) + row);
     const auto& [across, up] = kDirections[hash >> 28U];
     return {across, up};
 }
@@ -67,10 +72,12 @@ GrainValue gradient_noise(const Vec2& point, std::uint32_t seed) {
     const auto slope = [](double t) { return 30.0 * t * t * (t * (t - 2.0) + 1.0); };
     const double u = blend(in.x());
     const double v = blend(in.y());
-    const Vec2 g00 = lattice_gradient(x, y, seed);
-    const Vec2 g10 = lattice_gradient(x + 1, y, seed);
-    const Vec2 g01 = lattice_gradient(x, y + 1, seed);
-    const Vec2 g11 = lattice_gradient(x + 1, y + 1, seed);
+    const std::uint32_t lower = row_hash(y, seed);
+    const std::uint32_t upper = row_hash(y + 1, seed);
+    const Vec2 g00 = lattice_gradient(x, lower);
+    const Vec2 g10 = lattice_gradient(x + 1, lower);
+    const Vec2 g01 = lattice_gradient(x, upper);
+    const Vec2 g11 = lattice_gradient(x + 1, upper);
     const double p00 = g00.dot(in);
     const double p10 = g10.dot(in - Vec2(1.0, 0.0));
     const double p01 = g01.dot(in - Vec2(0.0, 1.0));
@@ -153,11 +160,12 @@ GrainValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves) {
     return sum;
 }
 
-Grain::Grain(FrameLayers& layers, double size, GrainUse use)
+Grain::Grain(FrameLayers& layers, double size, GrainUse use, double mean)
     : grid_(layers.grid()),
       is_periodic_(!layers.frame().domain.is_plane()),
       size_(diameters_in_pixels(size, layers.grid(), layers.frame().domain)),
       octaves_(octaves_of(size_)),
+      mean_(mean),
       ids_(&layers.distance().ids),
       origins_(origins_of(layers, use)) {
     if (is_periodic_) {
@@ -207,6 +215,7 @@ GrainValue Grain::at(std::size_t index) const {
     }
     GrainValue value =
         octave_noise(from_center(index, origin.center) / size_, origin.seed, octaves_);
+    value.value += mean_;
     value.gradient /= size_;
     return value;
 }

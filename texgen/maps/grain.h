@@ -12,12 +12,16 @@
 
 namespace foam::texgen {
 
+/// Bound of the difference between a value of a grain and the mean of its values.
+inline constexpr double kGrainBound = 2.0;
+
 /// The use of a grain. Grains of different uses are independent of each other.
 enum class GrainUse : std::uint32_t { Relief, Albedo };
 
 /// A value of a grain.
 struct GrainValue {
-    double value = 0.0;            // rarely outside -1 to 1, never outside -2 to 2; mean 0
+    double value =
+        0.0;  // differs from its mean, rarely by more than 1, never by more than kGrainBound
     Vec2 gradient = Vec2::Zero();  // of the value; x to the right, y up
 };
 
@@ -36,8 +40,8 @@ GrainValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
 class Grain {
   public:
     /// `size` is the size of the largest features, in diameters of a mean bubble of the seeded
-    /// foam.
-    Grain(FrameLayers& layers, double size, GrainUse use);
+    /// foam. `mean` is the mean of the values in bubbles.
+    Grain(FrameLayers& layers, double size, GrainUse use, double mean = 0.0);
 
     /// Returns the value at the center of a pixel; its gradient is per pixel. `index` counts pixels
     /// row by row from the bottom row.
@@ -58,6 +62,7 @@ class Grain {
     std::int32_t shear_ = 0;  // shear of a torus, subpixels
     double size_;             // size of the largest features, pixels
     int octaves_;
+    double mean_;
     const Image<std::uint32_t>* ids_;
     std::vector<Origin> origins_;  // indexed by the ids of the distance field
 };

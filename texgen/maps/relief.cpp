@@ -56,7 +56,9 @@ Relief::Relief(FrameLayers& layers, const ReliefSource& source, double reach)
         radii_ = dome_radii(layers);
     }
     if (source.relief.grain > 0.0) {
-        grain_.emplace(layers, source.relief.grain_size, GrainUse::Relief);
+        // On flat ground, the grain only rises, so that no height is negative.
+        const double mean = source.relief.profile == ReliefProfile::Dome ? 0.0 : kGrainBound;
+        grain_.emplace(layers, source.relief.grain_size, GrainUse::Relief, mean);
     }
 }
 

@@ -50,6 +50,17 @@ TEST(Grain, NoiseIsCenteredAndFillsItsRange) {
     EXPECT_LE(largest, 1.0);
 }
 
+// The mean is added to every value in the bubble, but not around the patch.
+TEST(Grain, ItsMeanIsAdded) {
+    test::LoneCircle circle(25.0);
+    const Grain plain(circle.layers, 0.2, GrainUse::Relief);
+    const Grain raised(circle.layers, 0.2, GrainUse::Relief, 3.0);
+    const auto middle = static_cast<std::size_t>(32 * test::kCircleImage + 30);
+    EXPECT_DOUBLE_EQ(raised.at(middle).value, plain.at(middle).value + 3.0);
+    EXPECT_EQ(raised.at(middle).gradient, plain.at(middle).gradient);
+    EXPECT_EQ(raised.at(0).value, 0.0);
+}
+
 // A lone bubble has its grain in its circle, relative to its center.
 TEST(Grain, ThereIsNoneAroundAPatch) {
     test::LoneCircle circle(25.0);

@@ -43,13 +43,20 @@ TEST(Relief, SlopesAndHeightsAreThoseOfACap) {
 // grain fades towards the film. A difference of heights at neighboring pixels reduces the slope of
 // the finest octave, whose features are 3 pixels wide, by about a fifth, and those of the four
 // others by less: by about 1 % of the squares in all.
-TEST(Relief, SlopesOfGrainAreThoseOfItsHeights) {
+class ReliefOfEveryProfile : public testing::TestWithParam<ReliefProfile> {};
+
+INSTANTIATE_TEST_SUITE_P(Profiles,
+                         ReliefOfEveryProfile,
+                         testing::Values(ReliefProfile::Dome,
+                                         ReliefProfile::Ridge,
+                                         ReliefProfile::Wet));
+
+TEST_P(ReliefOfEveryProfile, SlopesOfGrainAreThoseOfItsHeights) {
     LoneCircle circle(kRadius);
-    ReliefOptions grained = kRelief;
-    grained.grain = 0.1;
-    grained.grain_size = 1.0;
+    const ReliefOptions plain{.profile = GetParam()};
+    const ReliefOptions grained{.profile = GetParam(), .grain = 0.1, .grain_size = 1.0};
     const Relief with(circle.layers, {grained, kMaze}, Relief::kFoot);
-    const Relief without(circle.layers, {kRelief, kMaze}, Relief::kFoot);
+    const Relief without(circle.layers, {plain, kMaze}, Relief::kFoot);
     double errors = 0.0;
     double squares = 0.0;
     test::for_each_inside(kRadius - 2.0, [&](int x, int y, const Vec2& point) {
@@ -67,6 +74,23 @@ TEST(Relief, SlopesOfGrainAreThoseOfItsHeights) {
     });
     EXPECT_LT(errors, 0.05 * squares);
     EXPECT_GT(squares, 1.0);
+}
+
+// On flat ground, the deepest hollow of a grain is not below the ground. Around the patch there is
+// no grain.
+TEST(Relief, GrainOnFlatGroundOnlyRises) {
+    LoneCircle circle(kRadius);
+    const ReliefOptions options{
+        .profile = ReliefProfile::Ridge, .width = 0.01, .grain = 0.1, .grain_size = 0.3};
+    const Relief relief(circle.layers, {options, kMaze}, Relief::kFoot);
+    double highest = 0.0;
+    for (std::size_t k = 0; k < test::kCircleImage * test::kCircleImage; ++k) {
+        ASSERT_GE(relief.height(k), 0.0);
+        highest = std::max(highest, relief.height(k));
+    }
+    EXPECT_GT(highest, 0.2 * 2.0 * kRadius);
+    EXPECT_LT(highest, 0.4 * 2.0 * kRadius);
+    EXPECT_EQ(relief.height(0), 0.0);
 }
 
 TEST(Relief, AroundAPatchADomeIsFlat) {
