@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -247,14 +248,15 @@ std::filesystem::path nearest_existing(const std::filesystem::path& folder) {
     return existing;
 }
 
+// Permissions do not tell enough: to the administrator, every folder of /proc looks writable.
 void check_writable(const std::filesystem::path& folder) {
-    std::error_code error;
     const std::filesystem::path existing = nearest_existing(folder);
-    const bool is_folder = std::filesystem::is_directory(existing, error);
-    if (!is_folder || ::access(existing.c_str(), W_OK | X_OK) != 0) {
-        throw OutputError(fmt::format(
-            "cannot write into '{}': {}", existing.string(), reason(is_folder ? errno : ENOTDIR)));
+    std::string probe = (existing / ".foamtex-XXXXXX").string();
+    if (mkdtemp(probe.data()) == nullptr) {
+        throw OutputError(
+            fmt::format("cannot write into '{}': {}", existing.string(), reason(errno)));
     }
+    rmdir(probe.c_str());
 }
 
 void make_folders(const std::filesystem::path& folder) {

@@ -177,6 +177,18 @@ TEST(FileIo, FoldersThatCannotBeReachedAreOutputErrors) {
     EXPECT_NO_THROW(check_writable(folder.path() / "a" / "b"));
 }
 
+TEST(FileIo, CheckingAFolderLeavesNothingBehind) {
+    const TemporaryFolder folder;
+    check_writable(folder.path() / "a" / "b");
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+// The permissions of /proc allow the administrator to write, but nobody can create a file there.
+TEST(FileIo, AFolderMustTakeFilesAndNotOnlyAllowThem) {
+    EXPECT_THROW(check_writable("/proc"), OutputError);
+    EXPECT_THROW(check_writable("/proc/none/below"), OutputError);
+}
+
 TEST(FileIo, ReadingNamesFileAndReason) {
     const TemporaryFolder folder;
     EXPECT_THROW(read_file(folder.path() / "none"), InputError);
