@@ -4,6 +4,8 @@
 
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/options.h"
+#include "texgen/cli/standard_error.h"
+#include "texgen/preset/conditions.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_io.h"
 
@@ -53,6 +55,22 @@ std::vector<Assignment> assignments_of(const RunArguments& arguments) {
     return assignments;
 }
 
+std::vector<Assignment> in_order(std::vector<Assignment> first,
+                                 const std::vector<Assignment>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+void note_unused_keys(const Preset& preset,
+                      const std::vector<Assignment>& assignments,
+                      const RunArguments& arguments) {
+    if (!arguments.quiet) {
+        for (const std::string& line : unused_keys(preset, assignments)) {
+            print_stderr("foamtex: note: {}", line);
+        }
+    }
+}
+
 }  // namespace
 
 void add_preset_options(CLI::App& command, RunArguments& arguments) {
@@ -90,13 +108,17 @@ Assignment maps_assignment(const std::string& maps) {
 }
 
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more) {
-    return changed(load_preset(arguments.preset), arguments, more);
+    Preset preset = load_preset(arguments.preset);
+    const std::vector<Assignment> assignments = in_order(assignments_of(arguments), more);
+    assign(preset, assignments);
+    note_unused_keys(preset, in_order(own_assignments(arguments.preset), assignments), arguments);
+    return preset;
 }
 
 Preset changed(Preset preset, const RunArguments& arguments, const std::vector<Assignment>& more) {
-    std::vector<Assignment> assignments = assignments_of(arguments);
-    assignments.insert(assignments.end(), more.begin(), more.end());
+    const std::vector<Assignment> assignments = in_order(assignments_of(arguments), more);
     assign(preset, assignments);
+    note_unused_keys(preset, assignments, arguments);
     return preset;
 }
 

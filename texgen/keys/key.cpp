@@ -2,14 +2,24 @@
 
 #include "texgen/keys/key.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace foam::texgen {
 
 bool Condition::allows(std::string_view value) const {
-    return std::find(values.begin(), values.end(), value) != values.end();
+    const bool is_listed = std::find(values.begin(), values.end(), value) != values.end();
+    return is_listed != excludes;
+}
+
+std::string text_of(const Condition& condition) {
+    const bool are_numbers = condition.values.front().find_first_of("0123456789") == 0;
+    const std::string_view quote = are_numbers ? "" : "\"";
+    return fmt::format("{0} = {1}{2}{1}",
+                       condition.key,
+                       quote,
+                       fmt::join(condition.values, fmt::format("{0} or {0}", quote)));
 }
 
 std::string_view KeyInfo::table() const {

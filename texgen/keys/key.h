@@ -18,14 +18,17 @@ namespace foam::texgen {
 /// A condition on the value of another key, such as foam.domain = "patch".
 struct Condition {
     std::string_view key;               // the path of the other key
-    std::vector<std::string> values{};  // the values of the other key that meet the condition
+    std::vector<std::string> values{};  // words, or numbers as TOML writes them: "patch", "0.0"
+    bool excludes = false;              // true if all other values meet the condition
 
     /// Returns true if this value of the other key meets the condition.
     bool allows(std::string_view value) const;
 };
 
-/// The properties of a key that do not depend on the type of its owner, the object in which the key
-/// stores its value.
+/// Returns the key and the values of a condition as a text: foam.domain = "patch" or "torus".
+std::string text_of(const Condition& condition);
+
+/// The properties of a key that do not depend on the type of the object that the key sets.
 struct KeyInfo {
     std::string path;     // "foam.bubbles", or "bubbles" outside of a table
     std::string allowed;  // the allowed values: "an integer from 4 to 1000000"
@@ -41,6 +44,7 @@ struct KeyInfo {
     std::string_view unit{};               // the unit, such as "pixels"; empty if there is none
     std::optional<Value> default_value{};  // nullopt if the key is unset by default
     std::optional<Condition> condition{};  // unless it is met, the key must keep its default
+    std::optional<Condition> use{};        // unless it is met, the key has no effect
     /// The path of another key. The number of this key must be below the number of that key.
     std::optional<std::string> upper_limit{};
 
@@ -81,6 +85,19 @@ struct Key : KeyInfo {
     Key only_for(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.condition = Condition{other, std::move(values)};
+        return key;
+    }
+
+    /// Return a copy of this key that has no effect unless the other key has one of the given
+    /// values, or if it has one of them. `other` is a complete path, as for only_for.
+    Key used_with(std::string_view other, std::vector<std::string> values) const {
+        Key key = *this;
+        key.use = Condition{other, std::move(values)};
+        return key;
+    }
+    Key unused_with(std::string_view other, std::vector<std::string> values) const {
+        Key key = *this;
+        key.use = Condition{other, std::move(values), true};
         return key;
     }
 

@@ -61,23 +61,28 @@ Keys<AlbedoOptions> bubble_keys() {
             .in("fraction of the brightness"),
         key("pressure_low", kPressures, "pressure of the first color", &Options::pressure_low)
             .in("film tension / sqrt(mean area), selected by albedo.pressure_unit")
+            .used_with("albedo.color_by", {"pressure"})
             .below("pressure_high"),
         key("pressure_high",
             kPressures,
             "pressure of the last color; above pressure_low",
             &Options::pressure_high)
-            .in("film tension / sqrt(mean area), selected by albedo.pressure_unit"),
+            .in("film tension / sqrt(mean area), selected by albedo.pressure_unit")
+            .used_with("albedo.color_by", {"pressure"}),
         key("pressure_unit",
             kPressureUnits,
             "unit of both pressures: film tension / sqrt(mean area), with the mean area of the "
             "seeded foam (seed) or of the drawn frame (current)",
-            &Options::pressure_unit),
-        key("shade_color", Colors{}, "sRGB color of the shade beside films", &Options::shade_color),
+            &Options::pressure_unit)
+            .used_with("albedo.color_by", {"pressure"}),
+        key("shade_color", Colors{}, "sRGB color of the shade beside films", &Options::shade_color)
+            .unused_with("albedo.shade", {"0.0"}),
         key("shade_width",
             Reals{0.001, 10.0},
             "width of the shade, in diameters of a mean bubble of the seeded foam",
             &Options::shade_width)
-            .in("mean bubble diameters of the seeded foam"),
+            .in("mean bubble diameters of the seeded foam")
+            .unused_with("albedo.shade", {"0.0"}),
         key("shade",
             kFractions,
             "strength of the shade right beside a film; 0 disables it",
@@ -93,7 +98,8 @@ Keys<AlbedoOptions> bubble_keys() {
             "size of the largest features of the grain, in diameters of a mean bubble of the "
             "seeded foam",
             &Options::grain_size)
-            .in("mean bubble diameters of the seeded foam")};
+            .in("mean bubble diameters of the seeded foam")
+            .unused_with("albedo.grain", {"0.0"})};
 }
 
 Keys<AlbedoOptions> film_keys() {
@@ -103,7 +109,8 @@ Keys<AlbedoOptions> film_keys() {
     constexpr Choices<FilmProfile> kFilmProfiles = {
         {{{"even", FilmProfile::Even}, {"wet", FilmProfile::Wet}}}};
     return {
-        key("film_color", Colors{}, "sRGB color of the films", &Options::film_color),
+        key("film_color", Colors{}, "sRGB color of the films", &Options::film_color)
+            .unused_with("albedo.film_width", {"0.0"}),
         key("film_width",
             Reals{0.0, 1000.0},
             "full width of a film; 0 draws no films",
@@ -117,7 +124,8 @@ Keys<AlbedoOptions> film_keys() {
             kFilmProfiles,
             "even: films of constant width; wet: films that are wider where they meet, which gives "
             "bubbles rounded corners",
-            &Options::film_profile)};
+            &Options::film_profile)
+            .unused_with("albedo.film_width", {"0.0"})};
 }
 
 }  // namespace

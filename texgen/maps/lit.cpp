@@ -208,7 +208,8 @@ Keys<LitOptions> lit_keys() {
           key("shininess",
               Reals{1.0, 10000.0},
               "exponent of highlights; larger values make them smaller",
-              &Options::shininess),
+              &Options::shininess)
+              .unused_with("lit.gloss", {"0.0"}),
           key("rim",
               Reals{0.0, 1000.0},
               "brightness added to steep slopes, such as the rims of bubbles",

@@ -160,16 +160,20 @@ Keys<PressureOptions> pressure_keys() {
             Reals{0.0, 49.0},
             "for \"percentile\": percentage of bubbles beyond each end of the scale",
             &Options::percentile)
-            .in("percent of the bubbles"),
+            .in("percent of the bubbles")
+            .used_with("pressure.scaling", {"percentile"}),
         key("low", kPressures, "for \"range\": pressure of tone 0", &Options::low)
             .in("film tension / sqrt(mean area), selected by pressure.unit")
+            .used_with("pressure.scaling", {"range"})
             .below("high"),
         key("high", kPressures, "for \"range\": pressure of tone 1; above low", &Options::high)
-            .in("film tension / sqrt(mean area), selected by pressure.unit"),
+            .in("film tension / sqrt(mean area), selected by pressure.unit")
+            .used_with("pressure.scaling", {"range"}),
         key("unit",
             kPressureUnits,
             "unit of low and high; the same choices as albedo.pressure_unit",
-            &Options::unit),
+            &Options::unit)
+            .used_with("pressure.scaling", {"range"}),
         key("smoothing",
             Integers{0, 1000},
             "rounds in which the pressure of every bubble is averaged with those of its neighbors; "

@@ -41,16 +41,19 @@ Keys<ReflectionOptions> reflection_keys() {
                 Reals{1.0, 120.0},
                 "width and height of a window, degrees",
                 &Options::window_size)
-                .in("degrees"),
+                .in("degrees")
+                .unused_with("lit.windows", {"0"}),
             key("window_softness",
                 kFractions,
                 "width of the soft border of a window, as a fraction of its size",
                 &Options::window_softness)
-                .in("fraction of the size"),
+                .in("fraction of the size")
+                .unused_with("lit.windows", {"0"}),
             key("window_brightness",
                 Reals{0.0, 1000.0},
                 "brightness of the reflection of the first window",
-                &Options::window_brightness),
+                &Options::window_brightness)
+                .unused_with("lit.windows", {"0"}),
             key("horizon",
                 Reals{0.0, 1000.0},
                 "factor on the brightness of the reflected sky, which is brightest near the "

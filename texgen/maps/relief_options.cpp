@@ -26,7 +26,8 @@ Keys<ReliefOptions> relief_keys() {
             &Options::films)
             .only_for("relief.profile", {"ridge", "wet"}),
         key("angle", Reals{1.0, 85.0}, "slope of domes at films, degrees", &Options::angle)
-            .in("degrees"),
+            .in("degrees")
+            .used_with("relief.profile", {"dome"}),
         key("width",
             Reals{0.001, 10.0},
             "width of a ridge from film to foot, or radius of Plateau borders, in bubble "
@@ -34,7 +35,8 @@ Keys<ReliefOptions> relief_keys() {
             "with relief.mean_bubble = \"seed\", half of maze.wall_width gives ridges as wide as "
             "painted walls",
             &Options::width)
-            .in(kReliefDiameters),
+            .in(kReliefDiameters)
+            .used_with("relief.profile", {"ridge", "wet"}),
         key("strength", Reals{0.0, 100.0}, "factor on all heights", &Options::strength),
         key("grain",
             Reals{0.0, 10.0},
@@ -49,7 +51,8 @@ Keys<ReliefOptions> relief_keys() {
             "seeded foam",
             &Options::grain_size)
             .in("mean bubble diameters of the seeded foam")
-            .only_for("relief.films", {"all"}),
+            .only_for("relief.films", {"all"})
+            .unused_with("relief.grain", {"0.0"}),
         key("mean_bubble",
             kMeanBubbles,
             "the unit of heights and widths is the diameter of a mean bubble: of the seeded foam "

@@ -125,4 +125,9 @@ Preset load_preset(const std::string& name_or_path) {
     return Loader().load(find_document(name_or_path));
 }
 
+std::vector<Assignment> own_assignments(const std::string& name_or_path) {
+    const Document document = find_document(name_or_path);
+    return read_assignments(document.toml, document.source);
+}
+
 }  // namespace foam::texgen

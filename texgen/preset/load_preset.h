@@ -2,9 +2,11 @@
 
 #pragma once
 
+#include "texgen/preset/assignment.h"
 #include "texgen/preset/preset.h"
 
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -18,5 +20,10 @@ namespace foam::texgen {
 /// unreadable, if the name of a file without ".toml" is not plain (is_plain_name), or if presets
 /// extend each other in a circle.
 Preset load_preset(const std::string& name_or_path);
+
+/// Returns the assignments of the document of a preset, without those of the presets that it
+/// extends. The argument is as for load_preset. Throws PresetError for a missing, unreadable or
+/// malformed document.
+std::vector<Assignment> own_assignments(const std::string& name_or_path);
 
 }  // namespace foam::texgen

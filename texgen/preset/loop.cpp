@@ -46,13 +46,15 @@ Keys<LoopOptions> loop_keys() {
     return {
         kind_key(),
         key("amplitude", Reals{0.0, 0.9}, amplitude_meaning, &LoopOptions::amplitude)
-            .in("fraction of the area, or strain, selected by loop.kind"),
+            .in("fraction of the area, or strain, selected by loop.kind")
+            .used_with("loop.kind", {"breathe", "boil", "shear"}),
         key("boiling",
             Reals{0.001, 0.5},
             "for \"boil\": fraction of the bubbles that vanish and are born again, each once in "
             "a loop",
             &LoopOptions::boiling)
-            .in("fraction of the bubbles"),
+            .in("fraction of the bubbles")
+            .used_with("loop.kind", {"boil"}),
         key("drift",
             IntegerPairs{{-kMaxPeriods, kMaxPeriods}},
             "number of whole images that the foam moves in a loop, to the right and up",
@@ -73,29 +75,34 @@ Keys<LoopOptions> loop_keys() {
             "bubbles by about loop.current / 6 of the size of an eddy",
             &LoopOptions::eddies)
             .in("eddies")
-            .only_for("foam.domain", {"torus"}),
+            .only_for("foam.domain", {"torus"})
+            .unused_with("loop.current", {"0.0"}),
         key("cycles",
             Integers{1, 1000},
             "largest number of cycles that are simulated before frame 1 so that the loop "
             "closes",
             &LoopOptions::cycles)
-            .in("cycles"),
+            .in("cycles")
+            .used_with("loop.kind", {"breathe", "boil", "shear"}),
         key("fade",
             Reals{0.01, 1.0},
             "for \"flow\": fraction of the frames, at the end, that fade into the beginning",
             &LoopOptions::fade)
-            .in("fraction of the frames"),
+            .in("fraction of the frames")
+            .used_with("loop.kind", {"flow"}),
         key("fade_spread",
             Reals{0.0, 0.95},
             "for \"flow\": fraction of the fade after which the last region of the image "
             "begins to fade; 0 fades the whole image at the same time",
             &LoopOptions::fade_spread)
-            .in("fraction of the fade"),
+            .in("fraction of the fade")
+            .used_with("loop.kind", {"flow"}),
         key("growth",
             Integers{1, 1000},
             "for \"flow\": number of frames in which a new bubble grows to the mean area",
             &LoopOptions::growth)
-            .in("frames")};
+            .in("frames")
+            .used_with("loop.kind", {"flow"})};
 }
 
 }  // namespace foam::texgen

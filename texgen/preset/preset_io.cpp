@@ -4,6 +4,7 @@
 
 #include "texgen/keys/nearest.h"
 #include "texgen/keys/value_kinds.h"
+#include "texgen/preset/conditions.h"
 #include "texgen/preset/event_io.h"
 #include "texgen/preset/loop_check.h"
 #include "texgen/preset/preset_keys.h"
@@ -98,22 +99,13 @@ Value value_in(const Key<Preset>& key, const Preset& preset) {
     return *std::move(value);
 }
 
-// Returns true if the preset meets the condition.
-bool holds(const Condition& condition, const Preset& preset) {
-    const Value value = value_in(*find_key(condition.key), preset);
-    return condition.allows(std::get<std::string>(value.data));
-}
-
 // Checks the conditions of all keys. A key whose condition is not met has no effect, so it must
 // keep its default.
 void check_conditions(const Preset& preset, std::span<const Assignment> assignments) {
     for (const Key<Preset>& key : preset_keys()) {
-        if (key.condition && !holds(*key.condition, preset) && !key.is_default(preset)) {
+        if (key.condition && !is_met(*key.condition, preset) && !key.is_default(preset)) {
             reject(assignment_to_report(assignments, key.path, key.condition->key),
-                   fmt::format("{} is only allowed with {} = \"{}\"",
-                               key.path,
-                               key.condition->key,
-                               fmt::join(key.condition->values, "\" or \"")));
+                   fmt::format("{} is only allowed with {}", key.path, text_of(*key.condition)));
         }
     }
 }
@@ -222,10 +214,7 @@ std::string describe_table(std::string_view table) {
         if (key.table() == table) {
             text += text.empty() ? fmt::format("[{}]\n", table) : "";
             text += describe(key);
-            text += key.condition ? fmt::format("    only with {} = \"{}\"\n",
-                                                key.condition->key,
-                                                fmt::join(key.condition->values, "\" or \""))
-                                  : "";
+            text += describe_conditions(key);
         }
     }
     if (text.empty()) {

@@ -54,6 +54,10 @@ Json key_schema(const KeyInfo& key) {
     if (key.condition) {
         schema["x-only-for"] = {{"key", key.condition->key}, {"values", key.condition->values}};
     }
+    if (key.use) {
+        schema[key.use->excludes ? "x-unused-with" : "x-used-with"] = {{"key", key.use->key},
+                                                                       {"values", key.use->values}};
+    }
     if (key.upper_limit) {
         schema["x-below"] = *key.upper_limit;
     }

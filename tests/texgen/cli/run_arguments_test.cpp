@@ -46,5 +46,14 @@ TEST(RunArguments, ABadOptionIsOneLineAndCode2) {
                     "for 48 frames");
 }
 
+// The frame itself is not baked, because the file name of the images is rejected.
+TEST(RunArguments, AKeyWithoutEffectIsNoted) {
+    const std::string note = "foamtex: note: relief.angle has no effect with relief.profile = ";
+    const std::string bake = "bake sea_foam --out a.png --set relief.angle=";
+    EXPECT_EQ(run_program(bake + "30").err.find(note + "\"wet\"\n"), 0U);
+    EXPECT_EQ(run_program(bake + "30 -q").err.find(note), std::string::npos);
+    EXPECT_EQ(run_program(bake + "30 --set relief.profile=dome").err.find(note), std::string::npos);
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -59,6 +59,17 @@ TEST(Key, AConditionListsTheValuesOfAnotherKey) {
     EXPECT_FALSE(color.condition->allows("office"));
 }
 
+TEST(Key, AConditionMayExcludeValues) {
+    const Key<Lamp> used = lamp_keys()[0].used_with("room.kind", {"club", "bar"});
+    EXPECT_TRUE(used.use->allows("bar"));
+    EXPECT_FALSE(used.use->allows("office"));
+    EXPECT_EQ(text_of(*used.use), "room.kind = \"club\" or \"bar\"");
+    const Key<Lamp> unused = lamp_keys()[0].unused_with("room.windows", {"0", "1"});
+    EXPECT_TRUE(unused.use->allows("2"));
+    EXPECT_FALSE(unused.use->allows("1"));
+    EXPECT_EQ(text_of(*unused.use), "room.windows = 0 or 1");
+}
+
 TEST(Key, HasAUnitOnlyIfItIsGiven) {
     EXPECT_EQ(lamp_keys()[0].unit, "watts");
     EXPECT_EQ(lamp_keys()[2].unit, "");
