@@ -38,7 +38,8 @@ SimulatedFrame state_of(const Simulation& simulation, const FrameEffort& effort)
 RunOutcome failed(const Simulation& simulation, const Preset& preset) {
     return {simulation.equilibrium().converged() ? RunStatus::OpenLoop : RunStatus::NoEquilibrium,
             frame_of_state(simulation.number(), preset.loop, preset.frames.count),
-            simulation.closing_error()};
+            simulation.closing_error(),
+            simulation.missing_bubbles()};
 }
 
 }  // namespace
@@ -75,7 +76,7 @@ RunOutcome simulate_states(const Preset& preset,
         }
         on_state(state_of(simulation, effort));
     }
-    return {RunStatus::Complete, 0, simulation.closing_error()};
+    return {RunStatus::Complete, 0, simulation.closing_error(), simulation.missing_bubbles()};
 }
 
 RunOutcome simulate_frames(const Preset& preset,

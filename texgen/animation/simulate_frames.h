@@ -25,6 +25,7 @@ struct RunOutcome {
     RunStatus status = RunStatus::Complete;
     int failed_frame = 0;                 // first frame that could not be simulated; 0 if complete
     std::optional<double> closing_error;  // Simulation::closing_error
+    std::vector<int> missing_bubbles{};   // Simulation::missing_bubbles; empty for a cache
 };
 
 /// A source of frames: calls the visitor for each of the frames with the given numbers, in the

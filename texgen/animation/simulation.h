@@ -12,6 +12,7 @@
 #include "texgen/preset/preset.h"
 
 #include <optional>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -51,6 +52,9 @@ class Simulation {
 
     /// Returns the number of bubbles of the foam.
     int bubble_count() const;
+
+    /// Returns Timeline::missing_bubbles.
+    std::vector<int> missing_bubbles() const { return timeline_.missing_bubbles(); }
 
     /// Returns the number of the frame that was reached; 0 before the first call of advance().
     int number() const { return number_; }

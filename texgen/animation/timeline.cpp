@@ -40,18 +40,19 @@ Timeline::Timeline(const Preset& preset)
         Event event = preset.events[k];
         // frames_of returns a value, because the preset has passed check_events.
         event.frames = *frames_of(event, preset.frames);
-        entries_.push_back({std::move(event), Random(seed_of(preset, k))});
+        entries_.push_back({std::move(event), Random(seed_of(preset, k)), 0});
     }
 }
 
 StateChange Timeline::changes_to(int frame, Foam& foam) {
     std::erase_if(schedules_, [&](const auto& entry) { return entry.second.frames.last < frame; });
     StateChange change;
-    for (auto& [event, random] : entries_) {
+    for (auto& [event, random, missing] : entries_) {
         if (frame >= event.frames.first && frame <= event.frames.last) {
             EventContext context{
                 frame, foam, random, t2_area_, view_, image_size_, change, schedules_};
             find_event_kind(event.kind).advance(event, context);
+            missing += context.missing;
         }
     }
     if (renewal_) {
@@ -61,6 +62,14 @@ StateChange Timeline::changes_to(int frame, Foam& foam) {
         change.driven.push_back(driven_at(frame, bubble, driven));
     }
     return change;
+}
+
+std::vector<int> Timeline::missing_bubbles() const {
+    std::vector<int> missing;
+    for (const Entry& entry : entries_) {
+        missing.push_back(entry.missing);
+    }
+    return missing;
 }
 
 // Creates new bubbles until the foam has as many bubbles as at the first call, and schedules their

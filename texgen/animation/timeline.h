@@ -30,8 +30,12 @@ class Timeline {
     /// increasing order.
     StateChange changes_to(int frame, Foam& foam);
 
-    /// Sets the view of a patch. The positions of events are fractions of this view. Without a
-    /// call, one foam unit is one pixel, and the origin is in the middle of the image.
+    /// Returns, for each event, the number of bubbles that it was to choose or create so far, but
+    /// that did not exist or could not be created.
+    std::vector<int> missing_bubbles() const;
+
+    /// Sets the view of a patch. The positions of events are fractions of this view. In the default
+    /// view one foam unit is one pixel.
     void set_view(const View& view) { view_ = view; }
 
   private:
@@ -39,6 +43,7 @@ class Timeline {
     struct Entry {
         Event event;
         Random random;
+        int missing = 0;  // sum of EventContext::missing
     };
 
     // The renewal of a flow: new bubbles appear at random points of the torus until there are as

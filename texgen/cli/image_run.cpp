@@ -170,6 +170,7 @@ ExitCode run_images(const Preset& preset,
     }
     if (verbosity != Verbosity::Quiet) {
         note_clipped(summary, preset);
+        warn_of_missing_bubbles(preset, summary.outcome);
     }
     if (arguments.json) {
         print_report(preset, options, summary, statistics.paths);

@@ -81,6 +81,26 @@ void note_late_events(const Preset& preset, std::span<const int> frames) {
     }
 }
 
+void warn_of_missing_bubbles(const Preset& preset, const RunOutcome& outcome) {
+    for (std::size_t k = 0; k < outcome.missing_bubbles.size(); ++k) {
+        const Event& event = preset.events[k];
+        const int missing = outcome.missing_bubbles[k];
+        if (missing == 0) {
+            continue;
+        }
+        const bool creates = find_event_kind(event.kind).creates_bubbles;
+        const std::size_t wanted =
+            creates ? static_cast<std::size_t>(event.count) : event.chosen_count();
+        print_stderr("foamtex: warning: event[{}] ({}) {} {} of {} {}",
+                     k + 1,
+                     event.kind,
+                     creates ? "could not create" : "did not find",
+                     missing,
+                     wanted,
+                     wanted == 1 ? "bubble" : "bubbles");
+    }
+}
+
 void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder) {
     std::error_code error;
     const std::filesystem::space_info space =

@@ -36,8 +36,12 @@ void note_open_loop(const Preset& preset, std::span<const int> frames);
 /// the given frames, so that they never happen. Precondition: there is a frame.
 void note_late_events(const Preset& preset, std::span<const int> frames);
 
-/// Prints a warning on stderr if files of the given total size, in bytes, do not fit on the disk of
-/// a folder. If the folder does not exist, the disk of the nearest existing folder above it counts.
+/// Prints a warning on stderr for each event of the preset that was to choose bubbles that did not
+/// exist, or to create bubbles where this was impossible.
+void warn_of_missing_bubbles(const Preset& preset, const RunOutcome& outcome);
+
+/// Prints a warning on stderr if files of the given size, in bytes, do not fit on the disk of a
+/// folder. The folder may be missing; then its nearest existing parent counts.
 void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder);
 
 /// Returns a text that says how much memory a run needs, given the estimated number of bytes, and

@@ -68,6 +68,9 @@ ExitCode run_stats(const StatsArguments& arguments) {
         return measure_run(preset, options, reporter.callback());
     }();
     const StatisticsFiles statistics = write_statistics(summary.run, folder_of(arguments, preset));
+    if (verbosity != Verbosity::Quiet) {
+        warn_of_missing_bubbles(preset, summary.outcome);
+    }
     if (arguments.json) {
         Json report = json_report(summary.outcome);
         report["preset"] = preset.name;

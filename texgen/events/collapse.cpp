@@ -42,7 +42,10 @@ void advance_collapse(const EventBase& event,
         if (frames.first != context.frame) {
             continue;
         }
-        for (const ChosenBubble& one : choose_bubbles(event, context, part, count / parts)) {
+        const std::vector<ChosenBubble> chosen =
+            choose_bubbles(event, context, part, count / parts);
+        context.missing += static_cast<int>(count / parts - chosen.size());
+        for (const ChosenBubble& one : chosen) {
             const TargetAreaSchedule schedule{.from = one.area, .to = context.t2_area};
             context.schedules[one.bubble] = {frames, schedule, true};
         }

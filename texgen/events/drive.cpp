@@ -41,7 +41,10 @@ void advance_drive(const EventBase& event, const DriveOptions& options, EventCon
     if (context.frame != event.frames.first) {
         return;
     }
-    for (const ChosenBubble& one : choose_bubbles(event, context, 0, event.chosen_count())) {
+    const std::size_t count = event.chosen_count();
+    const std::vector<ChosenBubble> chosen = choose_bubbles(event, context, 0, count);
+    context.missing += count > 0 ? static_cast<int>(count - chosen.size()) : 0;
+    for (const ChosenBubble& one : chosen) {
         const double more = options.phases == Phases::Random ? context.random.uniform() : 0.0;
         context.schedules[one.bubble] = {event.frames,
                                          {.from = one.area,

@@ -57,6 +57,8 @@ void advance_nucleate(const EventBase& event,
         if (bubble) {
             const FrameSpan frames{context.frame, context.frame + options.growth - 1};
             grow_bubble(context.foam, *bubble, frames, options.area, context.schedules);
+        } else {
+            ++context.missing;
         }
     }
 }

@@ -3,12 +3,16 @@
 #include "texgen/cli/report.h"
 
 #include "tests/texgen/cli/run_program.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace foam::texgen {
 namespace {
@@ -44,6 +48,28 @@ TEST(Report, WarnsOfTooLittleMemory) {
         "B of memory are available, but this needs about 12345678.9 GB; lower --threads, "
         "image.size or foam.bubbles\n"))
         << text;
+}
+
+// No bubble of the foam has 40 sides.
+TEST(Report, WarnsOfEventsThatFindNoBubble) {
+    const TemporaryFolder folder;
+    const std::string preset = (folder.path() / "a.toml").string();
+    constexpr std::string_view kToml =
+        "[foam]\nbubbles = 12\n[loop]\nkind = \"none\"\n[frames]\ncount = 3\n[[event]]\n"
+        "kind = \"collapse\"\nframe = 2\nsides = [6, 40]\ncount = 12\n[[event]]\n"
+        "kind = \"drive\"\nframe = 2\nsides = 40\n";
+    write_file(preset, std::as_bytes(std::span(kToml)));
+    const std::string pictures = " --size 8 --maps id --out " + folder.path().string() + "/#.png";
+    const Outcome all = run_program("bake " + preset + pictures);
+    EXPECT_EQ(all.code, 0) << all.err;
+    EXPECT_NE(all.err.find("foamtex: warning: event[1] (collapse) did not find "),
+              std::string::npos)
+        << all.err;
+    EXPECT_NE(all.err.find("foamtex: warning: event[2] (drive) did not find 1 of 1 bubble\n"),
+              std::string::npos)
+        << all.err;
+    const Outcome before = run_program("bake " + preset + " --frames 1" + pictures);
+    EXPECT_EQ(before.err.find("warning"), std::string::npos) << before.err;
 }
 
 // The warning comes before the work, which fails here because the loop does not close.

@@ -47,6 +47,19 @@ TEST(Collapse, InTurnBubblesShareTheFrames) {
     EXPECT_EQ(subject.schedules.at(9).frames, (FrameSpan{4, 6}));
 }
 
+// The foam has 16 bubbles, all with six sides.
+TEST(Collapse, CountsBubblesThatDoNotExist) {
+    test::EventSubject subject;
+    EventContext context = subject.context(2);
+    advance_collapse(collapse_of({3, 99, 98}, {2, 6}), {}, context);
+    EXPECT_EQ(context.missing, 2);
+    EventBase by_sides = collapse_of({}, {2, 6});
+    by_sides.sides = {6};
+    by_sides.count = 20;
+    advance_collapse(by_sides, {}, context);
+    EXPECT_EQ(context.missing, 6);
+}
+
 TEST(Collapse, InTurnEveryBubbleNeedsAFrame) {
     const CollapseOptions in_turn{.order = EventOrder::InTurn};
     EXPECT_EQ(test::checked(collapse_of({1, 2, 3}, {2, 4}), in_turn, check_collapse), "accepted");
