@@ -5,10 +5,12 @@
 #include "texgen/cache/cache.h"
 #include "texgen/cache/simulation_keys.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
 #include "texgen/image/file_io.h"
 
@@ -78,9 +80,19 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
         warn_of_little_memory(estimated_foam_memory(preset));
     }
     const RunOutcome outcome = [&] {
-        ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
-        return simulate_into_cache(preset, options, arguments.cache, reporter.callback());
+        try {
+            ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
+            return simulate_into_cache(preset, options, arguments.cache, reporter.callback());
+        } catch (const Interrupted&) {
+            print_stderr(
+                "foamtex: the cache is incomplete; to simulate it again from the start, run the "
+                "same command");
+            throw;
+        }
     }();
+    if (verbosity != Verbosity::Quiet) {
+        warn_of_missing_bubbles(preset, outcome);
+    }
     if (arguments.json) {
         Json report = json_report(outcome);
         report["preset"] = preset.name;

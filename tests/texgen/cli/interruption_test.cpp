@@ -50,6 +50,20 @@ TEST(Interruption, ABakeRecordsItsFramesAndSaysHowToGoOn) {
     EXPECT_EQ(resumed.code, 0) << resumed.err;
 }
 
+TEST(Interruption, AnIncompleteCacheIsMentioned) {
+    const Outcome outcome =
+        run_program("--version > /dev/null; { '" + foam::test::executable().string() +
+                    "' simulate sea_foam --set loop.kind=none --set foam.bubbles=16 "
+                    "--set frames.count=100000 --size 8 --cache c & "
+                    "until [ -e c/state.000001.foam ] || ! kill -0 $!; do sleep 0.02; done; "
+                    "kill -INT $!; wait $!; }");
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_TRUE(
+        outcome.err.ends_with("foamtex: the cache is incomplete; to simulate it again from "
+                              "the start, run the same command\nfoamtex: interrupted\n"))
+        << outcome.err;
+}
+
 TEST(Interruption, SigtermHasItsOwnExitCode) {
     const TemporaryFolder folder;
     const Outcome outcome = stopped_by("TERM", folder);
