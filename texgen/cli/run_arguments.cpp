@@ -111,7 +111,10 @@ Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& m
     Preset preset = load_preset(arguments.preset);
     const std::vector<Assignment> assignments = in_order(assignments_of(arguments), more);
     assign(preset, assignments);
-    note_unused_keys(preset, in_order(own_assignments(arguments.preset), assignments), arguments);
+    const std::vector<Assignment> own = is_preset_path(arguments.preset)
+                                            ? own_assignments(arguments.preset)
+                                            : std::vector<Assignment>();
+    note_unused_keys(preset, in_order(own, assignments), arguments);
     return preset;
 }
 

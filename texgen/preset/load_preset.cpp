@@ -23,10 +23,6 @@ namespace {
 
 constexpr std::string_view kExtends = "extends";
 
-bool is_path(std::string_view argument) {
-    return argument.ends_with(".toml") || argument.find('/') != std::string_view::npos;
-}
-
 // The TOML text of a preset and its origin.
 struct Document {
     std::string name;    // the name of the preset
@@ -55,7 +51,7 @@ Document read_document(const std::string& path) {
 }
 
 Document find_document(const std::string& name_or_path) {
-    if (is_path(name_or_path)) {
+    if (is_preset_path(name_or_path)) {
         return read_document(name_or_path);
     }
     const ShippedPreset& shipped = find_shipped_preset(name_or_path);
@@ -110,7 +106,7 @@ class Loader {
                                   const Document& document) {
         try {
             return find_document(
-                is_path(name) ? (document.folder / name).lexically_normal().string() : name);
+                is_preset_path(name) ? (document.folder / name).lexically_normal().string() : name);
         } catch (const PresetError& error) {
             reject(extends, error.what());
         }
@@ -120,6 +116,10 @@ class Loader {
 };
 
 }  // namespace
+
+bool is_preset_path(std::string_view name_or_path) {
+    return name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string_view::npos;
+}
 
 Preset load_preset(const std::string& name_or_path) {
     return Loader().load(find_document(name_or_path));

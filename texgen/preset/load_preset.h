@@ -6,12 +6,17 @@
 #include "texgen/preset/preset.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foam::texgen {
 
-/// Loads a preset. An argument that ends with ".toml" or contains a '/' is the path of a file. Any
-/// other argument is the name of a shipped preset. A preset may extend another preset:
+/// Returns true for the path of a file, which ends with ".toml" or contains a '/', and false for
+/// the name of a shipped preset.
+bool is_preset_path(std::string_view name_or_path);
+
+/// Loads a preset, which a path or a name gives (is_preset_path). A preset may extend another
+/// preset:
 ///
 ///     extends = "sea_foam"    # or the path of a file, relative to the folder of this file
 ///
