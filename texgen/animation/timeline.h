@@ -34,8 +34,8 @@ class Timeline {
     /// that did not exist or could not be created.
     std::vector<int> missing_bubbles() const;
 
-    /// Sets the view of a patch. The positions of events are fractions of this view. In the default
-    /// view one foam unit is one pixel.
+    /// Sets the view of a patch. The positions of events are fractions of this view. Without a
+    /// call, one foam unit is one pixel, and the origin is in the middle of the image.
     void set_view(const View& view) { view_ = view; }
 
   private:

@@ -40,8 +40,8 @@ void note_late_events(const Preset& preset, std::span<const int> frames);
 /// exist, or to create bubbles where this was impossible.
 void warn_of_missing_bubbles(const Preset& preset, const RunOutcome& outcome);
 
-/// Prints a warning on stderr if files of the given size, in bytes, do not fit on the disk of a
-/// folder. The folder may be missing; then its nearest existing parent counts.
+/// Prints a warning on stderr if files of the given total size, in bytes, do not fit on the disk of
+/// a folder. If the folder does not exist, the disk of the nearest existing folder above it counts.
 void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder);
 
 /// Returns a text that says how much memory a run needs, given the estimated number of bytes, and
