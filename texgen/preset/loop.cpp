@@ -34,6 +34,29 @@ Key<LoopOptions> kind_key() {
 
 constexpr int kMaxPeriods = 100;  // largest number of widths or heights of `drift`
 
+// Returns the keys of the cross-fade of a flow.
+Keys<LoopOptions> flow_keys() {
+    return {key("fade",
+                Reals{0.01, 1.0},
+                "for \"flow\": fraction of the frames, at the end, that fade into the beginning",
+                &LoopOptions::fade)
+                .in("fraction of the frames")
+                .used_with("loop.kind", {"flow"}),
+            key("fade_spread",
+                Reals{0.0, 0.95},
+                "for \"flow\": fraction of the fade after which the last region of the image "
+                "begins to fade; 0 fades the whole image at the same time",
+                &LoopOptions::fade_spread)
+                .in("fraction of the fade")
+                .used_with("loop.kind", {"flow"}),
+            key("growth",
+                Integers{1, 1000},
+                "for \"flow\": number of frames in which a new bubble grows to the mean area",
+                &LoopOptions::growth)
+                .in("frames")
+                .used_with("loop.kind", {"flow"})};
+}
+
 }  // namespace
 
 Keys<LoopOptions> loop_keys() {
@@ -43,7 +66,7 @@ Keys<LoopOptions> loop_keys() {
         "amplitude of the areas of the bubbles that do not vanish; for \"shear\": amplitude of the "
         "strain, at most {}",
         kLargestShearAmplitude);
-    return {
+    const Keys<LoopOptions> common = {
         kind_key(),
         key("amplitude", Reals{0.0, 0.9}, amplitude_meaning, &LoopOptions::amplitude)
             .in("fraction of the area, or strain, selected by loop.kind")
@@ -71,8 +94,7 @@ Keys<LoopOptions> loop_keys() {
         key("eddies",
             Integers{1, 16},
             "number of eddies of the current along the shorter side of the image; the current "
-            "moves "
-            "bubbles by about loop.current / 6 of the size of an eddy",
+            "moves bubbles by about loop.current / 6 of the size of an eddy",
             &LoopOptions::eddies)
             .in("eddies")
             .only_for("foam.domain", {"torus"})
@@ -83,26 +105,8 @@ Keys<LoopOptions> loop_keys() {
             "closes",
             &LoopOptions::cycles)
             .in("cycles")
-            .used_with("loop.kind", {"breathe", "boil", "shear"}),
-        key("fade",
-            Reals{0.01, 1.0},
-            "for \"flow\": fraction of the frames, at the end, that fade into the beginning",
-            &LoopOptions::fade)
-            .in("fraction of the frames")
-            .used_with("loop.kind", {"flow"}),
-        key("fade_spread",
-            Reals{0.0, 0.95},
-            "for \"flow\": fraction of the fade after which the last region of the image "
-            "begins to fade; 0 fades the whole image at the same time",
-            &LoopOptions::fade_spread)
-            .in("fraction of the fade")
-            .used_with("loop.kind", {"flow"}),
-        key("growth",
-            Integers{1, 1000},
-            "for \"flow\": number of frames in which a new bubble grows to the mean area",
-            &LoopOptions::growth)
-            .in("frames")
-            .used_with("loop.kind", {"flow"})};
+            .used_with("loop.kind", {"breathe", "boil", "shear"})};
+    return joined({common, flow_keys()});
 }
 
 }  // namespace foam::texgen
