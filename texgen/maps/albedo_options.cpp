@@ -74,7 +74,13 @@ Keys<AlbedoOptions> bubble_keys() {
             "unit of both pressures: film tension / sqrt(mean area), with the mean area of the "
             "seeded foam (seed) or of the drawn frame (current)",
             &Options::pressure_unit)
-            .used_with("albedo.color_by", {"pressure"}),
+            .used_with("albedo.color_by", {"pressure"})};
+}
+
+// Returns the keys of the shade and the grain within bubbles.
+Keys<AlbedoOptions> shade_keys() {
+    using Options = AlbedoOptions;
+    return {
         key("shade_color", Colors{}, "sRGB color of the shade beside films", &Options::shade_color)
             .unused_with("albedo.shade", {"0.0"}),
         key("shade_width",
@@ -131,7 +137,7 @@ Keys<AlbedoOptions> film_keys() {
 }  // namespace
 
 Keys<AlbedoOptions> albedo_keys() {
-    return joined({bubble_keys(), film_keys()});
+    return joined({bubble_keys(), shade_keys(), film_keys()});
 }
 
 double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain) {
