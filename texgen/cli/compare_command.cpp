@@ -38,9 +38,10 @@ constexpr const char* kCompareExamples = R"(Examples:
   foamtex compare golden/manifest.json out/manifest.json --fail 0.01 --fail-pixels 1
   foamtex compare a.png b.png --fail-angle 0.5 --hard-fail 0.8 --fail-percent 0.001
 Samples of a PNG are compared as numbers from 0 to 1, samples of an EXR as stored. The difference
-of a pixel is the largest difference of its samples. An image that exists on one side only is a
-failure. A file of tolerances has a table of limits per map, such as [normal], and [default]; the
-keys are the names of the options with _ for -, such as fail_percent. Options override the file.
+of a pixel is the largest difference of its samples. In folders, manifests and sequences without
+--frames, an image that exists on one side only is a failure. A file of tolerances has a table of
+limits per map, such as [normal], and [default]; the keys are the names of the options with _ for -,
+such as fail_percent. Options override the file.
 Exit codes: 0 same, 1 warning, 2 failure, 3 different size or channels, 4 unreadable,
   5 an output could not be written, 64 bad command line or tolerances, 70 internal failure)";
 
@@ -193,9 +194,10 @@ void add_compare_command(CLI::App& app, Action& action) {
     command->add_option("--tolerances", arguments->tolerances, "TOML file with limits for each map")
         ->option_text("FILE");
     command
-        ->add_option("--map",
-                     arguments->options.map,
-                     "Map of the images; by default the map that their manifest or texts name")
+        ->add_option(
+            "--map",
+            arguments->options.map,
+            "Map of the images; by default the map that the layer, the manifest or the texts name")
         ->option_text("MAP");
     add_frames_option(
         *command, arguments->frames, "Frames of both sequences; by default all existing frames");
@@ -204,7 +206,9 @@ void add_compare_command(CLI::App& app, Action& action) {
         ->excludes("--frames")
         ->option_text("FILE");
     add_quiet_option(
-        *command, arguments->quiet, "Print only errors, and --json; the exit code is the result");
+        *command,
+        arguments->quiet,
+        "Print only errors, notes and, with --json, the report; the exit code is the result");
     add_json_option(*command, arguments->json);
     command->footer(kCompareExamples);
     command->callback(

@@ -88,13 +88,14 @@ struct Key : KeyInfo {
         return key;
     }
 
-    /// Return a copy of this key that has no effect unless the other key has one of the given
-    /// values, or if it has one of them. `other` is a complete path, as for only_for.
+    /// Returns a copy of this key that has an effect only if the other key has one of the given
+    /// values. `other` is a complete path, as for only_for.
     Key used_with(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.use = Condition{other, std::move(values)};
         return key;
     }
+    /// Returns a copy of this key that has no effect if the other key has one of the given values.
     Key unused_with(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.use = Condition{other, std::move(values), true};

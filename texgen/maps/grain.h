@@ -20,8 +20,9 @@ enum class GrainUse : std::uint32_t { Relief, Albedo };
 
 /// A value of a grain.
 struct GrainValue {
-    double value =
-        0.0;  // differs from its mean, rarely by more than 1, never by more than kGrainBound
+    // Its difference from the mean of all values of the grain is rarely above 1 and never above
+    // kGrainBound.
+    double value = 0.0;
     Vec2 gradient = Vec2::Zero();  // of the value; x to the right, y up
 };
 

@@ -124,9 +124,9 @@ PerBubble<double> area_shares(const Frame& frame, const PerBubble<double>& press
     return shares;
 }
 
-// Averages pressures with those of neighbors, and subtracts a wider average. The results vary over
-// distances between the widths of the two averages, so that the corridors of a labyrinth are about
-// equally wide.
+// Averages pressures with those of neighbors, and subtracts a wider average. This removes
+// variations that are narrower than the first average or wider than the second one, so that the
+// corridors of a labyrinth are about equally wide.
 void smooth_and_flatten(const Frame& frame,
                         const PressureOptions& options,
                         PerBubble<double>& pressures) {
@@ -154,7 +154,7 @@ Keys<PressureOptions> pressure_keys() {
             "how pressures become tones. range: by the fixed range low to high. percentile, rank: "
             "among the pressures at the end of the warm-up (frames.warm_up) or, if pressures are "
             "smoothed or flattened, among the pressures of the frame. share: by the share of the "
-            "frame's area in which the pressure is lower",
+            "area of all bubbles in which the pressure is lower",
             &Options::scaling),
         key("percentile",
             Reals{0.0, 49.0},
@@ -182,7 +182,8 @@ Keys<PressureOptions> pressure_keys() {
             .in("rounds"),
         key("flattening",
             Integers{0, 1000},
-            "rounds of a wider average that is subtracted, so that the corridors of a labyrinth "
+            "additional rounds of a wider average that is subtracted, so that the corridors of a "
+            "labyrinth "
             "are about equally wide; 0 subtracts nothing",
             &Options::flattening)
             .in("rounds"),
@@ -192,7 +193,8 @@ Keys<PressureOptions> pressure_keys() {
             &Options::exaggeration),
         key("colormap",
             Words{colormaps_and_none()},
-            "color map of the tones; none draws the tones as gray numbers",
+            "color map of the tones; with none, the image has one gray channel that stores the "
+            "tones",
             &Options::colormap)};
 }
 

@@ -38,7 +38,7 @@ struct PressureOptions {
     double high = 0.5;                          // pressure of tone 1, for Range
     double percentile = 2.0;  // for Percentile: percentage of bubbles beyond each end of the scale
     int smoothing = 0;        // rounds of averaging with neighbors (average_with_neighbors)
-    int flattening = 0;       // rounds of a wider average that is subtracted; 0 subtracts nothing
+    int flattening = 0;       // additional rounds of a wider average that is subtracted; 0: none
     double exaggeration = 1.0;      // factor on the difference from the middle tone, 0.5
     std::string colormap = "none";  // "none" draws the tones as numbers
 };

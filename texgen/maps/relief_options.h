@@ -26,7 +26,7 @@ struct ReliefOptions {
                             // borders; in diameters of the mean bubble; not used by domes
     double strength = 1.0;  // factor on heights
     // Height of the grain (grain.h) in diameters of the mean bubble, before the factor `strength`;
-    // 0 draws no grain. The walls of a maze have no grain.
+    // 0 draws no grain. A relief of walls has no grain.
     double grain = 0.0;
     double grain_size = 0.4;  // size of its largest features, in diameters of a mean bubble of the
                               // seeded foam
