@@ -30,7 +30,7 @@ struct CausticsOptions {
     // these default colors.
     std::vector<std::string> colors = {"#04465c", "#0d7d96", "#59c9d2", "#d9fbf4", "#ffffff"};
     // Rays per pixel in each direction. Fewer are used if a side of the image of rays would exceed
-    // kLargestSide.
+    // kLargestGridSide.
     int samples = 3;
 };
 

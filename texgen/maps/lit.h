@@ -40,7 +40,7 @@ struct LitOptions {
     // whichever is larger. For LitColors::Maze it is multiplied by the coverage of walls instead.
     double glow = 0.0;
     // Samples per pixel in each direction; a pixel shows their mean. Fewer are used if a side of
-    // the image of samples would exceed kLargestSide.
+    // the image of samples would exceed kLargestGridSide.
     int samples = 2;
 };
 

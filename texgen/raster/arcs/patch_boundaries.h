@@ -33,7 +33,7 @@ std::size_t region_count(const Frame& frame);
 
 /// The width in pixels of a margin around the image. Parts of arcs beyond this margin, on which no
 /// pixel depends, are cut off, so that coordinates fit in 32 bits in subpixels.
-inline constexpr double kClipMargin = kLargestSide;
+inline constexpr double kClipMargin = kLargestGridSide;
 
 /// Returns false only if no part of a loop is visible in the image. The test assumes that an arc
 /// may extend from its tail by its length in any direction.

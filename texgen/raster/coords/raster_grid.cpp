@@ -10,9 +10,10 @@
 namespace foam::texgen {
 
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
-    if (std::min(grid.width, grid.height) < 1 || std::max(grid.width, grid.height) > kLargestSide) {
+    if (std::min(grid.width, grid.height) < 1 ||
+        std::max(grid.width, grid.height) > kLargestGridSide) {
         throw std::invalid_argument("image width and height must be from 1 to " +
-                                    std::to_string(kLargestSide));
+                                    std::to_string(kLargestGridSide));
     }
     if (domain.is_plane() != grid.view.has_value()) {
         throw std::invalid_argument(

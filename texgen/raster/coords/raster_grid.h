@@ -36,15 +36,16 @@ struct RasterGrid {
 
 /// The largest width and height of a grid in pixels, so that the coordinates of points that are a
 /// few periods away from the grid fit in 32 bits.
-inline constexpr int kLargestSide = 1 << 14;
+inline constexpr int kLargestGridSide = 1 << 14;
 
 /// Insets and distance fields ignore sides of bubbles whose chord is at most this long, in pixels,
 /// because the direction of such a short chord is not reliable.
-inline constexpr double kShortestSide = 1e-9;
+inline constexpr double kShortestChord = 1e-9;
 
 /// Returns the number of pixels per foam unit. Throws std::invalid_argument if the width or the
-/// height of the grid is not in [1, kLargestSide], unless the grid has a view if and only if the
-/// domain is the plane, or if the pixels on a torus are not square (within one part in a million).
+/// height of the grid is not in [1, kLargestGridSide], unless the grid has a view if and only if
+/// the domain is the plane, or if the pixels on a torus are not square (within one part in a
+/// million).
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
 /// Returns the translation, in subpixels, from coordinates on the unshifted grid to coordinates on

@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
-static_assert(kLargestSide <= std::numeric_limits<std::uint16_t>::max(),
+static_assert(kLargestGridSide <= std::numeric_limits<std::uint16_t>::max(),
               "elements of RowSums::begins have 16 bits");
 
 constexpr std::size_t kFlagsPerWord = 64;

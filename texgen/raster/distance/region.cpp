@@ -34,7 +34,7 @@ void Boundary::clear() {
 }
 
 void Boundary::add_arc(const PixelArc& shape, const Vec2& tail) {
-    if (!(shape.chord.squaredNorm() > kShortestSide * kShortestSide)) {
+    if (!(shape.chord.squaredNorm() > kShortestChord * kShortestChord)) {
         return;
     }
     const Vec2 tangent = tail_tangent(shape);

@@ -54,7 +54,7 @@ class Boundary {
     void clear();
 
     /// Adds an exact arc that begins at `tail`, in pixels. An arc whose chord is at most
-    /// kShortestSide is ignored. Precondition: the tail is the head of the preceding arc of the
+    /// kShortestChord is ignored. Precondition: the tail is the head of the preceding arc of the
     /// loop.
     void add_arc(const PixelArc& shape, const Vec2& tail);
     /// Ends a loop of exact arcs. The next exact arc begins a new loop.

@@ -32,7 +32,7 @@ bool FullInset::offset_sides(std::span<const ArcLoops::Side> loop, double distan
     sides_.clear();
     for (const ArcLoops::Side& side : loop) {
         const OffsetArc arc = offset_arc_from(side.arc, side.tail);
-        if (!(side.arc.chord.norm() > kShortestSide) || !(arc.cosine >= kMinSideCosine) ||
+        if (!(side.arc.chord.norm() > kShortestChord) || !(arc.cosine >= kMinSideCosine) ||
             !(shrinkage(arc, distance) >= kSmallestShrinkage)) {
             return false;
         }

@@ -62,7 +62,7 @@ const ArcLoops& InsetTracer::trace_loop(const ArcLoops& region, std::size_t loop
 void InsetTracer::add_loop(std::span<const ArcLoops::Side> loop) {
     const std::size_t first = sides_.size();
     for (const ArcLoops::Side& side : loop) {
-        if (side.arc.chord.norm() > kShortestSide) {
+        if (side.arc.chord.norm() > kShortestChord) {
             sides_.push_back(offset_arc_from(side.arc, side.tail));
         }
     }

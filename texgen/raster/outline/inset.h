@@ -21,8 +21,8 @@ class InsetTracer {
   public:
     /// Returns the boundary loops of the inset of a region. The region is on the left of its loops:
     /// outer loops are counter-clockwise, and loops around holes are clockwise. Sides with a chord
-    /// of at most kShortestSide are ignored. `distance` is in pixels. The result is valid until the
-    /// next call. Precondition: distance > 0.
+    /// of at most kShortestChord are ignored. `distance` is in pixels. The result is valid until
+    /// the next call. Precondition: distance > 0.
     const ArcLoops& trace(const ArcLoops& region, double distance);
 
     /// Does the same for a single loop of the region.
