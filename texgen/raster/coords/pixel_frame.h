@@ -8,7 +8,7 @@
 namespace foam::texgen {
 
 /// A frame on a torus, in the coordinates of the unshifted grid. Borrows the frame. The constructor
-/// throws the exceptions of pixels_per_unit.
+/// throws std::invalid_argument in the cases in which pixels_per_unit throws it.
 struct PixelFrame {
     PixelFrame(const Frame& of, const RasterGrid& on)
         : frame(of),

@@ -25,7 +25,8 @@ struct View {
 /// On a torus, a grid may be shifted: pixel (x, y) of an image on the shifted grid has the same
 /// bits as pixel (x + shift_x, y + shift_y) of the image on the unshifted grid, wrapped around the
 /// torus. Exception on a sheared torus: a row that is wrapped in y is also displaced by the shear,
-/// which need not be a whole number of pixels. Precondition there: 0 <= shift_y < height.
+/// which need not be a whole number of pixels. Precondition for a sheared torus: 0 <= shift_y <
+/// height.
 struct RasterGrid {
     int width = 0;  // this and the other lengths are in pixels
     int height = 0;
@@ -43,9 +44,9 @@ inline constexpr int kLargestGridSide = 1 << 14;
 inline constexpr double kShortestChord = 1e-9;
 
 /// Returns the number of pixels per foam unit. Throws std::invalid_argument if the width or the
-/// height of the grid is not in [1, kLargestGridSide], unless the grid has a view if and only if
-/// the domain is the plane, or if the pixels on a torus are not square (within one part in a
-/// million).
+/// height of the grid is not in [1, kLargestGridSide], if the domain is the plane and the grid has
+/// no view, if the domain is a torus and the grid has a view, or if the pixels on a torus are not
+/// square (within one part in a million).
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
 /// Returns the translation, in subpixels, from coordinates on the unshifted grid to coordinates on
@@ -58,7 +59,7 @@ inline SubpixelPoint shift_of(const RasterGrid& grid) {
 /// Converts positions in the fundamental cell of a torus, in foam units, to the nearest subpixel of
 /// the unshifted grid. The x of a result is from 0 to the width of the grid, both included, and the
 /// y is from 0 to the height. A point that is rounded to the upper or right border is not wrapped
-/// to 0: this would move it by a period, and the outlines through it would no longer be closed.
+/// to 0: wrapping would move it by a period, and the outlines through it would no longer be closed.
 class Snap {
   public:
     Snap(const RasterGrid& grid, const Domain& domain)
