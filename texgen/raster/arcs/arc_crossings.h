@@ -27,7 +27,8 @@ inline std::int32_t rounded(float x) {
 }
 
 /// Computes the points at which an arc crosses horizontal and vertical lines. The arc rises from
-/// its tail and is monotone in x and in y. Coordinates are relative to the tail of the arc.
+/// its tail and, except in unbounded_x_at, is monotone in x and in y. Coordinates are relative to
+/// the tail of the arc.
 ///
 /// Let d be the chord of the arc, from tail to head, and alpha half the angle by which the arc
 /// turns left. Let q be the vector from the middle of the chord to a point. The point is on the

@@ -30,7 +30,7 @@ void find_sines_and_cosines(HalfAngles& half_angles);
 /// pixels per foam unit.
 std::vector<PixelArc> film_arcs(const Frame& frame, double scale, int threads);
 
-/// Returns the arc of a half-edge, in the direction of the half-edge. `arcs` is the result of
+/// Returns the arc of a half-edge, in the direction of the half-edge. `arcs` is a result of
 /// film_arcs. A factor of 1 or -1 replaces a branch on the direction, which would be unpredictable.
 inline PixelArc arc_along(std::span<const PixelArc> arcs, HalfEdgeId side) {
     const PixelArc& forward = arcs[index_of(film_of(side))];

@@ -16,14 +16,15 @@
 
 namespace foam::texgen {
 
-/// The value of ArcSides::left or ArcSides::right if there is a film on that side of the arc, in a
-/// patch even a film of width 0, which has one arc for each bubble beside it.
+/// The value of ArcSides::left or ArcSides::right if there is a film on that side of the arc. In a
+/// patch, this is also true of films of width 0: each of the two bubbles beside such a film has an
+/// arc of its own.
 inline constexpr std::uint32_t kFilmSide = std::numeric_limits<std::uint32_t>::max();
 
 /// The two sides of an arc: the index of the bubble on each side, or kFilmSide. On a torus, an
-/// outline that crosses the border is closed only if it is unwrapped, that is, continued beyond the
-/// border. In the unwrapped outline of the bubble on the left (right), the arc is `left_periods`
-/// (`right_periods`) periods further right than its coordinates say.
+/// outline that crosses the border is closed only if it is unwrapped, that is, continued on the
+/// plane beyond the border. In the unwrapped outline of the bubble on the left (right), the arc is
+/// `left_periods` (`right_periods`) periods further right than its coordinates say.
 struct ArcSides {
     std::uint32_t left = kFilmSide;
     std::uint32_t right = kFilmSide;
@@ -44,7 +45,8 @@ inline std::uint32_t arc_side(BubbleId bubble) {
 }
 
 /// A rising arc that is monotone in x and in y, between two bubbles or between a bubble and a film.
-/// Coordinates are in subpixels of the unshifted grid; the arc may be outside of the image.
+/// Coordinates are in subpixels, on a torus those of the unshifted grid. The arc may be outside of
+/// the image.
 struct MonotoneArc {
     SubpixelPoint low;
     SubpixelPoint high;
@@ -55,7 +57,7 @@ struct MonotoneArc {
     friend bool operator==(const MonotoneArc& a, const MonotoneArc& b) = default;
 };
 
-/// All arcs that bound the visible parts of the bubbles of a frame, in no particular order.
+/// The arcs that bound the visible parts of the bubbles of a frame, in no particular order.
 struct CellArcs {
     RasterGrid grid;
     std::int32_t shear = 0;                         // shear_in_subpixels on a torus; 0 in the plane
@@ -80,7 +82,7 @@ void append_arc(const PixelArc& arc,
                 std::vector<MonotoneArc>& to);
 
 /// Appends a monotone piece, unless its ends have the same y. `sine` is the sine of half the angle
-/// by which it turns left from tail to head.
+/// by which the piece turns left from tail to head.
 void append_piece(SubpixelPoint tail,
                   SubpixelPoint head,
                   double sine,
@@ -88,16 +90,16 @@ void append_piece(SubpixelPoint tail,
                   std::vector<MonotoneArc>& to);
 
 /// Returns twice the area within a closed chain of arcs around one bubble, in square subpixels.
-/// `bubble` is arc_side of this bubble. The result is negative if the chain is clockwise.
+/// `bubble` is the arc_side() of this bubble. The result is negative if the chain is clockwise.
 double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
 
 /// The recommended number of bubbles per task of make_arcs.
 inline constexpr std::size_t kBubblesPerTask = 256;
 
-/// Calls append(k, batch) for each k in [0, count), which appends arcs to batch.arcs and adds to
-/// batch.unclosed_loops. Returns all arcs; the caller sets `shear` and `ghost`. Tasks run in
-/// parallel. Each task processes up to `per_task` values of k with its own `append`, which
-/// new_append() returns.
+/// Calls append(k, batch) for each k in [0, count), and returns the arcs of all batches; the caller
+/// sets `shear` and `ghost`. append(k, batch) must add arcs to batch.arcs and the number of
+/// unclosed loops to batch.unclosed_loops. Tasks run in parallel. Each task processes up to
+/// `per_task` values of k, with a function `append` of its own, which it gets from new_append().
 template <class NewAppend>
 CellArcs make_arcs(const RasterGrid& grid,
                    std::size_t count,

@@ -31,16 +31,17 @@ struct PixelPatch {
 /// Regions are numbered in this order.
 std::size_t region_count(const Frame& frame);
 
-/// The width in pixels of a margin around the image. Parts of arcs beyond this margin, on which no
-/// pixel depends, are cut off, so that coordinates fit in 32 bits in subpixels.
+/// The width in pixels of a margin around the image. Parts of arcs beyond this margin are cut off
+/// or, on the left, replaced by vertical lines (outline/clip_arc.h), so that coordinates in
+/// subpixels fit in 32 bits. No pixel changes.
 inline constexpr double kClipMargin = kLargestGridSide;
 
-/// Returns false only if no part of a loop is visible in the image. The test assumes that an arc
-/// may extend from its tail by its length in any direction.
+/// Returns false only if a loop neither crosses nor encloses a part of the image. The test assumes
+/// that an arc may extend from its tail by its length in any direction.
 bool may_be_visible(const RasterGrid& grid, std::span<const ArcLoops::Side> loop);
 
 /// Returns the boundary loops of a region in pixels, with the region on their left. `bubble` is the
-/// number of the region, as defined at region_count.
+/// number of the region (region_count).
 ArcLoops boundaries_of(const PixelPatch& pixels, BubbleId bubble);
 
 }  // namespace foam::texgen

@@ -31,10 +31,10 @@ Vec2 axis(int quadrant) {
 
 }  // namespace
 
-// Splits the arc where its tangent is parallel to an axis. If an arc turns right, its y is negated,
-// and the y of the results, too. Let a and b be the unit tangents at two points of an arc that
-// turns left. The vector from the first point to the second is radius * (b - a), rotated by 90
-// degrees to the right. The sine of half the angle between a and b is |b - a| / 2.
+// Splits the arc where its tangent is parallel to an axis. An arc that turns right is mirrored in y
+// first; the results are then mirrored back. Let a and b be the unit tangents at two points of an
+// arc that turns left. The vector from the first point to the second is radius * (b - a), rotated
+// by 90 degrees to the right. The sine of half the angle between a and b is |b - a| / 2.
 boost::container::static_vector<MonotonePiece, 5> monotone_pieces(const PixelArc& arc) {
     if (is_monotone(arc)) {
         return {MonotonePiece{Vec2::Zero(), arc.chord, arc.sine}};

@@ -71,8 +71,8 @@ struct MonotonePiece {
 boost::container::static_vector<MonotonePiece, 5> monotone_pieces(const PixelArc& arc);
 
 /// Calls visit(from, to, sine) for each monotone piece of an arc, in order. `tail` and `head` are
-/// the ends of the arc, as points of any type. inner(position) converts the position of the point
-/// between two pieces, in pixels relative to the tail, to this type.
+/// the ends of the arc, as points of any type. inner(position) converts a point between two pieces
+/// to this type. `position` is relative to the tail, in the unit of the arc.
 template <class Point, class Inner, class Visit>
 void for_each_piece(const PixelArc& arc,
                     const Point& tail,
@@ -112,8 +112,8 @@ struct ArcLoops {
     };
     std::vector<Side> sides;
     std::vector<std::size_t> loop_ends;  // one past the last side of each loop
-    // The number of loops left out because they did not close; 0 for a valid bubble, but may be
-    // positive for the ghost bubble of a patch in which rafts overlap.
+    // The number of loops left out because they did not close. It is 0 for a valid bubble, but may
+    // be positive for the ghost bubble of a patch in which rafts overlap each other or themselves.
     int unclosed_loops = 0;
 
     /// Removes all loops, and keeps the memory.
