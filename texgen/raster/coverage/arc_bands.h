@@ -13,8 +13,8 @@ namespace foam::texgen {
 
 /// The rows of an image, divided into bands, and for each band a list of the arcs that overlap it.
 /// Arcs are moved by the shift of the grid; on a torus, they are wrapped in y. The arcs of a band
-/// are sorted by tile, a range of columns that contains their lower end, so that most sums to which
-/// an arc adds are already in the cache.
+/// are sorted by tile, that is, by the range of columns that contains the lower end of the arc, so
+/// that most sums to which an arc adds are already in the cache.
 class ArcBands {
   public:
     /// A copy of an arc, moved by a translation to its position in the image. On a torus, the

@@ -94,7 +94,8 @@ class ArcSplitter {
     std::vector<std::int32_t> ys_;                         // results of column_crossings_
     // Scratch array for the arc that is being processed; otherwise all elements are 0. Element k is
     // the number of borders between rows that the arc crosses before it crosses its border k
-    // between columns, or 0 if the arc crosses none after border k - 1.
+    // between columns. If the arc crosses none between its borders k - 1 and
+    // k, the element is 0.
     std::vector<std::int32_t> rows_crossed_;
     // The start of each part of each arc, and the end of the last part of each arc. The x of a
     // mirrored arc are mirrored.

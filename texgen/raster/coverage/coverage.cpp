@@ -121,8 +121,8 @@ void Coverage<Channels>::add_parts(std::size_t k) {
     }
 }
 
-// Stores a part that may be to the left or to the right of the columns. On a ring it is wrapped
-// around.
+// Stores a part of an arc that is not entirely within the columns. The class comment tells what
+// parts to the left and to the right of the columns add.
 template <std::size_t Channels>
 void Coverage<Channels>::add_outside(const ArcSplitter::Part& part, std::uint32_t arc, Row& row) {
     const std::int32_t periods = floor_div(part.column, width_);
@@ -136,7 +136,7 @@ void Coverage<Channels>::add_outside(const ArcSplitter::Part& part, std::uint32_
 }
 
 // Spans begin at the pixels that contain parts, at the pixels after them, and at the first pixel.
-// The last span may begin after the last pixel.
+// If the last pixel contains a part, the span that begins after it is dropped.
 template <std::size_t Channels>
 void Coverage<Channels>::take_row(int row, const Sums& start, RowSums<Channels>& sums) {
     const auto width = static_cast<std::size_t>(width_);

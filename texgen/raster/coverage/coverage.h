@@ -60,11 +60,13 @@ struct RowSums {
 /// The band stores the parts of each row in a list. When the row is taken, its parts are added to
 /// one cell per pixel, and a running sum along the row converts the cells to sums of pixels.
 ///
-/// On a torus, where a row has no end, the signed heights of the closed outline of a bubble cancel
-/// in every row if all its arcs are in the same period. Therefore an arc that is k periods to the
-/// right of the image subtracts, from the start of each of its rows, k times its height times its
-/// change of values. In the plane, an arc to the left of a row adds its height times its change of
-/// values to all pixels of the row, and an arc to the right of a row adds nothing.
+/// On a torus, an arc outside of the image is added at its wrapped column. The sums would be right
+/// if all arcs of an outline were in the same period, because their signed heights then cancel in
+/// every row. Wrapping an arc from k periods further right adds k times its full contribution
+/// (height times pixel width times change of values) too much to every pixel of its rows. This
+/// amount is subtracted at the start of each of these rows. In the plane, an arc to the left of the
+/// image adds its full contribution to all pixels of its rows, and an arc to the right of the image
+/// adds nothing.
 template <std::size_t Channels>
 class Coverage {
   public:
@@ -73,8 +75,9 @@ class Coverage {
     /// The change of values from the left of an arc to its right.
     struct Step {
         Sums across{};  // value on the right minus value on the left
-        // The value on the right times ArcSides::right_periods minus the value on the left times
-        // ArcSides::left_periods.
+        // Corrects the starts of rows for an arc whose unwrapped outlines are beyond the border of
+        // the torus, with a k for each side (ArcSides): the value on the right times right_periods
+        // minus the value on the left times left_periods.
         Sums period_correction{};
         bool wraps = false;  // if false, `period_correction` is 0
     };

@@ -19,8 +19,8 @@ namespace foam::texgen {
 
 namespace {
 
-// At first all pixels have the value of films, or in a patch the value of the ghost bubble, and
-// each arc adds the difference of the values on its two sides.
+// At first all pixels have the value of films, or in a patch the value of the ghost bubble. Each
+// arc then adds, on its right, the difference of the values on its two sides.
 
 constexpr int kRowsPerBand = 64;  // see README.md
 // The number of arcs by which prefetching is ahead of processing: arcs that are sorted by tile are
@@ -56,7 +56,7 @@ void check(const CellArcs& cells, const CellValues& values, ImageView<std::uint1
     }
 }
 
-// Returns the value of each bubble minus the value of films, and then 0, for kFilmSide.
+// Returns the value of each bubble minus the value of films, followed by a 0 for kFilmSide.
 template <std::size_t Channels>
 std::vector<PixelSums<Channels>> differences_from_film(const CellValues& values) {
     std::vector<PixelSums<Channels>> differences(values.bubbles.size() / Channels + 1);

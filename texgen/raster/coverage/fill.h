@@ -40,8 +40,8 @@ void fill_cells(const CellArcs& cells,
 /// Fills an image with colors whose last channel is their opacity. The values must be
 /// premultiplied, so that their means are premultiplied, too. The samples of the image are
 /// straight: each mean color is divided by the mean opacity before any rounding, and the quotient
-/// is rounded. All samples of a pixel are 0 if its mean opacity is 0 even before rounding. In all
-/// other respects, the function behaves like fill_cells.
+/// is rounded. All samples of a pixel are 0 if its mean opacity is 0 or negative before any
+/// rounding. In all other respects, the function behaves like fill_cells.
 void fill_straight(const CellArcs& cells,
                    const CellValues& values,
                    int threads,

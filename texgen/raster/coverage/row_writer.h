@@ -59,8 +59,8 @@ struct StraightMeans {
 inline constexpr std::size_t kBlockBytes = 128;
 
 /// Stores a block of equal pixels of 2, 4, 6 or 8 bytes. A pixel is repeated until it fills a
-/// pattern of 8 bytes; a pixel of 6 bytes is a pattern by itself. In the second case the words of
-/// the block start at different bytes of the pattern, so that each word is composed of two shifted
+/// pattern of 8 bytes; a pixel of 6 bytes is a pattern by itself. The words of a block of such
+/// pixels start at different bytes of the pattern, so that each word is composed of two shifted
 /// copies of the pattern.
 template <std::size_t PixelBytes>
 [[gnu::always_inline]] inline void store_block(std::uint64_t pixel, std::uint8_t* to) {
