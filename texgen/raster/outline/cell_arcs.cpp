@@ -21,8 +21,8 @@ namespace foam::texgen {
 namespace {
 
 // Returns ArcSides::left_periods for the forward side of each film, and ArcSides::right_periods for
-// its twin, indexed by half-edge. The number of a half-edge is 0 unless a side of the bubble on its
-// left crosses the left or right border of the torus.
+// its twin, indexed by half-edge. The result for a half-edge is 0 periods unless a side of the
+// bubble on its left crosses the left or right border of the torus.
 std::vector<std::int16_t> periods_of_sides(const Network& network) {
     std::vector<std::int16_t> periods(2 * network.film_slots());
     const auto circulate = [&](BubbleId bubble) {
@@ -47,8 +47,8 @@ std::vector<std::int16_t> periods_of_sides(const Network& network) {
     return periods;
 }
 
-// Makes the arcs that bound the insets of bubbles, that is, the parts that films do not cover.
-// `inset` is half the film width in pixels.
+// Makes the arcs that bound the insets of bubbles, that is, the parts of bubbles that films do not
+// cover. `inset` is half the film width in pixels.
 class InsetArcs {
   public:
     InsetArcs(const PixelFrame& pixels, const std::vector<PixelArc>& arcs, double inset)

@@ -27,7 +27,8 @@ bool turns_clearly_left(const OffsetArc& before, const OffsetArc& after) {
 
 }  // namespace
 
-// Stores the sides and their offsets. Returns false if a side cannot be visible.
+// Stores the sides and their offsets. Returns false if a side is too short, turns by too wide an
+// angle, or has no offset.
 bool FullInset::offset_sides(std::span<const ArcLoops::Side> loop, double distance) {
     sides_.clear();
     for (const ArcLoops::Side& side : loop) {
@@ -87,17 +88,17 @@ const ArcLoops* FullInset::trace(std::span<const ArcLoops::Side> loop, double di
     return &inset_;
 }
 
-// Returns true if the pieces of all other sides have at least the given distance from side k, that
-// is, if they are on the left of its offset.
+// Returns true only if the pieces of all other sides have at least the given distance from side k,
+// that is, if they are on the left of its offset.
 //
 // Let p and q be the signed distances of the two ends of a piece from the offset, positive on its
-// left. Let c be the length of the chord of the piece, and k and k' the absolute curvatures of the
+// left. Let c be the length of the chord of the piece, and a and b the absolute curvatures of the
 // piece and of the side. Let t be a fraction of the chord, counted from the end with the distance
 // q. The signed distance of the piece from the offset at this fraction is at least t p + (1 - t) q
-// - t (1 - t) c² (k + k'). By the intersecting chords theorem, the last term is an upper bound of
+// - t (1 - t) c² (a + b). By the intersecting chords theorem, the last term is an upper bound of
 // the deviations of both circles from their chords. The signed distance is not negative for any t
-// if c² (k + k') <= (sqrt p + sqrt q)². The code compares with p + q + 2 min(p, q), which is at
-// most the right-hand side.
+// if c² (a + b) <= (sqrt p + sqrt q)². The code compares with p + q + 2 min(p, q), which is at most
+// the right-hand side.
 //
 // The piece of an adjacent side and the offset share one end. The two do not cross again if the
 // other end of the piece is on the left of the offset.

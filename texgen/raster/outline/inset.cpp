@@ -21,7 +21,7 @@ constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 // arcs that meet at a small angle have errors of about 1e-7. A point therefore counts as far enough
 // from a side if its distance falls short of the required distance by at most kDistanceTolerance. A
 // piece is linked to a successor if the tail of the successor is less than kLargestGap from the
-// head of the piece. This is about one subpixel of the rasterizer (1 / kSubpixel pixels).
+// head of the piece. This gap is about one subpixel of the rasterizer (1 / kSubpixel pixels).
 constexpr double kDistanceTolerance = 1e-7;
 constexpr double kLargestGap = 1e-3;
 

@@ -15,17 +15,17 @@ namespace foam::texgen {
 /// left. The offset of a corner with an inner angle of more than 180 degrees is a circular arc
 /// around the corner. Each offset is cut at its crossings with all other offsets. A piece between
 /// two cuts belongs to the boundary of the inset if and only if its middle has at least the given
-/// distance from all sides. If FullInset also finds the inset of a loop, both results have the same
-/// bits. Buffers are reused between regions.
+/// distance from all other sides. If FullInset also finds the inset of a loop, both results have
+/// the same bits. Buffers are reused between regions.
 class InsetTracer {
   public:
-    /// Returns the boundary loops of the inset of a region. The region is on the left of its loops:
-    /// outer loops are counter-clockwise, and loops around holes are clockwise. Sides with a chord
-    /// of at most kShortestChord are ignored. `distance` is in pixels. The result is valid until
-    /// the next call. Precondition: distance > 0.
+    /// Returns the boundary loops of the inset of a region. Both the region and the inset are on
+    /// the left of their loops: outer loops are counter-clockwise, and loops around holes are
+    /// clockwise. Sides with a chord of at most kShortestChord are ignored. `distance` is in
+    /// pixels. The result is valid until the next call. Precondition: distance > 0.
     const ArcLoops& trace(const ArcLoops& region, double distance);
 
-    /// Does the same for a single loop of the region.
+    /// Returns the boundary loops of the inset of the region that a single loop of `region` bounds.
     const ArcLoops& trace_loop(const ArcLoops& region, std::size_t loop, double distance);
 
   private:

@@ -29,7 +29,7 @@ double area_of(std::span<const ArcLoops::Side> loop) {
 }
 
 // Makes the arcs that bound the insets of regions of a patch, that is, the parts that films do not
-// cover. Each call makes those of one region, whose number is defined at region_count.
+// cover. Each call makes the arcs of one region, whose number is `index` (region_count).
 class PatchArcs {
   public:
     PatchArcs(const PixelPatch& pixels, double film_width)
@@ -67,8 +67,8 @@ class PatchArcs {
     // Appends the inset of each loop by itself, because the boundary of the inset of all loops does
     // not close if rafts overlap. If a raft overlaps itself, the inset of its own loop does not
     // close either. Then this loop of the ghost bubble is appended without an inset, so that the
-    // outer halves of the raft's outer films are not drawn. For any other bubble, it is left out.
-    // `region` is `boundaries` relative to its first tail.
+    // outer halves of the raft's outer films are not drawn. For any other bubble, the loop is left
+    // out. `region` is `boundaries` relative to the tail of its first side.
     void append_each(const ArcLoops& boundaries,
                      const ArcLoops& region,
                      BubbleId bubble,
@@ -111,8 +111,9 @@ class PatchArcs {
         }
     }
 
-    // Appends the arc of a side, split into pieces from the end with the smaller x on, or with the
-    // smaller y if both have the same x, so that both sides of a film have the same pieces.
+    // Appends the arc of a side. It is split into pieces starting at the end with the smaller x, or
+    // with the smaller y if both ends have the same x, so that both sides of a film have the same
+    // pieces.
     void append_side(const ArcLoops::Side& side,
                      const Vec2& head,
                      const ArcSides& sides,
@@ -125,8 +126,8 @@ class PatchArcs {
         }
     }
 
-    // Appends the monotone pieces of an arc, clipped to the surroundings of the image. Pieces whose
-    // ends have the same y are left out.
+    // Appends the monotone pieces of an arc, clipped to the image and its margin (kClipMargin).
+    // Pieces whose ends have the same y are left out.
     void append_pieces(const Vec2& tail,
                        const Vec2& head,
                        const PixelArc& arc,
