@@ -25,8 +25,7 @@ struct View {
 /// On a torus, a grid may be shifted: pixel (x, y) of an image on the shifted grid has the same
 /// bits as pixel (x + shift_x, y + shift_y) of the image on the unshifted grid, wrapped around the
 /// torus. Exception on a sheared torus: a row that is wrapped in y is also displaced by the shear,
-/// which need not be a whole number of pixels. Precondition for a sheared torus: 0 <= shift_y <
-/// height.
+/// which need not be a whole number of pixels. A sheared torus requires 0 <= shift_y < height.
 struct RasterGrid {
     int width = 0;  // this and the other lengths are in pixels
     int height = 0;
@@ -59,7 +58,7 @@ inline SubpixelPoint shift_of(const RasterGrid& grid) {
 /// Converts positions in the fundamental cell of a torus, in foam units, to the nearest subpixel of
 /// the unshifted grid. The x of a result is from 0 to the width of the grid, both included, and the
 /// y is from 0 to the height. A point that is rounded to the upper or right border is not wrapped
-/// to 0: wrapping would move it by a period, and the outlines through it would no longer be closed.
+/// to 0 (README.md).
 class Snap {
   public:
     Snap(const RasterGrid& grid, const Domain& domain)
