@@ -65,8 +65,7 @@ struct RowSums {
 /// every row. Wrapping an arc from k periods further right adds k times its full contribution
 /// (height times pixel width times change of values) too much to every pixel of its rows. This
 /// amount is subtracted at the start of each of these rows. In the plane, an arc to the left of the
-/// image adds its full contribution to all pixels of its rows, and an arc to the right of the image
-/// adds nothing.
+/// image adds its full contribution to all pixels of its rows; an arc to the right adds nothing.
 template <std::size_t Channels>
 class Coverage {
   public:
