@@ -12,15 +12,14 @@ namespace foam::texgen {
 
 /// InsetTracer (inset.h) drops a piece of an offset if the parameters (OffsetArc) of its ends
 /// differ by less than this, in pixels; FullInset (below) does not find the inset of a loop with
-/// such a piece. The middle of a short piece is close to the offset that cuts the piece. If it is
-/// too near to the side of this offset, the difference may be below the tolerance of the test of
-/// distances (1e-7 pixels), which then does not detect it.
+/// such a piece. The middle of a short piece is close to the offset that cuts the piece. If the
+/// middle is too near to the side of this offset, the difference may be below the tolerance of the
+/// test of distances (1e-7 pixels), which then does not detect it.
 inline constexpr double kShortestPiece = 1e-6;
 
-/// Finds the inset of a loop (inset.h) if its boundary consists of one piece of the offset of each
-/// side, cut only by the offsets of the two adjacent sides. This is true of most bubbles. Bounds on
-/// the distance of every such piece from every other side prove it. Buffers are reused between
-/// loops.
+/// Finds the inset of a loop (inset.h) if its boundary provably consists of one piece of the offset
+/// of each side, cut only by the offsets of the two adjacent sides. In most bubbles, bounds on the
+/// distance of every such piece from every other side prove this. Buffers are reused between loops.
 class FullInset {
   public:
     /// Returns the inset of a closed loop, whose region is on its left, or null if the bounds do
@@ -38,8 +37,7 @@ class FullInset {
         Vec2 tail{0.0, 0.0};  // of the piece
     };
 
-    // Returns side k, counted around the loop. Precondition: k is less than twice the number of
-    // sides.
+    // Returns side k, counted around the loop. Precondition: k < 2 sides_.size().
     Side& side(std::size_t k) { return sides_[k < sides_.size() ? k : k - sides_.size()]; }
     bool offset_sides(std::span<const ArcLoops::Side> loop, double distance);
     bool cut_corners();

@@ -111,9 +111,8 @@ class PatchArcs {
         }
     }
 
-    // Appends the arc of a side. It is split into pieces starting at the end with the smaller x, or
-    // with the smaller y if both ends have the same x, so that both sides of a film have the same
-    // pieces.
+    // Appends the arc of a side. It is split starting at the end with the smaller x, or with the
+    // smaller y if both have the same x, so that both sides of a film have the same pieces.
     void append_side(const ArcLoops::Side& side,
                      const Vec2& head,
                      const ArcSides& sides,
