@@ -24,8 +24,9 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 //   left of the arc;
 //   t = cos a e - sin a h is 0 on the circle that crosses the arc's circle at right angles at both
 //   ends, has slope 1 there, and is positive on the arc.
-// The distance to the circle of the arc is 2 |f| / (1 + |grad f|) (README.md). The distance from
-// the normal of the arc at an end is a lower bound for points beyond this end.
+// The distance to the circle of the arc is 2 |f| / (1 + |grad f|) (README.md). If a point is beyond
+// an end of the arc, its distance from the normal at this end is a lower bound of its distance from
+// the arc, because arcs turn by less than 180 degrees (DistanceArc::kMinCosine).
 [[gnu::always_inline]] inline void ArcView::evaluate(double x,
                                                      double y,
                                                      const ArcBlock& arcs,
@@ -38,19 +39,19 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
         const double sine = arcs.sine[k];
         const double chord = std::sqrt(chord_x * chord_x + chord_y * chord_y);
         const double inverse_chord = 1.0 / chord;
-        const double along_x = chord_x * inverse_chord;
-        const double along_y = chord_y * inverse_chord;
+        const double direction_x = chord_x * inverse_chord;
+        const double direction_y = chord_y * inverse_chord;
         const double qx = x - (arcs.tail_x[k] + 0.5 * chord_x);
         const double qy = y - (arcs.tail_y[k] + 0.5 * chord_y);
-        const double forward = qx * along_x + qy * along_y;
-        const double left = qy * along_x - qx * along_y;
+        const double forward = qx * direction_x + qy * direction_y;
+        const double left = qy * direction_x - qx * direction_y;
         const double e = 0.25 * chord - (qx * qx + qy * qy) * inverse_chord;
         const double curvature = 2.0 * inverse_chord * sine;
         const double along_curvature = 2.0 * inverse_chord * cosine;
         const double half_width = 0.5 * chord * cosine - sine * left;
         const double twice_value = 2.0 * (sine * e + cosine * left);
-        const double slope_x = -curvature * qx - cosine * along_y;
-        const double slope_y = -curvature * qy + cosine * along_x;
+        const double slope_x = -curvature * qx - cosine * direction_y;
+        const double slope_y = -curvature * qy + cosine * direction_x;
         const double past_tail = half_width + cosine * forward;
         const double before_head = half_width - cosine * forward;
         b.twice_value[k] = static_cast<float>(twice_value);
@@ -58,14 +59,14 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
         b.slope_y[k] = static_cast<float>(slope_y);
         b.curvature[k] = static_cast<float>(curvature);
         b.tail[k] = static_cast<float>(past_tail);
-        b.tail_x[k] = static_cast<float>(cosine * along_x + sine * along_y);
-        b.tail_y[k] = static_cast<float>(cosine * along_y - sine * along_x);
+        b.tail_x[k] = static_cast<float>(cosine * direction_x + sine * direction_y);
+        b.tail_y[k] = static_cast<float>(cosine * direction_y - sine * direction_x);
         b.head[k] = static_cast<float>(before_head);
-        b.head_x[k] = static_cast<float>(sine * along_y - cosine * along_x);
-        b.head_y[k] = static_cast<float>(-sine * along_x - cosine * along_y);
+        b.head_x[k] = static_cast<float>(sine * direction_y - cosine * direction_x);
+        b.head_y[k] = static_cast<float>(-sine * direction_x - cosine * direction_y);
         b.twice_along[k] = static_cast<float>(2.0 * (cosine * e - sine * left));
-        b.along_x[k] = static_cast<float>(-along_curvature * qx + sine * along_y);
-        b.along_y[k] = static_cast<float>(-along_curvature * qy - sine * along_x);
+        b.along_x[k] = static_cast<float>(-along_curvature * qx + sine * direction_y);
+        b.along_y[k] = static_cast<float>(-along_curvature * qy - sine * direction_x);
         b.along_curvature[k] = static_cast<float>(along_curvature);
         b.chord[k] = static_cast<float>(chord);
         const double slope = std::sqrt(slope_x * slope_x + slope_y * slope_y);

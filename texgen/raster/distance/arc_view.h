@@ -23,8 +23,8 @@ class ArcView {
 
     /// Returns a distance, the horizon: an arc that is farther from the point than the horizon is
     /// not the nearest arc of any pixel within a distance of `reach` from the point. The horizon is
-    /// the distance to the nearest arc that the point faces (DistanceArc::kMinCosine), plus twice
-    /// the reach and a margin. It is infinite if the point faces no arc.
+    /// the distance to the nearest arc that the point faces (see DistanceArc::kMinCosine), plus
+    /// twice the reach and a margin. It is infinite if the point faces no arc.
     double horizon(double reach) const;
     /// Returns false only if the arc k is certainly farther from the point than the horizon.
     bool is_within(std::size_t k, double horizon) const {
@@ -48,7 +48,7 @@ class ArcView {
         FloatLanes tail, tail_x, tail_y, head, head_x, head_y;             // past_tail, before_head
         FloatLanes twice_along, along_x, along_y, along_curvature, chord;  // FilmFunctions::along
         Lanes lower_bound;  // a lower bound of the distance of the point from the arc
-        Lanes facing;       // the distance itself, or infinity if the point does not face the arc
+        Lanes facing;       // the distance, or infinity if the point does not face the arc
     };
 
     static void evaluate(double x, double y, const ArcBlock& arcs, Block& block);

@@ -9,12 +9,11 @@
 namespace foam::texgen {
 
 /// Returns the distance field of a frame on the pixels of a grid: the ids, the distances, and the
-/// images in `needs`. The distance of a pixel is measured from the arcs of its own bubble only,
-/// because the shortest path to a film crosses no other film.
+/// images in `needs`.
 ///
 /// The result has the same bits for any number of threads. If the grid is shifted, the images are
-/// shifted cyclically (RasterGrid). Throws std::invalid_argument if pixels_per_unit throws it. With
-/// `threads` <= 0, as many threads are used as the hardware runs at once.
+/// shifted cyclically (RasterGrid). Throws std::invalid_argument if the grid is too large or empty,
+/// or if it does not fit the domain (pixels_per_unit).
 DistanceField distance_field(const Frame& frame,
                              const RasterGrid& grid,
                              DistanceNeeds needs,

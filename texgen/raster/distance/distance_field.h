@@ -24,9 +24,9 @@ struct DistanceField {
     /// pixel gets the largest index of these bubbles.
     Image<std::uint32_t> ids;
     /// The distance to the nearest point of a film in pixels, never negative. It is infinite if the
-    /// region of the pixel has no film. The error is at most 1e-6 times the sum of the distance and
-    /// 8 pixels. On a sheared torus, the shear is rounded to a whole number of subpixels, as for
-    /// the ids.
+    /// region of the pixel has no film, as in a patch without bubbles. The error is at most 1e-6
+    /// times the sum of the distance and 8 pixels. On a sheared torus, the shear is rounded to a
+    /// whole number of subpixels, as for the ids.
     Image<float> distance;
     /// The unit vector that points away from the nearest point of a film. It is zero at the center
     /// of a circle and where there is no film.
@@ -36,8 +36,8 @@ struct DistanceField {
     /// smaller than the distance. In a lone bubble of radius R, s = (R² - r²) / (2 R) at a distance
     /// r from its center. In the surroundings of a patch s is the distance.
     Image<float> smooth;
-    /// The gradient of the smooth distance, per pixel. Its length is 1 on films and 0 at the maxima
-    /// of the smooth distance.
+    /// The gradient of the smooth distance, in pixels per pixel. Its length is 1 on films and 0 at
+    /// the maxima of the smooth distance.
     Image<float> smooth_gradient;
 };
 

@@ -20,10 +20,8 @@ namespace foam::texgen {
 
 namespace {
 
-// On a torus, a bubble that is within one band of rows of the unshifted grid is painted immediately
-// after it is traced, so that its boundary is not stored. All other regions, and all regions of a
-// patch, are stored and sorted by the bands of the image that they overlap. They are then painted
-// band by band, each band on one thread.
+// Regions are painted in two phases (README.md): bubbles within one band of rows of the unshifted
+// grid of a torus, by paint_within_bands, and then all other regions, sorted by bands of the image.
 
 // The number of rows of a band, a multiple of RegionField::kTileRows and TorusRegions::kSquare.
 constexpr int kBandRows = 128;
@@ -85,7 +83,8 @@ void put_copies(const Region& region, const RasterGrid& grid, std::int32_t shear
     });
 }
 
-// Returns the copies of all regions, with one bucket per band of the image, in their order.
+// Returns the copies of all regions in one bucket per band of the image, and within a bucket in the
+// order of the regions.
 Buckets<RegionCopy> copies_by_band(std::span<const Region> regions,
                                    const RasterGrid& grid,
                                    std::int32_t shear,
@@ -112,8 +111,9 @@ bool is_within(const Region& region, const RasterGrid& grid, int band) {
 }
 
 // Traces the bubbles of a torus by the bands of rows of the unshifted grid in which they begin, and
-// paints those that are within one band. No other worker paints the same rows, because a shift of
-// the grid moves all bands by the same distance. Returns the regions of all other bubbles.
+// paints those that are within one band. No other worker paints the same rows, because different
+// bands contain different rows, and a shift of the grid moves all bands by the same distance.
+// Returns the regions of all other bubbles.
 std::vector<Region> paint_within_bands(const TorusRegions& regions,
                                        const RasterGrid& grid,
                                        int workers,

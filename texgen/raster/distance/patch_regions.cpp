@@ -114,7 +114,8 @@ Boundary boundary_of(const PixelPatch& pixels, BubbleId bubble) {
     return boundary;
 }
 
-// Returns the region of a bubble, or nullopt if the box around the region is outside the image.
+// Returns the region of a bubble or lone bubble, or nullopt if the box around it is outside the
+// image.
 std::optional<Region> region_of(const PixelPatch& pixels, std::size_t index) {
     const RasterGrid& grid = pixels.grid;
     Region region;

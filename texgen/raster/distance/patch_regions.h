@@ -21,8 +21,7 @@ std::vector<Region> patch_regions(const Frame& frame, const RasterGrid& grid, in
 /// appended. An arc that is nearly straight or has no length has no inner points.
 ///
 /// The points are slightly beyond the arc, on its convex side, so that the chain encloses nearly
-/// the same area as the arc. In any pixel, the areas that the chain and the arc enclose differ by
-/// less than 0.0015 square pixels.
+/// the same area as the arc. README.md gives a bound of the difference.
 void append_chain_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>& points);
 
 }  // namespace foam::texgen

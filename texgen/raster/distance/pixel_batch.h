@@ -76,8 +76,9 @@ class PixelBatch {
 
     /// Computes the distance of each pixel to the nearest point or arc, and its gradient if
     /// `gradient` is true. Only arcs that the pixel faces count: the pixel must be between the
-    /// normals at both ends of the arc. Arcs and points are relative to the middle. Returns false
-    /// if any distance is infinite, because a pixel faces no arc and there are no points.
+    /// normals at both ends of the arc, or at most 0.001 pixels beyond one of them. Arcs and points
+    /// are relative to the middle. Returns false if any distance is infinite, because a pixel faces
+    /// no arc and there are no points.
     bool measure(std::span<const ArcFunctions> arcs, std::span<const Vec2> points, bool gradient);
 
     /// Computes smooth distances and their gradients. If there are no films, or if the smooth

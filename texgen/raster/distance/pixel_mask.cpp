@@ -83,7 +83,7 @@ void for_each_rising_part(const OutlineArc& arc, const Vec2& offset, const Visit
 void PixelMask::reset(int columns, PixelRows rows, bool full) {
     columns_ = columns;
     rows_ = rows;
-    // The last group of rows may extend beyond the mask by up to kRows rows.
+    // The last group of rows may extend beyond the mask by less than kRows rows.
     stride_ = static_cast<std::size_t>(std::max(rows.end - rows.begin, 0)) + kRows;
     const int word_columns = columns / kWordColumns + 1;
     words_.assign(stride_ * static_cast<std::size_t>(word_columns), full ? ~std::uint64_t{0} : 0);
@@ -94,9 +94,9 @@ void PixelMask::reset(int columns, PixelRows rows, bool full) {
     }
 }
 
-// Computes the crossings with the middles of rows in groups of kRows. If the last group extends
-// beyond the arc, the words of the rows beyond it are written back unchanged. Rounding depends only
-// on the film, never on the side, so two neighboring regions compute the same crossings.
+// Computes the crossings with the middles of rows in groups of kRows. If the last group of rows
+// extends beyond the arc, the words of the rows beyond the arc are written back unchanged. Rounding
+// depends only on the film, so two neighboring regions compute the same crossings.
 // NOLINTNEXTLINE(readability-function-size): a vectorized kernel keeps its loops in one function
 void PixelMask::flip_right_of(std::span<const OutlineArc> outline,
                               const Vec2& offset,

@@ -45,7 +45,7 @@ class PixelMask {
     /// Flips the pixels to the right of each arc of an outline. `offset` is the translation, in
     /// whole subpixels, from the coordinates of the outline to those of the box. The point at which
     /// an arc crosses the middle of a row is rounded to the nearest subpixel. If `is_chain` is
-    /// true, the edges of the outline are straight, and the exact crossings are used instead.
+    /// true, all edges of the outline must be straight, and the exact crossings are used instead.
     void flip_right_of(std::span<const OutlineArc> outline, const Vec2& offset, bool is_chain);
 
     /// Returns the 64 pixels of a row from column 64 k on. The lowest bit is the leftmost pixel.

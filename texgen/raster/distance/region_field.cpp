@@ -13,14 +13,15 @@ namespace {
 
 // The largest number of columns and of rows of a region that is measured as one batch.
 constexpr int kMaxBatchSide = 40;
-// A region or a block of tiles with at most this number of arcs is not subdivided to cull arcs.
+// The largest number of arcs of a region that is measured as one batch. In blocks of tiles with
+// more arcs, those that are too far away are dropped.
 constexpr std::size_t kMaxUnculledArcs = 24;
 // A film whose chord is at most this fraction of its distance from the farthest pixel of a batch is
 // ignored in smooth distances. The film would add only about 1e-8 / distance² to the sum of 1/phi²,
 // and its functions could leave the range of floats.
 constexpr double kMinChord = 1e-4;
-// For a circle, whose film has no ends, FilmFunctions::along is a constant. This is twice the
-// constant: so large that every pixel counts as beside the film, not beyond its ends.
+// For a circle, whose film has no ends, FilmFunctions::along is a constant. kNoEnd is twice this
+// constant, which is so large that every pixel counts as beside the film, not beyond its ends.
 constexpr float kNoEnd = 1e15F;
 
 }  // namespace

@@ -15,10 +15,10 @@
 namespace foam::texgen {
 
 /// Computes the distances, gradients and smooth distances of the pixels of regions, in batches. A
-/// small region with few arcs is one batch; any other region is divided into tiles, and each tile
-/// is one batch. A region with many arcs is subdivided recursively, as in a quadtree: for each part
-/// of the region, arcs that are too far away to be the nearest arc of any pixel of the part are
-/// dropped. Buffers are reused between regions.
+/// small region with few arcs is one batch; any other region is subdivided recursively into tiles,
+/// as in a quadtree, and each tile is a batch. Where a part of the region has many arcs, those too
+/// far away to be the nearest arc of any of its pixels are dropped. Buffers are reused between
+/// regions.
 class RegionField {
   public:
     static constexpr int kTileColumns = 16;  // pixels

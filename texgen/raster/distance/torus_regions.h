@@ -16,8 +16,7 @@ namespace foam::texgen {
 /// The bubbles of a frame on a torus, in the coordinates of the unshifted grid. Borrows the frame.
 ///
 /// Bubbles are sorted by the square of the grid in which their first side begins, and films by the
-/// square of their tail, so that bubbles that are traced one after the other share films in the
-/// cache and contain pixels that are close together. Squares are numbered row by row.
+/// square of their tail (README.md tells why). Squares are numbered row by row.
 class TorusRegions {
   public:
     static constexpr int kSquare = 32;  // side of a square, pixels
@@ -45,8 +44,8 @@ class TorusRegions {
     std::int32_t shear() const { return pixels_.shear; }
 
   private:
-    // A half-edge, in the order of films_: twice the index of the film, plus 1 if it is the twin of
-    // the forward side.
+    // A half-edge: twice the index of its film in films_, plus 1 if it is the twin of the forward
+    // side.
     using Side = std::uint32_t;
     // The data of a film that the boundaries on both its sides need, in one cache line. Each array
     // has the value of the forward side first, then the value of its twin.
@@ -54,7 +53,7 @@ class TorusRegions {
         PixelArc arc;                       // of the forward side
         std::array<SubpixelPoint, 2> tail;  // in the fundamental cell
         std::array<Side, 2> next{};         // the next side around the bubble
-        SubpixelPoint offset;               // the film's lattice offset as a translation
+        SubpixelPoint offset;               // lattice offset of the forward side as a translation
     };
     static_assert(sizeof(Film) == 64);
 
