@@ -19,7 +19,7 @@ struct PixelPatch {
 
     /// Converts a position in foam units to pixels.
     Vec2 pixel(const Vec2& position) const { return pixel_in_view(grid, position); }
-    /// Returns the tail and the arc of a half-edge in pixels.
+    /// Returns a half-edge as a side of a loop: its tail and its arc in pixels.
     ArcLoops::Side arc(HalfEdgeId h) const {
         const FilmArc arc = frame.arc(h);
         return {pixel(frame.positions[frame.network.tail(h)]),

@@ -66,9 +66,11 @@ class Boundary {
     /// the outline is not empty.
     Extent extent() const;
 
-    /// Returns the exact arcs for measuring distances, wide arcs in halves (kMinCosine).
+    /// Returns the exact arcs for measuring distances, wide arcs in halves
+    /// (DistanceArc::kMinCosine).
     std::span<const DistanceArc> arcs() const { return arcs_; }
-    /// Returns the exact arcs without halving: one per film.
+    /// Returns the exact arcs without halving, one per film. DistanceArc::corner is not set for the
+    /// first arc of a loop.
     std::span<const DistanceArc> films() const { return films_; }
     std::span<const OutlineArc> outline() const { return outline_; }
 
@@ -78,7 +80,7 @@ class Boundary {
     std::vector<DistanceArc> arcs_;
     std::vector<DistanceArc> films_;
     std::vector<OutlineArc> outline_;
-    std::size_t loop_ = 0;         // index of the first arc of the current loop
+    std::size_t loop_ = 0;         // index in arcs_ of the first arc of the current loop
     Vec2 loop_tangent_{0.0, 0.0};  // tangent at the start of the current loop
     Vec2 head_tangent_{0.0, 0.0};  // tangent at the end of the last arc
 };

@@ -39,8 +39,8 @@ class TorusRegions {
     /// reused.
     void trace(const Start& start, Region& region) const;
 
-    /// Returns the shear in subpixels: the copy of a point that is one period higher is also moved
-    /// to the right by this distance.
+    /// Returns the shear in subpixels: the copy of a point one period above it is also moved to the
+    /// right by this distance.
     std::int32_t shear() const { return pixels_.shear; }
 
   private:

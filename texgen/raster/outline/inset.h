@@ -11,12 +11,12 @@
 namespace foam::texgen {
 
 /// Finds the inset of a region: all points of the region whose distance from every side of the
-/// region is at least a given distance. The offset of a side is the arc at this distance on its
-/// left. The offset of a corner with an inner angle of more than 180 degrees is a circular arc
-/// around the corner. Each offset is cut at its crossings with all other offsets. A piece between
-/// two cuts belongs to the boundary of the inset if and only if its middle has at least the given
-/// distance from all other sides. If FullInset also finds the inset of a loop, both results have
-/// the same bits. Buffers are reused between regions.
+/// region is at least a given distance. The offset of a side is the arc at this distance on the
+/// left of the side. The offset of a corner with an inner angle of more than 180 degrees is a
+/// circular arc around the corner. Each offset is cut at its crossings with all other offsets. A
+/// piece between two cuts belongs to the boundary of the inset if and only if its middle has at
+/// least the given distance from all other sides. If FullInset also finds the inset of a loop, both
+/// results have the same bits. Buffers are reused between regions.
 class InsetTracer {
   public:
     /// Returns the boundary loops of the inset of a region. Both the region and the inset are on
