@@ -26,8 +26,8 @@ constexpr int kWorstRings = 3;         // rings of neighbors around the worst de
 // error at least this share of the largest area error.
 constexpr double kWorstFraction = 0.2;
 
-// Erases bubbles that are no longer in the network. This is a precaution, because the T1 rule
-// removes no bubble.
+// Erases bubbles that are no longer in the network. This is only a precaution: at present,
+// the T1 rule removes no bubble.
 void remove_dead(const Network& network, DefectRegion& region) {
     std::erase_if(region, [&](BubbleId bubble) { return !network.is_live(bubble); });
 }

@@ -14,8 +14,9 @@ namespace foam {
 struct RelaxationOptions {
     int sweeps = 60;          // number of sweeps to make
     double stiffness = 10.0;  // resistance of a bubble to a change of its area, in film tensions
-    // Largest relative motion of the two ends of a film in one move of a junction, in chord lengths
-    // (allowed_fraction).
+    // In one move of a junction, the chord of each film at the junction may become shorter, or its
+    // end move sideways, by at most this fraction of the length of the chord (allowed_fraction in
+    // moves.h).
     double largest_move = 0.33;
     // If true, the relaxation starts from pressures and half angles that are estimated from target
     // areas and chord lengths. If false, it starts from the present pressures and half angles of

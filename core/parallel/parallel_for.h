@@ -11,7 +11,8 @@ namespace foam {
 
 /// Returns the number of threads that `threads` requests: the value itself if it is positive,
 /// otherwise the number of threads that the hardware runs at once. The result is at least 1. Every
-/// `threads` option and argument of the project has this meaning.
+/// `threads` option has this meaning, and every argument `threads` of type int that is not
+/// documented otherwise.
 int thread_count(int threads);
 
 /// Calls body(first, last) for each chunk of [0, count). The chunks are [0, grain), [grain, 2

@@ -165,7 +165,8 @@ void link_borders(FrontPlan& plan) {
                 plan.border_slots[at] = slots[plan.border_rows[at]];
             }
             // Otherwise a separator would not separate.
-            const std::span<const std::uint32_t> of_child = plan.slots_of_border(*child);
+            [[maybe_unused]] const std::span<const std::uint32_t> of_child =
+                plan.slots_of_border(*child);
             assert(std::is_sorted(of_child.begin(), of_child.end()));
         }
     }

@@ -20,7 +20,7 @@ static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it
 // handler may call.
 void take_signal(int signal) {
     constexpr std::string_view kNote =
-        "\nfoamtex: stopping after the current step; a second signal stops at once\n";
+        "\nfoamtex: stopping after the current step; the same signal again stops at once\n";
     stop_signal = signal;
     // If stderr is a pipe without a reader, the write must fail instead of ending the process.
     struct sigaction ignore {};

@@ -13,7 +13,7 @@
 namespace foam::texgen {
 
 std::filesystem::path manifest_path(const std::filesystem::path& path) {
-    std::error_code error;  // reading the file reports what is wrong
+    std::error_code error;  // ignored, since reading the manifest later reports the error
     return std::filesystem::is_directory(path, error) ? path / kManifestName : path;
 }
 

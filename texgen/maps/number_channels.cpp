@@ -31,8 +31,8 @@ Samples samples_of(MapImage map) {
 
 }  // namespace
 
-ChannelGroup number_channels(MapImage map, const ChannelNames& names, SampleType numbers) {
-    const SampleType type = number_type(map, numbers);
+ChannelGroup number_channels(MapImage map, const ChannelNames& names, SampleType type_of_numbers) {
+    const SampleType type = number_type(map, type_of_numbers);
     ChannelGroup group{{}, type, samples_of(std::move(map))};
     const std::string prefix = names.layer.empty() ? "" : std::string(names.layer) + '.';
     std::string_view rest = names.channels;
@@ -43,11 +43,11 @@ ChannelGroup number_channels(MapImage map, const ChannelNames& names, SampleType
     return group;
 }
 
-SampleType number_type(const MapImage& map, SampleType numbers) {
+SampleType number_type(const MapImage& map, SampleType type_of_numbers) {
     if (std::holds_alternative<ColorPixels>(map)) {
         return SampleType::Half;
     }
-    return std::holds_alternative<IdPixels>(map) ? SampleType::Uint32 : numbers;
+    return std::holds_alternative<IdPixels>(map) ? SampleType::Uint32 : type_of_numbers;
 }
 
 Image<float> premultiplied(const ColorPixels& colors) {

@@ -18,12 +18,12 @@ struct ChannelNames {
 };
 
 /// Returns the image of a map as channels of numbers. Colors become half floats: linear light from
-/// 0 to 1, premultiplied by the opacity. Numbers keep their unit and get the sample type `numbers`.
-/// Ids become integers of 32 bits.
-ChannelGroup number_channels(MapImage map, const ChannelNames& names, SampleType numbers);
+/// 0 to 1, premultiplied by the opacity. Numbers keep their unit and get the sample type
+/// `type_of_numbers`. Ids become integers of 32 bits.
+ChannelGroup number_channels(MapImage map, const ChannelNames& names, SampleType type_of_numbers);
 
 /// Returns the sample type of the group that number_channels returns for the same arguments.
-SampleType number_type(const MapImage& map, SampleType numbers);
+SampleType number_type(const MapImage& map, SampleType type_of_numbers);
 
 /// Converts samples of colors to linear light from 0 to 1. If the colors have an opacity, red,
 /// green and blue are multiplied by it.

@@ -12,7 +12,7 @@
 namespace foam::texgen {
 
 std::string charts_script(const RunRecord& run) {
-    return fmt::format("film_tension = {}\n{}", run.film_tension, kChartsScriptText);
+    return fmt::format("film_tension = {}\n{}", run.film_tension, charts_script_text());
 }
 
 ChartStatus draw_charts(const std::filesystem::path& script) {

@@ -6,7 +6,8 @@
 
 namespace foam::texgen {
 
-/// The content of charts.gp, the gnuplot script that draws charts of stats.csv and sides.csv.
-extern const std::string_view kChartsScriptText;
+/// Returns the content of charts.gp, the gnuplot script that draws charts of stats.csv and
+/// sides.csv.
+std::string_view charts_script_text();
 
 }  // namespace foam::texgen

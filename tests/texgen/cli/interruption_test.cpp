@@ -37,7 +37,7 @@ TEST(Interruption, ABakeRecordsItsFramesAndSaysHowToGoOn) {
     const Outcome outcome = stopped_by("INT", folder);
     EXPECT_EQ(outcome.code, 130);
     EXPECT_EQ(outcome.err,
-              "\nfoamtex: stopping after the current step; a second signal stops at once\n"
+              "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
               "foamtex: to continue, run the same command with --resume\n"
               "foamtex: interrupted\n");
     const BakedSet set = newest_set(read_manifest(folder.path()), {}, folder.path());

@@ -12,9 +12,9 @@ namespace foam::texgen {
 namespace {
 
 // Limits on the half angle of a side (at most 60 degrees) and on the angle of the left turn from
-// one side to the next (from 0.06 to 120 degrees). Within these limits, if a point of an offset is
-// too near to the circle of an adjacent side, the nearest point of this circle is on that side, not
-// beyond an end of the side.
+// one side to the next (from 0.06 to 120 degrees). Suppose that the offsets of two successive sides
+// cross exactly once. A point of one offset beyond this crossing is too near to the circle of the
+// other side. Within the limits, the nearest point of this circle is on that side itself.
 constexpr double kMinSideCosine = 0.5;
 constexpr double kMinCornerSine = 1e-3;
 constexpr double kMinCornerCosine = -0.5;
@@ -95,10 +95,11 @@ const ArcLoops* FullInset::trace(std::span<const ArcLoops::Side> loop, double di
 // left. Let c be the length of the chord of the piece, and a and b the absolute curvatures of the
 // piece and of the side. Let t be a fraction of the chord, counted from the end with the distance
 // q. The signed distance of the piece from the offset at this fraction is at least t p + (1 - t) q
-// - t (1 - t) c² (a + b). By the intersecting chords theorem, the last term is an upper bound of
-// the deviations of both circles from their chords. The signed distance is not negative for any t
-// if c² (a + b) <= (sqrt p + sqrt q)². The code compares with p + q + 2 min(p, q), which is at most
-// the right-hand side.
+// - t (1 - t) c² (a + b). The term with a bounds the distance of the piece from its chord
+// (intersecting chords theorem), the term with b the difference between the signed distance of the
+// chord and its linear interpolation. The signed distance is not negative for any t if c² (a + b)
+// <= (sqrt p + sqrt q)². The code compares with p + q + 2 min(p, q), which is at most the
+// right-hand side.
 //
 // The piece of an adjacent side and the offset share one end. The two do not cross again if the
 // other end of the piece is on the left of the offset.
