@@ -38,22 +38,27 @@ std::string tile_line(const VerifiedSet& found) {
         "{}  (step across the border / largest step inside, at most {})", list, kLargestTileRatio);
 }
 
+// Returns the reason why no loop of this period was checked.
+std::string unchecked_loop(int period) {
+    if (period < kShortestLoop) {
+        return fmt::format("not checked: needs a loop of at least {} frames", kShortestLoop);
+    }
+    return fmt::format("not checked: needs frames 1 to {}, unchanged since the bake", period);
+}
+
 std::string loop_line(const VerifiedSet& found) {
     const ManifestLoop& loop = found.set.loop;
     if (loop.period == 0) {
         return loop.description;
     }
     const std::string list = ratios(found, &VerifiedMap::loop);
-    const std::string measured = list.empty() ? fmt::format(
-                                                    "not checked: needs at least {} frames, and "
-                                                    "frames 1 to {} unchanged since the bake",
-                                                    kShortestLoop,
-                                                    loop.period)
-                                              : fmt::format(
-                                                    "{}  (step from last to first frame / largest "
-                                                    "step between frames, at most {:.3g})",
-                                                    list,
-                                                    largest_loop_ratio(loop.period));
+    const std::string measured =
+        list.empty() ? unchecked_loop(loop.period)
+                     : fmt::format(
+                           "{}  (step from last to first frame / largest step between frames, at "
+                           "most {:.3g})",
+                           list,
+                           largest_loop_ratio(loop.period));
     const std::string closing =
         loop.closing_error
             ? fmt::format("; the end of the loop is {:.1e} mean bubble diameters from its start",
