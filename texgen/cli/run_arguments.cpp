@@ -61,14 +61,21 @@ std::vector<Assignment> in_order(std::vector<Assignment> first,
     return first;
 }
 
-void note_unused_keys(const Preset& preset,
-                      const std::vector<Assignment>& assignments,
-                      const RunArguments& arguments) {
+/// Applies the assignments of the command line and `more` to a preset. Unless output is quiet,
+/// notes which keys are without effect among these assignments and `own`, those of the preset
+/// itself.
+Preset assigned(Preset preset,
+                const std::vector<Assignment>& own,
+                const RunArguments& arguments,
+                const std::vector<Assignment>& more) {
+    const std::vector<Assignment> assignments = in_order(assignments_of(arguments), more);
+    assign(preset, assignments);
     if (!arguments.quiet) {
-        for (const std::string& line : unused_keys(preset, assignments)) {
+        for (const std::string& line : unused_keys(preset, in_order(own, assignments))) {
             print_stderr("foamtex: note: {}", line);
         }
     }
+    return preset;
 }
 
 }  // namespace
@@ -108,21 +115,15 @@ Assignment maps_assignment(const std::string& maps) {
 }
 
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more) {
-    Preset preset = load_preset(arguments.preset);
-    const std::vector<Assignment> assignments = in_order(assignments_of(arguments), more);
-    assign(preset, assignments);
-    const std::vector<Assignment> own = is_preset_path(arguments.preset)
-                                            ? own_assignments(arguments.preset)
-                                            : std::vector<Assignment>();
-    note_unused_keys(preset, in_order(own, assignments), arguments);
-    return preset;
+    return assigned(load_preset(arguments.preset),
+                    is_preset_path(arguments.preset) ? own_assignments(arguments.preset)
+                                                     : std::vector<Assignment>(),
+                    arguments,
+                    more);
 }
 
 Preset changed(Preset preset, const RunArguments& arguments, const std::vector<Assignment>& more) {
-    const std::vector<Assignment> assignments = in_order(assignments_of(arguments), more);
-    assign(preset, assignments);
-    note_unused_keys(preset, assignments, arguments);
-    return preset;
+    return assigned(std::move(preset), {}, arguments, more);
 }
 
 std::vector<int> frames_of(const RunArguments& arguments, const Preset& preset) {
