@@ -20,8 +20,8 @@ struct BoilingBubble {
     int birth = 0;
     double area_rise = 0.0;      // largest rise of the target area above `first_area` (area_at)
     double min_area_rise = 0.0;  // Cycle::calm does not reduce area_rise below this area
-    // Where the bubble last vanished. Until it has vanished for the first time, the mean of its
-    // junctions when it was chosen.
+    // The position at which the bubble last vanished. Until it has vanished for the first time, it
+    // is the mean of the bubble's junctions when it was chosen.
     Vec2 last_position{0.0, 0.0};
     // The bubbles between which the bubble last vanished; empty until it has vanished.
     std::set<BubbleIdentity> neighbors{};

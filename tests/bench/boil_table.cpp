@@ -153,8 +153,7 @@ int run(int argc, char** argv) {
     }
     fmt::print(
         "| bubbles | closed | cycles, median / largest | processor time | fewest births per bubble "
-        "| "
-        "T1s per birth |\n|---|---|---|---|---|---|\n");
+        "| T1s per birth |\n|---|---|---|---|---|---|\n");
     for (const int bubbles : sizes.empty() ? std::vector{100, 300, 500, 1000, 2000} : sizes) {
         print_row(bubbles, seeds);
     }

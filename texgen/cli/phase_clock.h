@@ -49,8 +49,8 @@ class PhaseClock {
 
     std::optional<RunProgress> latest_;
     Clock::time_point now_{};  // time of the latest report
-    // Of the present phase: report A, report B and the latest report with further units (see
-    // seconds_per_unit).
+    // The marks of the present phase: report A, report B and the latest report with further units
+    // (see seconds_per_unit).
     std::vector<Mark> marks_;
 };
 

@@ -183,8 +183,7 @@ Keys<PressureOptions> pressure_keys() {
         key("flattening",
             Integers{0, 1000},
             "additional rounds of a wider average that is subtracted, so that the corridors of a "
-            "labyrinth "
-            "are about equally wide; 0 subtracts nothing",
+            "labyrinth are about equally wide; 0 subtracts nothing",
             &Options::flattening)
             .in("rounds"),
         key("exaggeration",
