@@ -24,9 +24,9 @@ namespace foam {
 namespace {
 
 constexpr double kLifeFraction = 0.9;  // part of the cycle in which a boiling bubble is present
-// BoilingBubble::area_rise before Cycle::calm reduces it, and BoilingBubble::min_area_rise, in
-// units of the initial target area of the bubble.
+// Initial value of BoilingBubble::area_rise, in units of the bubble's target area before the boil.
 constexpr double kRiseFraction = 2.5;
+// BoilingBubble::min_area_rise in the same unit.
 constexpr double kMinRiseFraction = 0.12;
 
 // Returns the age at which a bubble vanishes: a number of positions, counted from

@@ -30,8 +30,8 @@ struct BoilingBubble {
 };
 
 /// Chooses the given fraction of the bubbles of a foam, at least one bubble, so that they are far
-/// from each other. The cycle is divided into as many equal parts as bubbles are chosen; in each
-/// part one of them is born, at a random position.
+/// from each other. The cycle, which has `steps` steps, is divided into as many equal parts as
+/// bubbles are chosen. In each part one of the bubbles is born, at a random position.
 std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
                                                   double fraction,
                                                   int steps,

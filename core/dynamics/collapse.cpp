@@ -12,11 +12,12 @@
 #include <vector>
 
 // The T2 process (E8; paper section 3, eq. 3 and Figure 2). The paper removes three-sided bubbles
-// and suggests T1s for bubbles with more sides. Here, of the films of the bubble that can flip, the
-// shortest is flipped; this is repeated until the bubble can vanish. Unlike the T1 rule
-// (core/foam/t1_rule.h), these flips do not depend on forces. The number of flips is limited to
-// twice the number of sides of the bubble. A T2 in a raft of two bubbles would leave no junction. A
-// bubble of such a raft is therefore removed by tearing the film between the two bubbles.
+// and suggests T1s for bubbles with more sides. Here, the bubble's shortest film is flipped, or, if
+// it cannot flip, the shortest of the bubble's films that can. This is repeated until the bubble
+// can vanish. Unlike the T1 rule (core/foam/t1_rule.h), these flips do not depend on forces. The
+// number of flips is limited to twice the number of sides of the bubble. A T2 in a raft of two
+// bubbles would leave no junction. A bubble of such a raft is therefore removed by tearing the film
+// between the two bubbles.
 
 namespace foam {
 
@@ -97,7 +98,7 @@ void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     std::erase_if(foam.lone_bubbles, [&](const LoneBubble& b) { return b.identity == gone; });
 }
 
-// Flips the shortest film of the bubble that can flip. Returns false if none can.
+// Flips the shortest of the bubble's films that can flip. Returns false if no film can flip.
 bool flip_shortest(Foam& foam, BubbleId bubble) {
     std::vector<HalfEdgeId> loop = foam.network.around(bubble);
     std::stable_sort(loop.begin(), loop.end(), [&](HalfEdgeId a, HalfEdgeId b) {

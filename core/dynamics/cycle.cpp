@@ -16,13 +16,13 @@
 #include <optional>
 #include <set>
 
-// At each position of the cycle, a bubble has the target area A (1 + area_amplitude sin 2 pi (t +
-// phase)). A is the target area of the bubble when the Cycle was constructed, and the phase of each
-// bubble is random. The shear strain of the torus is strain * sin 2 pi t, relative to the shear
-// when the Cycle was constructed. Here t is the position divided by the number of steps. A step
-// drives the foam from its present state to these target areas and this shear (state_change.h).
-// After each step, the foam is moved back to its position at the start, because equilibrium does
-// not determine the position.
+// At each position of the cycle, a bubble has the target area
+// A (1 + area_amplitude sin 2 pi (t + phase)). A is the target area that the bubble had when the
+// Cycle was constructed, and the phase of each bubble is random. The shear strain of the torus is
+// strain * sin 2 pi t, relative to the shear that the torus had when the Cycle was constructed.
+// Here t is the position divided by the number of steps. A step drives the foam from its present
+// state to these target areas and this shear (state_change.h). After each step, the foam is moved
+// back to its position at the start, because equilibrium does not determine the position.
 //
 // Boiling bubbles have the target areas of boiling.h instead. A system that is driven periodically
 // either reaches a periodic state or keeps changing. In a sheared suspension, the amplitude of the

@@ -21,8 +21,8 @@ namespace {
 
 // Returns the distance from the middle of the chord to the mean of all points of the arc, divided
 // by half the length of the chord. The result is positive if the mean is on the right of the chord,
-// the side to which an arc with a positive half angle bulges. For a half angle a, the result is 1/a
-// - cot a.
+// the side to which an arc with a positive half angle bulges. For a half angle a, the result is
+// 1/a - cot a.
 double bulge(double half_angle) {
     constexpr double kSmall = 1e-3;  // below this, the next term of the series is under 3e-11
     return std::abs(half_angle) < kSmall ? half_angle / 3.0

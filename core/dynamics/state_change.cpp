@@ -20,7 +20,7 @@ struct LiveDrivenBubble {
     DrivenBubble driven;
 };
 
-// Returns the driven bubbles of the network that have not vanished, in the order of the change.
+// Returns the driven bubbles that are still in the network, in the order of StateChange::driven.
 std::vector<LiveDrivenBubble> live_driven_bubbles(const Foam& foam, const StateChange& change) {
     if (change.empty()) {
         return {};

@@ -43,8 +43,8 @@ void drive(Foam& foam, const StateChange& change, double fraction_of_rest);
 
 /// Returns the largest fraction, at most 1, of the remaining change of target areas that may be
 /// imposed at once. A driven bubble may gain at most three times its target area. It may lose at
-/// most the fraction `largest_loss` of its target area; if this area is at most `vanishing_area`,
-/// it may lose all of it. Lone bubbles set no limit.
+/// most the fraction `largest_loss` of its target area, or all of its target area if this area is
+/// at most `vanishing_area`. Lone bubbles set no limit.
 double max_fraction_of_change(const Foam& foam,
                               const StateChange& change,
                               double largest_loss,

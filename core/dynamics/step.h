@@ -38,8 +38,8 @@ struct StepSummary {
 StepSummary step(Foam& foam, double time, const StepOptions& options);
 
 /// Advances the foam in the same way while a change from outside (E9) is imposed evenly over the
-/// time. The time may be 0; if the change is empty, too, no substep is made. More substeps are made
-/// if the change of an area, or the strain, would be too large for one substep.
+/// time. The time may be 0. If it is 0 and the change is empty, no substep is made. More substeps
+/// are made if the change of an area, or the strain, would be too large for one substep.
 StepSummary step(Foam& foam, double time, const StateChange& change, const StepOptions& options);
 
 }  // namespace foam

@@ -15,8 +15,8 @@ struct TargetAreaSchedule {
 };
 
 /// Returns the target area at `passed`, the fraction of the time that has passed, from 0 to 1. With
-/// t = `passed`, the target area is (from + (to - from) t) (1 + amplitude sin(2 pi (oscillations t
-/// + phase))).
+/// t = `passed`, the target area is
+/// (from + (to - from) t) (1 + amplitude sin(2 pi (oscillations t + phase))).
 double target_at(const TargetAreaSchedule& schedule, double passed);
 
 }  // namespace foam
