@@ -27,14 +27,15 @@ namespace foam {
 
 namespace {
 
-// A step of the whole foam is slow if it leaves more than this share of the residual. Defect
-// regions are then assumed to limit its progress.
+// A step of the whole foam with a new factor is slow if it leaves more than this share of the norm
+// of the residual. Defect regions are then assumed to limit the progress.
 constexpr double kSlowRatio = 0.1;
 // After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
-// Stalls of Newton's method are counted if there are worst regions. At every
-// kGlobalRelaxationPeriod-th counted stall the whole foam is relaxed, at the others only the worst
-// regions. At a stall that is not counted, the whole foam is relaxed.
+// A stall of Newton's method is counted if there are worst regions and defect regions are still
+// solved on their own. At every kGlobalRelaxationPeriod-th counted stall the whole foam is relaxed,
+// at the other counted stalls only the worst regions. At a stall that is not counted, the whole
+// foam is relaxed. Reaching the limit of iterations is treated as a stall.
 constexpr int kGlobalRelaxationPeriod = 4;
 
 // The foam that all rounds work on, and the buffers that they reuse.

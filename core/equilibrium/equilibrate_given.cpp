@@ -45,7 +45,7 @@ double total_area(const Foam& foam) {
 }
 
 Units units_of(const Foam& foam) {
-    if (foam.network.bubble_count() == 0) {  // no film has a length that could be the unit
+    if (foam.network.bubble_count() == 0) {  // no bubbles whose mean area could give the unit
         return {1.0, foam.film_tension};
     }
     const auto bubbles = static_cast<double>(foam.network.bubble_count());

@@ -28,7 +28,7 @@ void for_each_index(std::size_t count, int threads, const Body& body) {
 
 // The derivatives of one film's term in L with respect to its tail, its head, the pressure on its
 // right, and its half angle. The derivatives with respect to tail and head include the polygon
-// terms (E3). The derivative with respect to the pressure on the left of the film is -right.
+// terms (E3). The derivative with respect to the pressure on the left of the film is minus `right`.
 struct FilmGradient {
     Vec2 tail = Vec2::Zero();
     Vec2 head = Vec2::Zero();
@@ -64,7 +64,7 @@ void add(Eigen::VectorXd& r, int row, const Vec2& part) {
     }
 }
 
-// Adds a part of the gradient to a row.
+// Adds a part of the gradient to a row. Does nothing if the row is negative.
 void add(Eigen::VectorXd& r, int row, double part) {
     if (row >= 0) {
         r[row] += part;
