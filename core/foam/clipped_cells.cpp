@@ -110,8 +110,8 @@ Vec2 center_of(const PolygonMesh& mesh, const Cell& cell) {
     return cell_centroid(corners);
 }
 
-// Returns the lengths of the sides of a cell. The key of a side is its direction in the neighboring
-// cell: from its end to its start.
+// Returns the lengths of the sides of a cell. The keys are the sides as the neighboring cells have
+// them, in the opposite direction: from the end to the start of a side.
 std::map<Side, double> reversed_sides(const PolygonMesh& mesh, const Cell& corners) {
     std::map<Side, double> sides;
     for (std::size_t k = 0; k < corners.size(); ++k) {

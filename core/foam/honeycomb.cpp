@@ -26,8 +26,8 @@ int floor_div(int a, int b) {
     return a >= 0 ? a / b : -((b - 1 - a) / b);
 }
 
-// Returns the corners of a hexagon of the given side length. Between corner k and the next corner
-// is the neighbor at step k of neighbor_steps.
+// Returns the corners of a hexagon of the given side length. The neighbor at step k of
+// neighbor_steps is across the side from corner k to the next corner.
 std::vector<CellCorner> hexagon(int column, int row, int columns, int rows, double side) {
     constexpr double kPi = 3.14159265358979323846;
     const double width = std::sqrt(3.0) * side;

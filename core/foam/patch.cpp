@@ -70,8 +70,8 @@ Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
 
 // The outline, scaled to an area of 1 per bubble, in the middle of the torus. Within the outline,
 // the lattice copies of sites do not affect the cells: because the torus is at least twice as wide
-// and at least twice as high as the outline, a copy of a site is never nearer to a point of the
-// outline than the site itself.
+// and at least twice as high as the outline, a copy of a site is never nearer to a point within
+// the outline than the site itself.
 struct PreparedOutline {
     Outline outline;
     Domain domain;
