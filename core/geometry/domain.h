@@ -26,11 +26,11 @@ struct LatticeOffset {
     friend bool operator==(LatticeOffset a, LatticeOffset b) = default;
 };
 
-/// The domain of a foam: a torus, or the plane. The torus is the plane modulo the periods (width,
-/// 0) and (shear, height). Its fundamental cell is the rectangle [0, width) x [0, height) for any
-/// shear. The cell of a lattice offset is the fundamental cell, translated by the offset. If width,
-/// height and shear are 0, the domain is the plane: nothing wraps, and all lattice offsets are
-/// zero.
+/// The domain of a foam: a torus, or the plane. The torus is the plane modulo its two periods, the
+/// vectors (width, 0) and (shear, height). Its fundamental cell is the rectangle
+/// [0, width) x [0, height) for any shear. The cell of a lattice offset is the fundamental cell,
+/// translated by the offset. If width, height and shear are 0, the domain is the plane: nothing
+/// wraps, and all lattice offsets are zero.
 struct Domain {
     double width = 1.0;
     double height = 1.0;

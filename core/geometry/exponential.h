@@ -7,8 +7,8 @@
 #include <limits>
 
 // Exponential functions and logarithms whose results are the same on every machine (see
-// elementary.h). The polynomials are minimax approximations; minimax.py computes their
-// coefficients.
+// elementary.h). The polynomials, E(r) and L(z) in the formulas below, are minimax approximations;
+// minimax.py computes their coefficients.
 
 namespace foam::ieee {
 
@@ -21,8 +21,8 @@ inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 // and a small remainder.
 inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
 
-// Returns exp x: 2^k exp r with |r| <= log(2) / 2 and exp r = 1 + r + r² E(r). Numbers that are too
-// large or too small for a double give infinity or 0.
+// Returns exp x: 2^k exp r with |r| <= log(2) / 2 and exp r = 1 + r + r² E(r). If exp x is too
+// large for a double, returns infinity; if it is too small, returns 0.
 [[gnu::always_inline]] inline double exponential(const TwoDoubles& x) {
     constexpr std::array kExponential = {0x1p-1,
                                          0x1.5555555555557p-3,
@@ -110,7 +110,7 @@ inline double log10(double x) {
 }
 
 /// Returns x^y for x >= 0, with an error below 1 ulp. If a double can represent x^y exactly, the
-/// result is exact, for example for powers of 10. Loops over this function can be vectorized.
+/// result is exact, for example for powers of 10. Loops that call this function can be vectorized.
 [[gnu::always_inline]] inline double pow_of_positive(double x, double y) {
     // Exponents beyond these limits give the same results as the limits: 0, 1 or infinity. The
     // limits prevent an overflow.

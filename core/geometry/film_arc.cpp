@@ -103,8 +103,8 @@ double segment_shape_derivative(double s) {
     return 2.0 / std::sqrt((1.0 - s) * (1.0 + s)) - 2.0 * segment_shape(s) / s;
 }
 
-// Near a straight film, the series of w follows from 2 w = h' and h = segment_shape(s), with s =
-// sin alpha: w = cos alpha segment_shape_derivative(s) / 2. w' is the derivative of this expression
+// Near a straight film, the series of w follows from 2 w = h' and h = segment_shape(sin alpha):
+// w = cos(alpha) segment_shape_derivative(sin alpha) / 2. w' is the derivative of this expression
 // with respect to alpha.
 ArcShape arc_shape(double half_angle) {
     const auto [s, c] = ieee::sincos(half_angle);

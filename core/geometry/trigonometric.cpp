@@ -117,7 +117,8 @@ double acos(double x) {
 
 namespace {
 
-// Returns atan q - q = -q z T(z), z = q², for q in [-1/3, 1/2].
+// Returns atan q - q for q in [-1/3, 1/2], computed as -q z T(z) with z = q². The polynomial T has
+// the coefficients kArctangent.
 double arctangent_bend(double q) {
     constexpr std::array kArctangent = {0x1.5555555555518p-2,
                                         -0x1.99999999914cbp-3,

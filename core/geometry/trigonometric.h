@@ -8,7 +8,8 @@
 #include <numbers>
 
 // Trigonometric functions whose results are the same on every machine (see elementary.h).
-// The polynomials are minimax approximations; minimax.py computes their coefficients.
+// The polynomials, S(z), C(z) and A(z) in the formulas below, are minimax approximations;
+// minimax.py computes their coefficients.
 
 namespace foam::ieee {
 
@@ -72,6 +73,8 @@ ReducedAngle reduced_large(double x);
     return ordered_sum(start.high, start.low + (z * z * polynomial(kCosine, z) - x.high * x.low));
 }
 
+// Returns the sine and the cosine of the original angle of x. The sine is negated if `sign` is
+// negative.
 [[gnu::always_inline]] inline SineAndCosine sine_and_cosine(const ReducedAngle& x, double sign) {
     const double sine = sine_of_small(x.angle).high;
     const double cosine = cosine_of_small(x.angle).high;
@@ -120,7 +123,7 @@ struct Arcsine {
 
 }  // namespace detail
 
-/// Returns sin x and cos x for |x| <= 2^20. Loops over this function can be vectorized.
+/// Returns sin x and cos x for |x| <= 2^20. Loops that call this function can be vectorized.
 [[gnu::always_inline]] inline SineAndCosine sincos_of_moderate(double x) {
     return detail::sine_and_cosine(detail::reduced(magnitude(x)), x);
 }
