@@ -20,7 +20,8 @@ const std::map<std::string, const char*>& rejected_keywords() {
     static constexpr const char* kEnergy =
         "adds an energy that is not supported; the energy of a foam is the length of its films";
     static constexpr const char* kModel =
-        "selects a model that is not supported; only STRING models with the Euclidean metric are";
+        "selects a model that is not supported; only STRING models with the Euclidean metric are "
+        "supported";
     static const std::map<std::string, const char*> rejected_words{
         {"soapfilm", kModel},
         {"simplex_representation", kModel},
@@ -167,11 +168,11 @@ class HeaderReader {
         }
         if (std::abs(periods[2]) > kMaxShear * periods[0]) {
             tokens_.fail(line_,
-                         fmt::format("the x component of the second period must be at most {} "
-                                     "times the width of the torus, {}, not {}",
+                         fmt::format("the x component of the second period is {}; its magnitude "
+                                     "must be at most {} times the width of the torus, which is {}",
+                                     periods[2],
                                      kMaxShear,
-                                     periods[0],
-                                     periods[2]));
+                                     periods[0]));
         }
         header_.domain = {periods[0], periods[3], periods[2]};
     }
@@ -231,7 +232,7 @@ class HeaderReader {
         if (modulus != 0.0 && !(length && method.global)) {
             tokens_.fail(line_,
                          fmt::format("quantity '{}' adds an energy that is not supported; only the "
-                                     "length of all edges is",
+                                     "length of all edges is supported",
                                      name));
         }
         header_.added_tension += modulus;

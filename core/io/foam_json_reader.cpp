@@ -99,10 +99,10 @@ class Reader {
             foam_.domain.shear = item.value(2).number();
         }
         if (std::abs(foam_.domain.shear) > foam_.domain.width) {
-            item.fail(
-                fmt::format("the shear of the torus must be from -{0} to {0}, its width, not {1}",
-                            foam_.domain.width,
-                            foam_.domain.shear));
+            item.fail(fmt::format(
+                "the shear of the torus is {1}, but must be from -{0} to {0} (its width)",
+                foam_.domain.width,
+                foam_.domain.shear));
         }
     }
 
@@ -172,9 +172,10 @@ class Reader {
     BubbleIdentity identity(const JsonItem& item) {
         const auto found = static_cast<BubbleIdentity>(item.integer(0.0, kNoIndex - 1.0));
         if (found >= foam_.next_identity) {
-            item.fail(fmt::format("expected an identity below 'next_identity', {}, found {}",
-                                  foam_.next_identity,
-                                  found));
+            item.fail(fmt::format(
+                "expected an identity below {} (the value of 'next_identity'), found {}",
+                foam_.next_identity,
+                found));
         }
         if (!identities_.insert(found).second) {
             item.fail(fmt::format("duplicate bubble identity {}", found));

@@ -31,8 +31,8 @@ class JsonItem {
     std::size_t size() const { return array().size(); }
     /// Returns an element of a list. Precondition: k < size().
     JsonItem element(std::size_t k) const;
-    /// Returns the number with the index k of an array; the first index is 0. Precondition: k <
-    /// size().
+    /// Returns the number with the index k of an array; the first index is 0.
+    /// Precondition: k < size().
     JsonItem value(std::size_t k) const;
     /// Throws FormatError unless this is an array of the given size.
     void expect_size(std::size_t size) const;

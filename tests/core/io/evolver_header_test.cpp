@@ -95,7 +95,7 @@ TEST(EvolverHeader, RejectsOtherEnergies) {
     const std::string start = "STRING SPACE_DIMENSION 2 TORUS\n";
     const std::string what =
         "a.fe:2: quantity 'q' adds an energy that is not supported; only the length of all edges "
-        "is";
+        "is supported";
     expect_rejected(start + "quantity q energy method circular_arc_length\nvertices", what);
     expect_rejected(start + "quantity q energy method vertex_scalar_integral global\nvertices",
                     what);
@@ -125,7 +125,7 @@ TEST(EvolverHeader, RejectsOtherModels) {
                     "a.fe:3: the top section must contain SPACE_DIMENSION 2; the dimension is 3");
     expect_rejected("SOAPFILM\n",
                     "a.fe:1: SOAPFILM selects a model that is not supported; only STRING models "
-                    "with the Euclidean metric are");
+                    "with the Euclidean metric are supported");
     expect_rejected(
         "STRING\nLAGRANGE 4\n",
         "a.fe:2: LAGRANGE is not supported; must be LINEAR (straight edges) or QUADRATIC (arcs)");

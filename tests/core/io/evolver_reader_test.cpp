@@ -90,10 +90,11 @@ TEST(EvolverReader, ReducesPeriods) {
 }
 
 TEST(EvolverReader, RejectsAShearOfMillionsOfWidths) {
-    expect_rejected("0 2\nvertices",
-                    "1e9 2\nvertices",
-                    "a.fe:4: the x component of the second period must be at most 1000000 times "
-                    "the width of the torus, 3, not 1000000000");
+    expect_rejected(
+        "0 2\nvertices",
+        "1e9 2\nvertices",
+        "a.fe:4: the x component of the second period is 1000000000; its magnitude must be "
+        "at most 1000000 times the width of the torus, which is 3");
 }
 
 TEST(EvolverReader, ReadsTwoSidedBubbles) {

@@ -93,10 +93,10 @@ TEST(FoamJsonReader, RejectsBadValues) {
                     "1, 0.5, 1],",
                     "a.json:14: 'films'[1], value 8: expected an integer from -1000000 to 1000000, "
                     "found 0.5");
-    expect_rejected(
-        "[0, 0.0, 6.0",
-        "[1, 0.0, 6.0",
-        "a.json:18: 'bubbles'[0], value 1: expected an identity below 'next_identity', 1, found 1");
+    expect_rejected("[0, 0.0, 6.0",
+                    "[1, 0.0, 6.0",
+                    "a.json:18: 'bubbles'[0], value 1: expected an identity below 1 (the value of "
+                    "'next_identity'), found 1");
     expect_rejected(
         "\"films\": [", "\"films\": 3, \"old\": [", "a.json:12: 'films': expected an array");
 }
