@@ -9,9 +9,9 @@
 
 namespace foam {
 
-/// The ids whose flag is true, in increasing order, for a range-based for loop. There is one flag
-/// per slot. It is true if the element of the network in this slot is live. Precondition: the flags
-/// outlive the range.
+/// The ids of the live elements of one kind in increasing order, for a range-based for loop. The
+/// vector `live` has one flag per slot, which is true if the element in this slot is live.
+/// Precondition: the vector outlives the range.
 template <class Id>
 class LiveRange {
   public:

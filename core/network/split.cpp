@@ -14,9 +14,9 @@ namespace {
 // The two outer films that the torn film separates on one of its sides. Both are films of the
 // bubble on this side.
 struct TornSide {
-    HalfEdgeId before;          // half-edge of the bubble that arrives at the torn film
-    HalfEdgeId after;           // half-edge of the bubble that leaves the torn film
-    HalfEdgeId ghost_previous;  // half-edge before twin(after) around the ghost
+    HalfEdgeId before;          // arrives at the torn film, with the bubble on its left
+    HalfEdgeId after;           // leaves the torn film, with the bubble on its left
+    HalfEdgeId ghost_previous;  // predecessor of twin(after) in the boundary of the ghost
 };
 
 TornSide torn_side(const Network& network, HalfEdgeId before, HalfEdgeId after) {

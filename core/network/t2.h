@@ -16,18 +16,18 @@ bool can_vanish(const Network& network, BubbleId bubble);
 
 /// The result of a T2: the junction or film that replaces the bubble, and its former neighbors.
 struct Vanished {
-    // The junction where the films at the three corners of a three-sided bubble now meet; kNone
-    // after a two-sided bubble.
+    // The junction where the films at the three corners of a three-sided bubble now meet; kNone if
+    // the bubble had two sides.
     JunctionId junction = kNone<JunctionId>;
-    // The union of the films at the two corners of a two-sided bubble; kNone after a three-sided
-    // bubble.
+    // The union of the films at the two corners of a two-sided bubble; kNone if the bubble had
+    // three sides.
     FilmId film = kNone<FilmId>;
     std::vector<BubbleId> neighbors;  // the bubble across each side, counter-clockwise
 };
 
-/// Removes a bubble by the T2 process (E8; paper Figure 2). Of the three junctions of a three-sided
-/// bubble, the tail of `first(bubble)` remains and is not rebased (Network::rebase). The films
-/// at all three corners then meet at this junction. A two-sided bubble is removed with both its
+/// Removes a bubble by the T2 process (E8; paper Figure 2). A three-sided bubble is replaced by one
+/// of its junctions, the tail of `first(bubble)`: the films at its three corners then meet there.
+/// This junction is not rebased (Network::rebase). A two-sided bubble is removed with both its
 /// junctions, and the films at its two corners become one film. Precondition: can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 

@@ -12,10 +12,10 @@ namespace foam {
 /// Returns a description of the first broken invariant, or nothing if the network is valid. The
 /// invariants, for V junctions, E films and F bubbles, are:
 /// - exactly three half-edges of live films leave each junction;
-/// - next, left, tail, first and outgoing half-edges are consistent (first is not checked for the
-///   ghost);
-/// - the loop around a bubble closes after `sides` half-edges, at least two, and their lattice
-///   offsets add up to zero, so that every bubble is a disc;
+/// - what next(), left(), tail(), first() and outgoing() return is consistent (first() of the ghost
+///   is not checked);
+/// - every bubble has at least two sides; the loop around it closes after sides() half-edges, and
+///   the lattice offsets of these half-edges add up to zero, so that the bubble is a disc;
 /// - no film has the same copy of a bubble on both sides;
 /// - all numbers of sides add up to 2 E, and 3 V = 2 E;
 /// - Euler's relation holds: on a torus V - E + F = 0;
