@@ -11,19 +11,20 @@ namespace foam {
 
 /// Returns the number of threads that `threads` requests: the value itself if it is positive,
 /// otherwise the number of threads that the hardware runs at once. The result is at least 1. Every
-/// `threads` option has this meaning, and every argument `threads` of type int that is not
-/// documented otherwise.
+/// `threads` option has this meaning. Every argument `threads` of type int has it too, unless the
+/// documentation of the function says otherwise.
 int thread_count(int threads);
 
-/// Calls body(first, last) for each chunk of [0, count). The chunks are [0, grain), [grain, 2
-/// grain) and so on; the last one ends at `count`.
+/// Calls body(first, last) for each chunk of [0, count). The chunks are [0, grain),
+/// [grain, 2 * grain) and so on; the last one ends at `count`.
 ///
-/// The calls are made on the caller's thread and on further threads. The total is at most
-/// thread_count(threads), and at most 256. Chunks run in no particular order. The division into
-/// chunks does not depend on the number of threads. So a body that writes only to the elements of
-/// its own chunk gives the same result for any number of threads. Returns when all calls of `body`
-/// have returned. If a call throws, chunks that have not begun are skipped, and the first exception
-/// is rethrown to the caller. `body` may itself call parallel_for. Precondition: grain > 0.
+/// The calls are made on the caller's thread and on further threads. The total number of threads is
+/// at most thread_count(threads), and at most 256. Chunks run in no particular order. The division
+/// into chunks does not depend on the number of threads. So a body that writes only to the elements
+/// of its own chunk gives the same result for any number of threads. Returns when all calls of
+/// `body` have returned. If a call throws, chunks that have not begun are skipped, and the first
+/// exception is rethrown to the caller. `body` may itself call parallel_for.
+/// Precondition: grain > 0.
 void parallel_for(std::size_t count,
                   std::size_t grain,
                   int threads,

@@ -33,9 +33,9 @@ SimdLevel decide_simd_level();
 }  // namespace detail
 
 /// Returns the level in use. This is the highest available level, unless the environment variable
-/// FOAMTEX_SIMD names another level or force_simd_level was called. FOAMTEX_SIMD is read only while
-/// no level has been decided or forced. Throws std::invalid_argument if it is read, is not empty
-/// and names no available level.
+/// FOAMTEX_SIMD names another level or force_simd_level was called. If no level has been decided or
+/// forced before, this function reads FOAMTEX_SIMD. It then throws std::invalid_argument if the
+/// variable is not empty and names no available level.
 inline SimdLevel simd_level() {
     const int level = detail::simd_level.load(std::memory_order_relaxed);
     return level != detail::kUndecided ? static_cast<SimdLevel>(level)
@@ -100,8 +100,8 @@ template <class Kernel>
 /// compiler vectorizes. It is compiled once for each level (only for the baseline if
 /// FOAM_HAS_SIMD_LEVELS is not defined). If it accepts an argument of type
 /// std::integral_constant<SimdLevel, level>, it is called as kernel(level), otherwise as kernel().
-/// It should capture by value: a variable that is captured by reference has an address, so that the
-/// compiler must assume that every store might change it.
+/// It should capture by value: a variable that is captured by reference has an address, so the
+/// compiler must assume that every store might change the variable.
 ///
 /// Precondition: all functions that the kernel calls are defined in the same translation unit, so
 /// that they can be inlined.

@@ -9,10 +9,10 @@
 
 namespace foam {
 
-/// Adds threads to `threads` until there are at least `count`. `start` starts one thread. If it
-/// throws std::system_error or std::bad_alloc, because the system allows no further thread or has
-/// no memory for it, keeps the threads that were started. Returns true if there are then at least
-/// `count` threads.
+/// Adds threads to `threads` until it has at least `count` elements. `start` starts one thread. If
+/// `start` throws std::system_error or std::bad_alloc, because the system allows no further thread
+/// or has no memory for it, this function starts no further thread and keeps those that it has
+/// started. Returns true if `threads` has at least `count` elements in the end.
 bool start_up_to(std::size_t count,
                  std::vector<std::jthread>& threads,
                  const std::function<std::jthread()>& start);
