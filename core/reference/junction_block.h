@@ -22,9 +22,9 @@ using BlockMatrix = Eigen::MatrixXd;
 /// The unknowns are the changes of the pressures of the bubbles, followed by the changes of x and y
 /// of the junction. The number of constraints is the same. The constraints are the areas of the
 /// bubbles, followed by two angles between films of the junction. These are the angles on the left
-/// of the first two half-edges of Network::leaving; the third angle follows from them (paper eq.
-/// 13). On a torus, bubbles at the junction may be periodic copies of one bubble. This bubble
-/// counts once, so that the block has fewer pressures and areas.
+/// of the first two half-edges of Network::leaving; the third angle follows from them (eq. 13). On
+/// a torus, bubbles at the junction may be periodic copies of one bubble. This bubble counts once,
+/// so that the block has fewer pressures and areas.
 ///
 /// In a patch the ghost's pressure and area are left out of the block (paper eq. 15). Each outer
 /// film of the block's bubbles adds one unknown, the change of the film's half angle, and one
@@ -119,7 +119,7 @@ class JunctionBlock {
     JunctionId junction_ = kNone<JunctionId>;
     std::array<BubbleId, 3> bubbles_{};
     std::array<double, 3> targets_{};
-    std::array<double, 3> pressure_units_{};  // divided by the film tension
+    std::array<double, 3> pressure_units_{};  // units of the pressures, divided by film tension
     std::size_t bubble_count_ = 0;
     std::vector<FilmId> outer_films_;
     double tension_ = 1.0;
