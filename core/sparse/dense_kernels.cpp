@@ -156,8 +156,8 @@ struct Kernels {
         }
     }
 
-    // Processes `count` rows from `row` on, at most as many as a vector has lanes. Computes y = L D
-    // column by column, each column from the columns before it. Then computes L from y.
+    // Processes `count` rows from `row` on. Precondition: count ≤ kLanes. Computes the columns of
+    // y = L D one after another, each column from the columns before it. Then computes L from y.
     static void eliminate_strip(const DenseElimination<Real>& elimination, Index row, Index count) {
         Lanes y[size(kMaxDirectColumns)];
         for (Index col = 0; col < elimination.pivots; ++col) {

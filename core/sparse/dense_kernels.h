@@ -35,11 +35,11 @@ struct DenseProduct {
     std::ptrdiff_t target_stride = 0;
 };
 
-/// The operands of an elimination that overwrites the matrix A in `target` with L, where A = L D
-/// Uᵀ. A and L are rows × pivots. U is a unit lower triangular matrix of `pivots` rows, and D is
-/// diagonal. `triangle` holds D on its diagonal and U below it, as in a factored panel
-/// (factor_panel). `triangle` and `target` are column-major. Precondition: pivots ≤
-/// kMaxDirectColumns.
+/// The operands of an elimination that overwrites the matrix A in `target` with the matrix L, where
+/// A = L D Uᵀ. A and L are rows × pivots. U is a unit lower triangular matrix of `pivots` rows, and
+/// D is diagonal. `triangle` holds D on its diagonal and U below it, as in a factored panel
+/// (factor_panel). `triangle` and `target` are column-major.
+/// Precondition: pivots ≤ kMaxDirectColumns.
 template <class Real>
 struct DenseElimination {
     std::ptrdiff_t rows = 0;

@@ -13,10 +13,10 @@
 namespace foam {
 
 // Nested dissection is a recursion on ranges of the order of elimination. The nodes of a range form
-// a subgraph. PartDivider assigns the nodes of a range to two zones and a separator. The
-// range is then sorted into low zone, high zone and separator. Both zones are dissected one after
-// the other, or by different threads if the range is large. Each leaf and each separator becomes a
-// DissectionPart; these are collected in postorder.
+// a subgraph. PartDivider assigns the nodes of a range to two zones, Low and High, and a separator.
+// The range is then sorted: first the nodes of Low, then the nodes of High, then the separator. The
+// two zones are dissected one after the other, or by different threads if the range is large. Each
+// leaf and each separator becomes a DissectionPart; these parts are collected in postorder.
 
 namespace {
 
@@ -48,7 +48,7 @@ class Dissector {
           memory_(memory),
           divider_(graph, nodes, domain, options, memory.division) {}
 
-    // Dissects all nodes. The last element of `parts` is then the root.
+    // Dissects all nodes. The last element of `parts` is then the root of the tree.
     void dissect_all(int threads) {
         dissect({0, memory_.order.size(), divider_.box_of_all()}, threads);
     }
@@ -65,7 +65,7 @@ class Dissector {
     };
     using PartIndices = std::pair<std::size_t, std::size_t>;
 
-    // Dissects a range and returns the index in `parts` of the root of its tree.
+    // Dissects a range: appends its tree to `parts`. Returns the index of the tree's root.
     std::size_t dissect(const Range& range, int threads) {
         const auto [begin, end, box] = range;
         const Nodes part = Nodes(memory_.order).subspan(begin, end - begin);

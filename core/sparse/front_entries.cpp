@@ -14,8 +14,8 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 
 // Calls action(entry, column, row) for each entry of the matrix. `entry` is the index of the entry
-// in storage order; `column` and `row` ≥ `column` are its column and row in the order of
-// elimination.
+// in storage order. `column` and `row` are its column and its row in the order of elimination, with
+// row ≥ column.
 template <class Action>
 void each_entry(const Matrix& lower, const FrontPlan& plan, const Action& action) {
     std::size_t entry = 0;

@@ -14,11 +14,11 @@
 namespace foam {
 
 // Symbolic factorization. Each part of the dissection becomes a front. The border of a front
-// consists of the neighbors of its nodes and of the borders of its children, as far as they are
-// later in the order of elimination than its own nodes. One pass in postorder therefore finds all
-// borders. Then three more steps follow. The workspace is laid out. Each row of a border gets its
-// slot in the parent front (FrontPlan::write_slots). Each entry of the matrix gets its index in a
-// panel.
+// consists of nodes that come after the front's own nodes in the order of elimination: the later
+// ones among the neighbors of its own nodes, and the later ones in the borders of its children. One
+// pass in postorder therefore finds all borders. Three more steps follow: the workspace is laid
+// out, each row of a border gets its slot in the parent front (FrontPlan::write_slots), and each
+// entry of the matrix gets its index in a panel.
 
 namespace {
 
@@ -164,7 +164,8 @@ void link_borders(FrontPlan& plan) {
                 const std::size_t at = child->border_begin + k;
                 plan.border_slots[at] = slots[plan.border_rows[at]];
             }
-            // Otherwise a separator would not separate.
+            // All rows of the child's border are rows of `front`, so their slots increase.
+            // Otherwise, a separator would not separate its two sides.
             [[maybe_unused]] const std::span<const std::uint32_t> of_child =
                 plan.slots_of_border(*child);
             assert(std::is_sorted(of_child.begin(), of_child.end()));

@@ -107,9 +107,10 @@ void PartDivider::separate_halves(Nodes part) {
 }
 
 // Assigns the half of the part with the lower coordinates to Low and the other half to High.
-// Returns the coordinate of the border. Coordinates are taken relative to the middle of the box and
-// wrapped on a torus to at most half a period on either side, so that a node slightly beyond an
-// edge of the box stays near that edge. A coordinate that is not finite is replaced by the middle.
+// Returns the coordinate of the border between the halves. Coordinates are taken relative to the
+// middle of the box. On a torus, they are wrapped to at most half a period on either side of the
+// middle, so that a node slightly beyond an edge of the box stays near that edge. A coordinate that
+// is not finite is replaced by the middle.
 double PartDivider::split_at_median(Nodes part, const PartBox& box, Eigen::Index axis) {
     std::vector<double>& keys = memory_.keys;
     const double middle = 0.5 * (box.low[axis] + box.high[axis]);
@@ -148,9 +149,9 @@ void PartDivider::refine(Nodes part, int rows) {
     assign(near, zones);
 }
 
-// Moves the nodes of a part without a number, which graph_of_near represents by two nodes, into the
-// zones to which refinement has moved these two nodes. `low` is the new zone of the nodes in Low,
-// `high` that of the nodes in High.
+// Sets the zones of those nodes of a part that have no number. Refinement does not see these nodes
+// one by one: in its graph (graph_of_near), one node represents all of them in Low, and another
+// node all of them in High. `low` and `high` are the zones of these two nodes after refinement.
 void PartDivider::move_rest(Nodes part, Zone low, Zone high) {
     for (const std::uint32_t node : part) {
         if (memory_.part_indices[node] == DivisionMemory::kNotInPart) {
@@ -195,7 +196,7 @@ void PartDivider::divide_by_graph(Nodes part) {
     assign(part, bisect(graph_of(part)));
 }
 
-// Returns the graph of the nodes of a part, numbered in their order, without edges to other nodes.
+// Returns the graph of a part: its nodes, numbered in their order, and the edges between them.
 WeightedGraph PartDivider::graph_of(Nodes part) {
     number(part);
     WeightedGraph graph;

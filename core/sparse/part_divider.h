@@ -18,8 +18,8 @@
 
 namespace foam {
 
-/// A rectangle around the nodes of a part. A few nodes may be slightly outside of the rectangle,
-/// because it ends at a median coordinate from which the separator deviates.
+/// A rectangle around the nodes of a part. A few nodes may be slightly outside: a side of the
+/// rectangle is at a median coordinate, but the separator there does not follow a straight line.
 struct PartBox {
     Vec2 low;
     Vec2 high;
