@@ -16,8 +16,8 @@ namespace {
 constexpr int kCurrentWaves = 6;
 constexpr int kPathSteps = 8;  // steps of the Runge-Kutta method along a path
 
-// A wave of the velocity field at one moment. Its velocity at a point is amplitude * cos(vector .
-// point + phase).
+// A wave of the velocity field at one moment. Its velocity at a point is
+// amplitude * cos(dot(vector, point) + phase).
 struct VelocityWave {
     Vec2 amplitude;
     Vec2 vector;

@@ -32,7 +32,7 @@ class Current {
   private:
     double strength_;
     std::vector<PeriodicWave> waves_;
-    std::vector<int> directions_;  // of travel, 1 or -1 for each wave
+    std::vector<int> directions_;  // direction of travel of each wave: 1 or -1
 };
 
 }  // namespace foam::texgen

@@ -6,8 +6,9 @@
 
 namespace foam::texgen {
 
-// The arc from one point through a second point to a third point has a simple half angle: the angle
-// by which the path along the two chords turns left at the second point (inscribed angle theorem).
+// The arc from one point through a second point to a third point has a half angle that is easy to
+// compute: it equals the angle by which the path along the two chords turns left at the second
+// point (inscribed angle theorem).
 Frame displaced(Frame frame,
                 const Indexed<JunctionId, Vec2>& of_junctions,
                 const Indexed<FilmId, Vec2>& of_middles) {

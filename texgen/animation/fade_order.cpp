@@ -46,8 +46,8 @@ FadeOrder::FadeOrder(const Options& options)
            .seed = options.seed})) {}
 
 std::vector<double> FadeOrder::ranks(const Frame& frame, const Vec2& displacement) const {
-    // Each wave has a mean square of 1/2, so the standard deviation of the sum is sqrt(kOrderWaves
-    // / 2).
+    // Each wave has a mean square of 1/2, so the standard deviation of the sum of all waves is
+    // sqrt(kOrderWaves / 2).
     const double steepness = kLogisticSteepness / std::sqrt(0.5 * kOrderWaves);
     std::vector<double> ranks;
     for (const BubbleId bubble : frame.network.bubbles()) {

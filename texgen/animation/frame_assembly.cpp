@@ -49,7 +49,7 @@ void carry(const Current& current, double progress, DrawnState& state) {
 }
 
 // Moves two frames towards each other, so that bubbles that are in both are at about the same
-// places. The frame `out`, which fades out, moves by the fraction `passed` of the distance, the
+// positions. The frame `out`, which fades out, moves by the fraction `passed` of the distance, the
 // frame `in` by the remaining fraction.
 void move_together(double passed,
                    std::shared_ptr<const Frame>& out,
@@ -158,8 +158,9 @@ void FrameAssembly::emit(const Request& request) {
     on_frame_(frame);
 }
 
-// Adds the foam that fades in. Bubbles that are in both foams are moved to common places, and each
-// of them is replaced at once; all other bubbles grow.
+// Adds the foam that fades in. Bubbles that are in both foams (displacements_of_shared) are moved
+// to about the same positions. Each of them is replaced in one step, when its growth would be half
+// complete. All other bubbles grow.
 void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame) const {
     const ShownStates& shown = request.shown;
     const double passed = shown.fade_progress;

@@ -105,10 +105,10 @@ void History::average_values(const Foam& foam) {
     approach(record_.averages.mean_area, present.mean_area);
 }
 
-// A cycle of n frames changes an average from v to c + k v, where k = (1 - weight)^n and c depends
-// only on the values in the cycle. After infinitely many cycles, v = c / (1 - k). The averages of a
-// bubble that was born in the cycle depend only on the values since its birth. They are not
-// changed.
+// A cycle of n frames changes an average from v to c + k v, where k = (1 - weight)^n, with the
+// weight of average_values, and c depends only on the values in the cycle. After infinitely many
+// cycles, v = c / (1 - k). The averages of a bubble that was born in the cycle depend only on the
+// values since its birth. They are not changed.
 void History::close_averages(const FoamRecord& start, int frames) {
     if (smoothing_ == 0.0) {
         return;

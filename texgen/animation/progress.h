@@ -9,7 +9,8 @@ namespace foam::texgen {
 
 /// The phases of a long run, in the order in which they occur. Each phase counts its progress in a
 /// unit of its own. The phases before Ranges prepare the first frame. If a run has the phase
-/// Ranges, they occur once before Ranges and once more before Frames.
+/// Ranges, the phases that prepare the first frame occur twice: before Ranges and again before
+/// Frames.
 enum class Phase {
     Seeding,      // places the bubbles of the first foam; counts nothing
     Equilibrium,  // brings the first foam to equilibrium; counts nothing
@@ -28,8 +29,9 @@ struct RunProgress {
     Phase phase = Phase::Frames;
     int done = 0;   // number of units of the phase that are done
     int total = 0;  // number of units of the phase; 0 if unknown
-    // LoopClosing: the closing error of the preceding cycle, or after the last step of a cycle the
-    // closing error of this cycle (Simulation::closing_error); may be infinite.
+    // LoopClosing: the closing error of the latest cycle that is complete
+    // (Simulation::closing_error). It may be infinite, and is nullopt until the first cycle is
+    // complete.
     std::optional<double> measure = {};
     int cycle = 0;             // LoopClosing: number of the cycle, from 1
     int frame = 0;             // number of the frame that was done last; 0 if there is none

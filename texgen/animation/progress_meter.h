@@ -26,10 +26,11 @@ class ProgressMeter {
     void add(const SimulatedFrame& shown);
 
     /// Returns a callback for the simulation (simulate_frames.h) whose frames this meter counts.
-    /// Until the phase of the meter begins, it passes the reports of the simulation to the callback
-    /// of the meter. Afterwards, at each report of the simulation, it repeats the last report of
-    /// the meter, so that the callback of the meter can stop the run between two frames, too, by
-    /// throwing. The meter must outlive the returned callback.
+    /// Until the phase of the meter begins, the returned callback passes the reports of the
+    /// simulation to the callback of the meter. Afterwards, at each report of the simulation, the
+    /// returned callback repeats the last report of the meter. The callback of the meter can
+    /// therefore stop the run, by throwing, also between two frames. The meter must outlive the
+    /// returned callback.
     ProgressCallback for_source();
 
   private:

@@ -31,8 +31,9 @@ struct RunOutcome {
 /// A source of frames: calls the visitor for each of the frames with the given numbers, in the
 /// order of FrameAssembly, and returns how the run ended. The progress callback receives the phases
 /// from Seeding to States; from a source that reads a cache, only the phase States. The phase
-/// States is reported before each state but the first, even after the first frame has been passed
-/// to the visitor.
+/// States is reported before every state except the first. The reports continue after the first
+/// frame has been passed to the visitor, although States is otherwise the phase before the first
+/// frame (progress.h).
 using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
                                              NextFrames next_frames,
                                              const FrameVisitor&,

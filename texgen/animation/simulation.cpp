@@ -147,8 +147,9 @@ double Simulation::loop_progress() const {
 // Runs cycles, at most loop_.cycles, until a cycle closes: its closing error is below kClosed, and
 // Cycle::repeats returns true. In a boil, two cycles in a row must close: the closing error does
 // not compare the flags of films that have flipped (Foam::t1_armed), so the T1s of the next cycle
-// may still differ after one cycle has closed. In a boil, weakens the change after each cycle that
-// does not close (Cycle::calm).
+// may still differ after one cycle has closed. After each cycle of a boil that does not close,
+// restless bubbles are made to oscillate less, and the boiling bubbles nearest to them are made to
+// grow less (Cycle::calm).
 //
 // Returns false if the loop does not close or if a step finds no equilibrium. The cycles before the
 // last one are transients: some of their T1s and T2s do not recur. The last step of each cycle is

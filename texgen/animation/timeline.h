@@ -30,8 +30,8 @@ class Timeline {
     /// increasing order.
     StateChange changes_to(int frame, Foam& foam);
 
-    /// Returns, for each event, the number of bubbles that it was to choose or create so far, but
-    /// that did not exist or could not be created.
+    /// Returns, for each event, the number of missing bubbles: bubbles that the event should have
+    /// chosen or created by now, but that did not exist or could not be created.
     std::vector<int> missing_bubbles() const;
 
     /// Sets the view of a patch. The positions of events are fractions of this view. Without a
