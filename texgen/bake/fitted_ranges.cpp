@@ -24,12 +24,13 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMeasuredSide = 512;  // wanted length of the longer side of reduced images, pixels
-constexpr double kMargin = 1.01;    // for peaks between the pixels of the reduced images
+constexpr double kMargin =
+    1.01;  // factor that allows for peaks between the pixels of the reduced images
 
-// A map with an automatic range, and its largest absolute value so far.
+// A map with an automatic range, and the largest absolute value of its numbers so far.
 struct MeasuredMap {
     const Map* map = nullptr;
-    double largest = 0.0;  // largest absolute value, divided by the end of the present range
+    double largest = 0.0;  // largest absolute value, divided by the upper end of the range
 };
 
 std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
