@@ -39,9 +39,9 @@ constexpr const char* kCompareExamples = R"(Examples:
   foamtex compare a.png b.png --fail-angle 0.5 --hard-fail 0.8 --fail-percent 0.001
 Samples of a PNG are compared as numbers from 0 to 1, samples of an EXR as stored. The difference
 of a pixel is the largest difference of its samples. In folders, manifests and sequences without
---frames, an image that exists on one side only is a failure. A file of tolerances has a table of
-limits per map, such as [normal], and [default]; the keys are the names of the options with _ for -,
-such as fail_percent. Options override the file.
+--frames, an image that exists only in A or only in B is a failure. A file of tolerances has a table
+of limits per map, such as [normal], and [default]; the keys are the names of the options with _ in
+place of -, such as fail_percent. Options override the file.
 Exit codes: 0 same, 1 warning, 2 failure, 3 different size or channels, 4 unreadable,
   5 an output could not be written, 64 bad command line or tolerances, 70 internal failure)";
 

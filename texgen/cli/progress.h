@@ -65,7 +65,7 @@ class ProgressReporter {
     bool has_color_;
     PhaseClock clock_;
     PhaseClock::Clock::time_point begin_ = PhaseClock::Clock::now();
-    PhaseClock::Clock::time_point now_ = begin_;  // of the latest report
+    PhaseClock::Clock::time_point now_ = begin_;  // time of the latest report
     PhaseClock::Clock::time_point last_print_ = begin_;
     RunProgress latest_;
     bool has_printed_ = false;

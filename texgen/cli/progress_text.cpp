@@ -124,7 +124,7 @@ std::string progress_json(const RunProgress& progress,
 }
 
 std::string long_duration(double seconds) {
-    constexpr double kMinutesAsHours = 90.0;  // from here on, hours are easier to read
+    constexpr double kMinutesAsHours = 90.0;  // durations from here on are printed in hours
     const double minutes = std::ceil(seconds / 60.0);
     if (minutes >= kMinutesAsHours) {
         return fmt::format("{:.1f} hours", std::ceil(minutes / 6.0) / 10.0);
