@@ -33,7 +33,7 @@ void note_other_version(const CacheInfo& cache, const std::filesystem::path& fol
 void note_open_loop(const Preset& preset, std::span<const int> frames);
 
 /// Prints a note on stderr if events of the preset begin after its last frame and after the last of
-/// the given frames, so that they never happen. Precondition: there is a frame.
+/// the given frames, so that they never happen. Precondition: `frames` is not empty.
 void note_late_events(const Preset& preset, std::span<const int> frames);
 
 /// Prints a warning on stderr for each event of the preset that was to choose bubbles that did not
@@ -44,16 +44,16 @@ void warn_of_missing_bubbles(const Preset& preset, const RunOutcome& outcome);
 /// a folder. If the folder does not exist, the disk of the nearest existing folder above it counts.
 void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder);
 
-/// Returns a text that says how much memory a run needs, given the estimated number of bytes, and
-/// what to lower.
+/// Returns the part of a message that says how much memory a run needs, and which option and keys
+/// the user can lower so that it needs less. `bytes` is an estimate of the memory.
 std::string memory_needed(std::uint64_t bytes);
 
 /// Prints a warning on stderr if a run that needs the given number of bytes needs more memory than
 /// is available.
 void warn_of_little_memory(std::uint64_t bytes);
 
-/// Prints a warning on stderr for each element of `replaced`: a bake of the preset replaces files
-/// of this set of images.
+/// Prints a warning on stderr for each element of `replaced`. The warning says that a bake of the
+/// preset replaces files of this set of images, and how to keep both.
 void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced, const Preset& preset);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the

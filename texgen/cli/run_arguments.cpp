@@ -61,9 +61,9 @@ std::vector<Assignment> in_order(std::vector<Assignment> first,
     return first;
 }
 
-/// Applies the assignments of the command line and `more` to a preset. Unless output is quiet,
-/// notes which keys are without effect among these assignments and `own`, those of the preset
-/// itself.
+/// Applies the assignments of the command line and `more` to a preset. `own` are the assignments in
+/// the file of the preset, which have been applied already. Unless output is quiet, prints a note
+/// for each key that any of these assignments sets without effect (unused_keys).
 Preset assigned(Preset preset,
                 const std::vector<Assignment>& own,
                 const RunArguments& arguments,

@@ -46,13 +46,14 @@ Assignment maps_assignment(const std::string& maps);
 
 /// Returns the preset that the arguments name, after assignments in this order: every `--set`, the
 /// other options that set a key, and `more`. Later assignments override earlier ones. Throws
-/// PresetError if the preset is missing or invalid, or if a value is not allowed. Prints a note on
-/// stderr for each key that an assignment, or the file of the preset, sets without effect
-/// (unused_keys).
+/// PresetError if the preset is missing or invalid, or if a value is not allowed. Unless -q is
+/// given, prints a note on stderr for each key that an assignment, or the file of the preset, sets
+/// without effect (unused_keys).
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});
 
 /// Returns the given preset after the same assignments as in preset_of. Throws PresetError if a
-/// value is not allowed. Prints a note on stderr for each key that is assigned without effect.
+/// value is not allowed. Unless -q is given, prints a note on stderr for each key that is assigned
+/// without effect.
 Preset changed(Preset preset,
                const RunArguments& arguments,
                const std::vector<Assignment>& more = {});

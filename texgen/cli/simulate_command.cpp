@@ -40,8 +40,8 @@ struct SimulateArguments {
     bool force = false;
 };
 
-/// Throws std::invalid_argument if a folder contains the cache of another simulation, and the
-/// exceptions of read_info if its cache.json is malformed.
+/// Throws std::invalid_argument if a folder contains the cache of another simulation. Throws the
+/// exceptions of read_info if the cache.json in the folder is malformed.
 void check_same_foam(const std::string& folder, const Preset& preset) {
     if (!is_cache(folder)) {
         return;
@@ -85,8 +85,8 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
             return simulate_into_cache(preset, options, arguments.cache, reporter.callback());
         } catch (const Interrupted&) {
             print_stderr(
-                "foamtex: the cache is incomplete; to simulate it again from the start, run the "
-                "same command");
+                "foamtex: the cache is incomplete; to simulate the foam again from the start, run "
+                "the same command");
             throw;
         }
     }();

@@ -26,6 +26,8 @@ class NoBrokenPipeSignal {
     }
 
     ~NoBrokenPipeSignal() {
+        // Removes a pending SIGPIPE, which would otherwise end the process when the signal is
+        // unblocked.
         constexpr timespec kNoWait{};
         while (sigtimedwait(&broken_pipe_, nullptr, &kNoWait) < 0 && errno == EINTR) {
         }

@@ -26,7 +26,8 @@ void open_missing_streams();
 void write_stderr(std::string_view text) noexcept;
 
 /// Writes a text to stderr, or drops it if writing would block, because the buffer of a pipe is
-/// full or a terminal is stopped. Precondition: the text has less than 4096 bytes.
+/// full or a terminal is stopped. Precondition: the text has fewer than 4096 bytes (PIPE_BUF),
+/// which any pipe that is ready for writing can store.
 void write_stderr_without_waiting(std::string_view text) noexcept;
 
 /// Formats a message and writes it to stderr as one line that a terminal shows without interpreting

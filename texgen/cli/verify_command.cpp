@@ -60,11 +60,13 @@ void add_verify_command(CLI::App& app, Action& action) {
         ->required()
         ->option_text(" ");
     add_set_options(*command, arguments->set);
-    command->add_flag("--all", arguments->all, "Check older images of the same preset, too")
+    command->add_flag("--all", arguments->all, "Check older images of each preset, too")
         ->option_text(" ");
     add_json_option(*command, arguments->json);
     CLI::Option* const quiet = add_quiet_option(
-        *command, arguments->quiet, "Print only errors, and --json; the exit code is the result");
+        *command,
+        arguments->quiet,
+        "Print only errors and, with --json, the report; the exit code is the result");
     add_progress_option(*command, arguments->progress)->excludes(quiet);
     command->footer(kVerifyExamples);
     command->callback(

@@ -11,7 +11,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Escapes a text for single quotes and for the specifications that _arguments and _describe read.
+// Escapes a text for single quotes and for the specifications that the functions _arguments and
+// _describe of zsh read.
 // In these specifications square brackets, colons and backslashes have a special meaning.
 std::string zsh_escaped(std::string_view text) {
     std::string result;
@@ -28,9 +29,9 @@ std::string zsh_escaped(std::string_view text) {
     return result;
 }
 
-// Returns the action of a specification of _arguments that offers the values, and also files if
-// `or_files` is true. `key_function` is the name of the shell function that completes keys and
-// their values.
+// Returns an action for _arguments: the last part of a specification, which offers the values. If
+// the values are of the kind Words and `or_files` is true, the action also offers files.
+// `key_function` is the name of the shell function that completes keys and their values.
 std::string zsh_action(const Values& values, bool or_files, const std::string& key_function) {
     switch (values.kind) {
         case ValueKind::List:
