@@ -123,7 +123,8 @@ void check_choice(const EventCheck& check, bool may_choose_all) {
             check.qualified_reason(
                 "bubble",
                 ": ",
-                fmt::format("must be below {}, the number of bubbles; there is no bubble {}",
+                fmt::format("must be below {}, the sum of foam.bubbles and the bubbles that events "
+                            "create; there is no bubble {}",
                             check.setting.identities,
                             bubble)));
     }

@@ -24,10 +24,10 @@ struct ForceOptions {
 Keys<ForceOptions> force_keys();
 void check_force(const EventCheck& check, const ForceOptions& options);
 
-/// Adds the push, divided by the number of frames of the event, to the change of this step. The
-/// push displaces the junctions around a center. The center starts at the position `at` and moves
-/// along with the push from frame to frame. The timeline calls this function once for each frame of
-/// the event.
+/// Adds the push, divided by the number of frames of the event, to context.change. The push
+/// displaces the junctions around a center. The center starts at the position `at` and moves along
+/// with the push from frame to frame. The timeline calls this function once for each frame of the
+/// event.
 void advance_force(const EventBase& event, const ForceOptions& options, EventContext& context);
 
 }  // namespace foam::texgen

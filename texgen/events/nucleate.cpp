@@ -24,8 +24,8 @@ Keys<NucleateOptions> nucleate_keys() {
                 .in("square foam units"),
             key("growth",
                 Integers{1, kLastEventFrame},
-                "number of frames in which a new bubble grows to its area; several bubbles start "
-                "evenly over the frames of the event",
+                "number of frames in which a new bubble grows to its area; several new bubbles "
+                "appear evenly over the frames of the event",
                 &Options::growth)
                 .in("frames")};
 }

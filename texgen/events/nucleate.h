@@ -26,7 +26,7 @@ Keys<NucleateOptions> nucleate_keys();
 void check_nucleate(const EventCheck& check, const NucleateOptions& options);
 
 /// Creates the bubbles that are to appear in the step to the context's frame, and schedules their
-/// growth to options.area. A bubble that cannot be created is left out.
+/// growth to options.area. A bubble that cannot be created is counted in context.missing.
 void advance_nucleate(const EventBase& event,
                       const NucleateOptions& options,
                       EventContext& context);

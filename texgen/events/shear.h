@@ -20,8 +20,8 @@ struct ShearOptions {
 Keys<ShearOptions> shear_keys();
 void check_shear(const EventCheck& check, const ShearOptions& options);
 
-/// Adds the strain divided by the number of frames of the event to the change of this step. The
-/// timeline calls this function once for each frame of the event.
+/// Adds the strain, divided by the number of frames of the event, to context.change. The timeline
+/// calls this function once for each frame of the event.
 void advance_shear(const EventBase& event, const ShearOptions& options, EventContext& context);
 
 }  // namespace foam::texgen

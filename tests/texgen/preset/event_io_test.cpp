@@ -64,7 +64,8 @@ TEST(EventIo, ALoneBubbleNeedsNoList) {
 TEST(EventIo, RejectsBubblesThatCannotExist) {
     const std::string collapse = "[[event]]\nkind = \"collapse\"\nframe = 9\nbubble = [3, 80]\n";
     EXPECT_EQ(failure("[foam]\nbubbles = 80\n" + collapse),
-              "a.toml:6: key 'event[1].bubble' = [3, 80]: must be below 80, the number of bubbles; "
+              "a.toml:6: key 'event[1].bubble' = [3, 80]: must be below 80, the sum of "
+              "foam.bubbles and the bubbles that events create; "
               "there is no bubble 80");
     // Bubbles that an event creates have the next identities.
     const std::string nucleate =
