@@ -19,7 +19,8 @@ namespace foam::texgen {
 namespace {
 
 // Three components of a color, which is not premultiplied, and an opacity. The color is the mean
-// color of the pixels that the texel covers, and the opacity is the sum of their opacities.
+// color of the pixels that the texel covers, weighted by opacity. The opacity is the sum of the
+// opacities of these pixels.
 using Texel = std::array<float, 4>;
 
 struct Level {

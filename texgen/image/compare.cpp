@@ -47,7 +47,7 @@ void visit_differences(const Picture& a, const Picture& b, const Visit& visit) {
     }
 }
 
-/// The limits of the difference of a sample.
+/// The limits above which the difference of one sample counts as a warning or as a failure.
 struct SampleLimits {
     double warn;
     double fail;

@@ -25,23 +25,27 @@ inline constexpr double kReportedPercentile = 99.9;
 /// samples. Columns x are counted from the left, rows y from the top.
 struct Comparison {
     Verdict verdict = Verdict::Same;
-    double largest = 0.0;      // largest |a - b|; infinite if only one of two samples is NaN
-    double mean = 0.0;         // mean of |a - b| over all samples
-    double rms = 0.0;          // root mean square of |a - b| over all samples
-    double percentile = 0.0;   // percentile_of(differences of the pixels, kReportedPercentile)
-    std::size_t warnings = 0;  // number of samples above the limit of samples for warnings
-    std::size_t failures = 0;  // number of samples above the limit of samples for failures
-    std::string channel{};     // channel of the largest difference; empty if all samples are equal
-    int x = 0;                 // column of the largest difference
-    int y = 0;                 // row of the largest difference
-    std::size_t pixels = 0;    // number of pixels
-    std::size_t warning_pixels = 0;  // number of pixels above the limits for warnings
-    std::size_t failure_pixels = 0;  // number of pixels above the limits for failures
-    std::optional<double> angle{};   // largest angle between normals, degrees; nullopt for Numbers
-    int angle_x = 0;                 // column of the largest angle
-    int angle_y = 0;                 // row of the largest angle
-    /// The exceeded limits in words, such as "rms 0.02 above 0.01". For the verdict Failure these
-    /// are only limits for failures, for Warning limits for warnings; otherwise there are none.
+    double largest = 0.0;     // largest |a - b|; infinite if only one of two samples is NaN
+    double mean = 0.0;        // mean of |a - b| over all samples
+    double rms = 0.0;         // root mean square of |a - b| over all samples
+    double percentile = 0.0;  // percentile_of(differences of the pixels, kReportedPercentile)
+    // The number of samples whose difference exceeds the limit of samples for warnings, and for
+    // failures (DifferenceLimits::sample_limit).
+    std::size_t warnings = 0;
+    std::size_t failures = 0;
+    std::string channel{};   // channel of the largest difference; empty if all samples are equal
+    int x = 0;               // column of the largest difference
+    int y = 0;               // row of the largest difference
+    std::size_t pixels = 0;  // number of pixels
+    // The number of pixels above the limits for warnings, and for failures (DifferenceLimits).
+    std::size_t warning_pixels = 0;
+    std::size_t failure_pixels = 0;
+    std::optional<double> angle{};  // largest angle between normals, degrees; nullopt for Numbers
+    int angle_x = 0;                // column of the largest angle
+    int angle_y = 0;                // row of the largest angle
+    /// The exceeded limits in words, such as "rms 0.02 above 0.01". For the verdict Failure, only
+    /// limits for failures are listed; for the verdict Warning, limits for warnings. For all other
+    /// verdicts the list is empty.
     std::vector<std::string> reasons{};
 };
 

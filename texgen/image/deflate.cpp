@@ -21,8 +21,8 @@ constexpr int kFastLevel = 2;
 // level 9, files are 1 % smaller than at level 7, but compression takes 2 to 4 times as long.
 constexpr int kSmallLevel = 7;
 
-// The number of bytes at the start of each part (deflate.h), which is a stream for ISA-L, that are
-// compressed and flushed separately. This avoids an error in the main loop of ISA-L 2.30
+// This number of bytes at the start of each part is compressed and flushed separately. (For ISA-L,
+// each part is a stream of its own.) This avoids an error in the main loop of ISA-L 2.30
 // (igzip_icf_body_h1_gr_bt.asm, .write_first_byte). At the start of a stream, this loop should hash
 // the input bytes from the third byte on, but it hashes a register that still contains the address
 // of the stream object. The matches that ISA-L finds therefore sometimes depend on this address. An

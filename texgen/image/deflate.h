@@ -16,8 +16,8 @@ namespace foam::texgen {
 /// The trade-off between the time of compression and the size of its output.
 enum class Compression {
     None,   // no compression: stored blocks
-    Fast,   // about the size of zlib at level 1, at least 4 times as fast
-    Small,  // about the size of zlib at level 9, at least as fast as zlib at level 6
+    Fast,   // output about as large as from zlib at level 1, at least 4 times as fast
+    Small,  // output about as large as from zlib at level 9, at least as fast as zlib at level 6
 };
 
 /// Compresses data to the deflate format (RFC 1951). Its buffers are reused between calls.

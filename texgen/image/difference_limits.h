@@ -33,8 +33,8 @@ struct DifferenceLimits {
     std::optional<double> angle{};   // degrees; only pictures of normals have angles
     double allowed_percent = 0.0;
     std::int64_t allowed_pixels = 0;
-    std::optional<double> hard{};  // limit of the difference of a sample, for all pixels
-    std::optional<double> rms{};  // limit of the root mean square of the differences of all samples
+    std::optional<double> hard{};  // limit that the difference of no sample may exceed
+    std::optional<double> rms{};   // limit of Comparison::rms
     std::vector<PercentileLimit> percentiles{};
 
     /// Returns the limit of the difference of a sample: `sample`, if it is given. Otherwise the

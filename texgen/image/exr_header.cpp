@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::size_t kPreamble = 8;  // bytes: the magic number and the version
 constexpr std::uint32_t kMagic = 20000630;
-// The number of bytes per block in the table of the positions of all blocks. A block is a tile, or
-// the rows that are compressed together.
+// An EXR contains a table with the position of each block. A block is a tile, or the rows that are
+// compressed together. This is the number of bytes of a position.
 constexpr double kBytesOfOffset = 8.0;
 // The largest allowed size of a decoded block, in bytes, unless the whole image is larger.
 constexpr double kMaxBlock = 64.0 * 1024 * 1024;

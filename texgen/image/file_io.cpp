@@ -36,7 +36,7 @@ std::string reason(int error) {
 /// An open file for reading.
 class InputFile {
   public:
-    // O_NONBLOCK, so that opening a pipe without a writer does not wait.
+    // With O_NONBLOCK, open does not wait for a writer if the path is a pipe.
     explicit InputFile(const std::filesystem::path& path)
         : path_(path), file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
         if (file_ < 0) {
@@ -248,7 +248,8 @@ std::filesystem::path nearest_existing(const std::filesystem::path& folder) {
     return existing;
 }
 
-// Permissions do not tell enough: to the administrator, every folder of /proc looks writable.
+// Creates a folder instead of checking permissions. For the administrator, the permissions of every
+// folder of /proc would allow writing, although no file can be created there.
 void check_writable(const std::filesystem::path& folder) {
     const std::filesystem::path existing = nearest_existing(folder);
     std::string probe = (existing / ".foamtex-XXXXXX").string();

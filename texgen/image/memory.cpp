@@ -18,12 +18,12 @@ namespace {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
-// Returns the unused part of a limit.
+// Returns the unused part of a limit. Both arguments are in bytes.
 std::uint64_t left_of(std::uint64_t limit, std::uint64_t used) {
     return limit - std::min(limit, used);
 }
 
-// Returns the memory that the machine can give to programs without swapping.
+// Returns the memory, in bytes, that the machine can give to programs without swapping.
 std::uint64_t machine_memory() {
     constexpr std::uint64_t kKibibyte = 1024;
     std::ifstream file("/proc/meminfo");
@@ -37,7 +37,7 @@ std::uint64_t machine_memory() {
     return kUnlimited;
 }
 
-// Returns the unused part of the limit of the address space of the process.
+// Returns how many more bytes of address space the limit of the process (ulimit -v) allows.
 std::uint64_t address_space_left() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
@@ -56,7 +56,8 @@ std::optional<std::uint64_t> number_in(const std::filesystem::path& path) {
     return file >> number ? std::optional(number) : std::nullopt;
 }
 
-// Returns the smallest unused part of the limits of a control group and of the groups above it.
+// Returns how many more bytes a control group may use. This is the smallest unused part among the
+// limits of this group and of the groups above it.
 std::uint64_t left_in_group(std::filesystem::path group) {
     const std::filesystem::path root = "/sys/fs/cgroup";
     std::uint64_t left = kUnlimited;

@@ -19,12 +19,13 @@ enum class PngFilter : std::uint8_t { None, Sub, Up, Average, Paeth };
 
 /// Options of filtering and compression. The pixels do not depend on them.
 struct PngEncoding {
-    // None gives the smallest files if each cell has a single color, Up and Sub for smooth maps.
+    // None gives the smallest files for maps in which each bubble has a single color or number. Up
+    // or Sub gives the smallest files for smooth maps.
     PngFilter filter = PngFilter::None;
     Compression compression = Compression::Fast;
     /// The number of threads that compress a picture with Compression::Fast; 0 or less means as
-    /// many as the hardware runs at once. The other kinds use one thread. The bytes do not depend
-    /// on the number of threads.
+    /// many as the hardware runs at once. The other kinds of compression use one thread. The bytes
+    /// do not depend on the number of threads.
     int threads = 1;
 };
 

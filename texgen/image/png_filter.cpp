@@ -11,10 +11,10 @@
 
 // The filters of section 9 of the PNG specification. Each byte is replaced by its difference,
 // modulo 256, from a prediction. The prediction is 0 (None), the byte to the left (Sub), the byte
-// above (Up) or the mean of these two bytes (Average). The prediction of Paeth is one of the bytes
-// left, above and above left: the byte whose value is nearest to left + above - above left. The
-// byte to the left is the corresponding byte of the pixel to the left. Bytes outside of the image
-// count as 0. Therefore a pixel of zeros precedes each row in memory.
+// above (Up) or the mean of these two bytes (Average). The prediction of Paeth is one of three
+// bytes: a to the left, b above, and c above and to the left. It is the byte whose value is nearest
+// to a + b - c. The byte to the left is the corresponding byte of the pixel to the left. Bytes
+// outside of the image count as 0. Therefore a pixel of zeros precedes each row in memory.
 
 namespace foam::texgen {
 

@@ -26,8 +26,9 @@ std::string valid_utf8(std::string_view text);
 /// Returns a text as one line of valid UTF-8 that a terminal shows without interpreting any
 /// character: a line break or a tab becomes a space, every other character that could control a
 /// terminal becomes a question mark, and every byte that is not UTF-8 becomes U+FFFD. If the result
-/// would have more than `longest` characters, its middle is replaced by " ... ", because messages
-/// begin with the place and end with the reason.
+/// would have more than `longest` characters, its middle is replaced by " ... ". The beginning of
+/// an error message, which says where the error is, and its end, which gives the reason, are then
+/// kept.
 std::string shown_text(std::string_view text, std::size_t longest = kLongestMessage);
 
 /// Returns a text in which the same characters and bytes are replaced as in the result of
