@@ -16,8 +16,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest number of arrays and objects around a value; in manifests it is 6. Functions of
-// nlohmann's values are recursive and need stack in proportion to it.
+// The largest allowed number of arrays and objects around a value; in manifests it is 6. Functions
+// of nlohmann-json are recursive and use stack memory in proportion to this number.
 constexpr int kDeepest = 16;
 
 /// Returns the parser's message without its error code. The text that the message quotes, with all
