@@ -52,8 +52,8 @@ FileLock::FileLock(std::filesystem::path path, std::chrono::milliseconds patienc
     while (!try_lock()) {
         if (std::chrono::steady_clock::now() >= end) {
             throw OutputError(
-                fmt::format("another program has locked '{}' for {} seconds; end it, and repeat "
-                            "the command",
+                fmt::format("another program has locked '{}' for {} seconds; end that program, "
+                            "and repeat the command",
                             path_.string(),
                             std::chrono::duration_cast<std::chrono::seconds>(patience).count()));
         }

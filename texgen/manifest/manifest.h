@@ -72,9 +72,9 @@ struct ManifestLoop {
     int period = 0;           // frames; 0 without a loop
     bool cross_faded = false;
     // Loops of the kinds breathe, shear and boil: the distance (closing_error in
-    // core/dynamics/cycle.h) between the foam at the start and at the end of the last simulated
-    // cycle, in diameters of a mean bubble; nullopt if no cycle was simulated. An infinite distance
-    // becomes nullopt when a manifest is written and read again.
+    // core/dynamics/cycle.h) between the foam at the start and at the end of the last cycle before
+    // frame 1, in diameters of a mean bubble; nullopt if no such cycle was simulated. An infinite
+    // distance becomes nullopt when a manifest is written and read again.
     std::optional<double> closing_error;
 
     friend bool operator==(const ManifestLoop&, const ManifestLoop&) = default;
@@ -140,14 +140,15 @@ struct Manifest {
 BakedSet* find_same_set(Manifest& manifest, const BakedSet& set);
 const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 
-/// Merges the set of a bake into a manifest. First, all files with the paths of files of `set` are
-/// removed from the manifest. If the manifest has a set with the same parameters, the maps, files
-/// and frame statistics of `set` are then added to that set; new statistics of a frame replace its
-/// old statistics. The members `toml`, `loop` and `failure` of `set` replace the old ones, with two
-/// exceptions: the old closing error stays if `set` has none, and there is no failure if the merged
-/// set is complete. The conventions are replaced if `set` has the map motion. If the manifest has
-/// no set with the same parameters, `set` is appended. In either case, the set becomes the last one
-/// of the manifest. Other sets that have no files left are removed.
+/// Merges the set of a bake into a manifest. First, every file of the manifest that has the same
+/// path as a file of `set` is removed from the manifest. If the manifest has a set with the same
+/// parameters, the maps, files and frame statistics of `set` are then added to that set; new
+/// statistics of a frame replace its old statistics. The members `toml`, `loop` and `failure` of
+/// `set` replace the old ones, with two exceptions: the old closing error stays if `set` has none,
+/// and there is no failure if the merged set is complete. The conventions are replaced if `set` has
+/// the map motion. If the manifest has no set with the same parameters, `set` is appended. In
+/// either case, the set becomes the last one of the manifest. Other sets that have no files left
+/// are removed.
 void merge(Manifest& manifest, const BakedSet& set);
 
 /// The number of files of a set that a bake of another set replaces.

@@ -50,7 +50,7 @@ TEST(FileLock, ALockThatIsNeverReleasedIsAnOutputError) {
     } catch (const OutputError& error) {
         EXPECT_EQ(std::string(error.what()),
                   "another program has locked '" + path.string() +
-                      "' for 0 seconds; end it, and repeat the command");
+                      "' for 0 seconds; end that program, and repeat the command");
     }
     EXPECT_TRUE(std::filesystem::exists(path));
 }
