@@ -25,17 +25,18 @@ struct RecordOptions {
 /// Bakes a preset and records its images in a manifest. The manifest is written when the first
 /// frame has been simulated, repeatedly while files are written, and at the end of the bake. It is
 /// also written if the bake fails, unless the bake throws an exception before the first frame has
-/// been simulated. Of the files of this bake, the manifest lists only files that have been written
-/// or kept. Returns the summary of the bake, including the files that were kept.
+/// been simulated. The manifest lists a file of this bake only if the file has been kept or is
+/// already written. Returns the summary of the bake, including the files that were kept.
 ///
 /// With Resume::Yes, the files of the frames that existing_frames_of returns are kept. These frames
-/// are still requested from their source, usually the simulation. Only if all requested frames
-/// exist and `callbacks.on_frame` is empty, no frame is requested.
+/// are still requested from their source, which is usually the simulation. There is one exception:
+/// if the files of all frames in `options.frames` are kept and `callbacks.on_frame` is empty, the
+/// bake has nothing to do and requests no frames.
 ///
 /// Before the bake, automatic ranges of maps are fitted to BakeOptions::sequence. If this sequence
-/// is the whole animation and no frame is requested, nothing is fitted. If the sequence is not the
-/// whole animation, as in a cache of some frames, the ranges are recorded as numbers, so that the
-/// images belong to a set of their own.
+/// is the whole animation and the bake has nothing to do, nothing is fitted. If the sequence is not
+/// the whole animation, as in a cache of some frames, the ranges are recorded as numbers, so that
+/// the images belong to a set of their own.
 ///
 /// Before anything is simulated, throws the exceptions of check_bake, std::invalid_argument if the
 /// name of an image is not UTF-8, and OutputError if the manifest cannot be written into its
