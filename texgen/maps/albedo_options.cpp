@@ -60,14 +60,16 @@ Keys<AlbedoOptions> bubble_keys() {
             &Options::variation)
             .in("fraction of the brightness"),
         key("pressure_low", kPressures, "pressure of the first color", &Options::pressure_low)
-            .in("film tension / sqrt(mean area), selected by albedo.pressure_unit")
+            .in("film tension / sqrt(mean area of the seeded foam or of the drawn frame), "
+                "selected by albedo.pressure_unit")
             .used_with("albedo.color_by", {"pressure"})
             .below("pressure_high"),
         key("pressure_high",
             kPressures,
             "pressure of the last color; above pressure_low",
             &Options::pressure_high)
-            .in("film tension / sqrt(mean area), selected by albedo.pressure_unit")
+            .in("film tension / sqrt(mean area of the seeded foam or of the drawn frame), "
+                "selected by albedo.pressure_unit")
             .used_with("albedo.color_by", {"pressure"}),
         key("pressure_unit",
             kPressureUnits,

@@ -64,8 +64,9 @@ struct AlbedoOptions {
     // The factor on the grain (grain.h) of bubbles, as a fraction of the brightness; 0 draws no
     // grain. The change of brightness rarely exceeds this fraction.
     double grain = 0.0;
-    double grain_size = 0.4;  // size of its largest features, in the unit of shade_width
-    double shade = 0.0;       // weight of the shade's color at films, 0 to 1; 0 draws no shade
+    // The size of the largest features of the grain, in the unit of shade_width.
+    double grain_size = 0.4;
+    double shade = 0.0;  // weight of the shade's color at films, 0 to 1; 0 draws no shade
 };
 
 Keys<AlbedoOptions> albedo_keys();

@@ -96,7 +96,8 @@ constexpr Map map_of(const MapTraits& traits, std::string (*note)(const MapOptio
             note};
 }
 
-/// Returns a map of the relief that is drawn by draw(layers, source, options.*member).
+/// Returns a map of the relief that is drawn by draw(layers, source, options.*member), where
+/// `source` is the ReliefSource of the options.
 template <auto draw, auto member>
 constexpr Map relief_map_of(const MapTraits& traits,
                             std::string (*note)(const MapOptions&) = nullptr) {

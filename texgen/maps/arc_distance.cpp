@@ -18,10 +18,12 @@ namespace {
 
 constexpr int kBandRows = 32;  // rows that one thread computes at a time
 
-// Returns the distance from a point to the circle that contains an arc, and its direction. For the
-// point p, the chord c, the half angle a, and q = |p|² sin a - p.c sin a - (c x p) cos a, the
-// distance is |q| / (|c| / 2 + sqrt(|c|² / 4 + q sin a)). This formula also holds for a straight
-// line, where a = 0. The gradient of |q| points away from the nearest point of the circle.
+// Returns the distance from a point to the circle that contains an arc, and the direction from the
+// nearest point of the circle to the given point. For the point p, the chord c, the half angle a,
+// and q = |p|² sin a - p.c sin a - (c x p) cos a, the distance is
+//     |q| / (|c| / 2 + sqrt(|c|² / 4 + q sin a)).
+// This formula also holds for a straight line, where a = 0. The gradient of |q| points away from
+// the nearest point of the circle.
 NearestOnArc nearest_on_circle(const PixelArc& arc, const Vec2& point) {
     const double q = arc.sine * point.dot(point - arc.chord) - arc.cosine * cross(arc.chord, point);
     const double half_chord = 0.5 * arc.chord.norm();

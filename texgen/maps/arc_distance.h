@@ -59,8 +59,8 @@ ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const ArcDistanceNeeds& needs,
                                int threads);
 
-/// Returns the value of `needs` with which distances_to_arcs computes the distances that
-/// stroke_coverage needs. `width` is the full width of the strokes in pixels.
+/// Returns the value to pass to distances_to_arcs as `needs` if stroke_coverage uses the distances.
+/// `width` is the full width of the strokes in pixels.
 ArcDistanceNeeds stroke_needs(double width);
 
 /// Returns the fraction of every pixel that strokes with round ends cover, in one channel.

@@ -37,11 +37,12 @@ struct CausticsOptions {
 Keys<CausticsOptions> caustics_keys();
 
 /// Draws the light of a sun straight above on the floor of a pool. The relief is the surface of the
-/// water, which refracts the light by Snell's law for small angles: a ray moves uphill by depth *
-/// (1 - 1/1.33) * slope. Where rays meet, the floor is bright. Light that leaves one side of a
-/// torus enters at the opposite side. Rays that leave the image of a patch are lost, and no light
-/// enters it from outside. The surroundings of a patch are transparent. Throws
-/// std::invalid_argument if a color is invalid.
+/// water, which refracts the light by Snell's law for small angles: a ray moves uphill by
+///     depth * (1 - 1/1.33) * slope.
+/// Where rays meet, the floor is bright. Light that leaves one side of a torus enters at the
+/// opposite side. Rays that leave the image of a patch are lost, and no light enters it from
+/// outside. The surroundings of a patch are transparent. Throws std::invalid_argument if a color is
+/// invalid.
 ColorPixels draw_caustics(FrameLayers& layers,
                           const ReliefSource& source,
                           const CausticsOptions& options);

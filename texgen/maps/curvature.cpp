@@ -24,19 +24,18 @@ double curvature_at(const ReliefSection& section, double smooth, double radius) 
 }  // namespace
 
 Keys<CurvatureOptions> curvature_keys() {
-    return {
-        key("radius",
-            Reals{0.001, 10.0},
-            "distance, in bubble diameters, between a point and the two points on both sides with "
-            "whose heights its height is compared; a larger distance ignores finer details",
-            &CurvatureOptions::radius)
-            .in(kReliefDiameters),
-        key("full",
-            RealsOrAuto{1e-6, 1e6},
-            "curvature that a PNG stores as its largest code; code 0 stands for its negative; "
-            "\"auto\" fits the whole animation",
-            &CurvatureOptions::full)
-            .in("per mean bubble diameter, selected by relief.mean_bubble")};
+    return {key("radius",
+                Reals{0.001, 10.0},
+                "distance, in bubble diameters, at which the heights on both sides of a point are "
+                "compared with the height of the point; a larger distance ignores finer details",
+                &CurvatureOptions::radius)
+                .in(kReliefDiameters),
+            key("full",
+                RealsOrAuto{1e-6, 1e6},
+                "curvature that a PNG stores as its largest code; code 0 stands for -full; "
+                "\"auto\" fits the whole animation",
+                &CurvatureOptions::full)
+                .in("per mean bubble diameter, selected by relief.mean_bubble")};
 }
 
 NumberPixels draw_curvature(FrameLayers& layers,

@@ -21,11 +21,11 @@ inline constexpr MapTraits kCurvatureMap = {
     .full_key = "curvature.full"};
 
 struct CurvatureOptions {
-    // The distance between a point and the two points with whose heights its height is compared, in
+    // The height at a point is compared with the heights at this distance on both sides. In
     // diameters of the relief's mean bubble.
     double radius = 0.08;
-    AutoReal full{10.0,
-                  true};  // curvature stored as the largest code of a PNG; code 0 stands for -full
+    // The curvature that a PNG stores as its largest code; code 0 stands for -full.
+    AutoReal full{10.0, true};
 };
 
 Keys<CurvatureOptions> curvature_keys();

@@ -22,9 +22,9 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// The border affects the relief of the old foam up to this distance, in mean bubble widths: about
-// the radius of a bubble. Farther away, the distance from the border has creases, which would
-// be visible in the relief.
+// The border affects the relief of the old foam up to this distance, as a multiple of the square
+// root of the mean bubble area: about the radius of a bubble. Farther away, the distance from the
+// border has creases, which would be visible in the relief.
 constexpr double kReach = 0.5;
 
 // The lower limit to which slopes are clamped before a division by them.
@@ -43,7 +43,7 @@ void set_vector(Image<float>& image, std::size_t index, const Vec2& vector) {
 
 // A distance from films or from the border, and its gradient. The distance from a rim is positive
 // inside the growing bubble.
-struct Lead {
+struct DistanceAndGradient {
     double distance = 0.0;
     Vec2 gradient = Vec2::Zero();
 };
@@ -62,7 +62,7 @@ std::vector<double> radii_of(const DistanceField& field, std::size_t bubbles) {
 // Returns the signed distance from the rim of a circle of radius `rim`, given the smooth distance
 // from the rim, (rim² - r²) / (2 rim), and its gradient. For other shapes it is a distance to first
 // order near the rim.
-Lead from_rim(const Lead& smooth, double rim) {
+DistanceAndGradient from_rim(const DistanceAndGradient& smooth, double rim) {
     const double slope = std::max(std::sqrt(smooth.gradient.squaredNorm()), kFlattestRim);
     const double first_order = smooth.distance / slope;
     const double root = std::sqrt(first_order * first_order + rim * rim);
@@ -73,7 +73,8 @@ Lead from_rim(const Lead& smooth, double rim) {
 
 // Joins the smooth distance s from films with the distance d from the border: 1/r² = 1/s² + 1/d².
 // The gradient of r is (r/s)³ times the gradient of s plus (r/d)³ times the gradient of d.
-Lead with_border(const Lead& films, const Lead& border) {
+DistanceAndGradient with_border(const DistanceAndGradient& films,
+                                const DistanceAndGradient& border) {
     const double s = films.distance;
     const double d = border.distance;
     if (std::isinf(d) || s == 0.0) {
@@ -87,9 +88,9 @@ Lead with_border(const Lead& films, const Lead& border) {
                 of_border * of_border * of_border * border.gradient};
 }
 
-// Returns a distance that is close to the given distance near 0 and infinite beyond the reach. The
-// inverse of the result is the inverse of the given distance minus the inverse of the reach.
-Lead limited(const Lead& border, double reach) {
+// Returns a distance that is close to the given distance near 0 and infinite beyond the reach:
+// 1 / result = 1 / distance - 1 / reach.
+DistanceAndGradient limited(const DistanceAndGradient& border, double reach) {
     if (!(border.distance < reach)) {
         return {std::numeric_limits<double>::infinity(), Vec2::Zero()};
     }
@@ -97,6 +98,7 @@ Lead limited(const Lead& border, double reach) {
     return {factor * border.distance, factor * factor * border.gradient};
 }
 
+// Returns kReach in pixels.
 double reach_of(const CrossFade& fade, const RasterGrid& grid) {
     const double area = static_cast<double>(grid.width) * grid.height;
     return kReach * std::sqrt(area / static_cast<double>(fade.fading_in.bubbles.size()));
@@ -131,8 +133,8 @@ class FieldJoiner {
 
     // Joins both fields at a pixel, and sets the pixel in both images of the border.
     void join(std::size_t k, FadeBorder& border) {
-        Lead nearest{static_cast<double>(films_.distance.samples()[k]),
-                     vector_at(films_.gradient, k)};
+        DistanceAndGradient nearest{static_cast<double>(films_.distance.samples()[k]),
+                                    vector_at(films_.gradient, k)};
         const std::size_t bubble = in_.ids.samples()[k];
         bool shows_new = growth_[bubble] == 1.0;
         float& distance = border.distance.samples()[k];
@@ -155,12 +157,12 @@ class FieldJoiner {
     // fields there. `nearest` is the distance from the nearest film of the border; at every
     // pixel, within the rim or not, it is replaced by the distance from the rim if the rim is
     // nearer.
-    bool join_growing(std::size_t k, std::size_t bubble, Lead& nearest) {
-        const Lead smooth = grown(k, bubble);
-        const Lead rim = from_rim(smooth, growth_[bubble] * radii_[bubble]);
+    bool join_growing(std::size_t k, std::size_t bubble, DistanceAndGradient& nearest) {
+        const DistanceAndGradient smooth = grown(k, bubble);
+        const DistanceAndGradient rim = from_rim(smooth, growth_[bubble] * radii_[bubble]);
         const bool is_inside = rim.distance > 0.0;
         if (std::abs(rim.distance) < nearest.distance) {
-            nearest = is_inside ? rim : Lead{-rim.distance, -rim.gradient};
+            nearest = is_inside ? rim : DistanceAndGradient{-rim.distance, -rim.gradient};
         }
         if (is_inside) {
             show_growing(k, smooth, nearest);
@@ -168,35 +170,39 @@ class FieldJoiner {
         return is_inside;
     }
 
-    Lead films_at(const DistanceField& field, std::size_t k) const {
+    DistanceAndGradient films_at(const DistanceField& field, std::size_t k) const {
         return {static_cast<double>(field.smooth.samples()[k]),
                 vector_at(field.smooth_gradient, k)};
     }
 
     // Returns the smooth distance from the rim of a growing bubble, negative outside.
-    Lead grown(std::size_t k, std::size_t bubble) const {
+    DistanceAndGradient grown(std::size_t k, std::size_t bubble) const {
         const double growth = growth_[bubble];
         const double level = 0.5 * radii_[bubble] * (1.0 - growth * growth);
-        const Lead films = films_at(in_, k);
+        const DistanceAndGradient films = films_at(in_, k);
         return {(films.distance - level) / growth, films.gradient / growth};
     }
 
-    void show_growing(std::size_t k, const Lead& smooth, const Lead& border) {
+    void show_growing(std::size_t k,
+                      const DistanceAndGradient& smooth,
+                      const DistanceAndGradient& border) {
         in_.smooth.samples()[k] = static_cast<float>(smooth.distance);
         set_vector(in_.smooth_gradient, k, smooth.gradient);
         limit_distance(k, in_, border);
         copy(k, in_, out_);
     }
 
-    void show_old(std::size_t k, const Lead& border) {
-        const Lead smooth = with_border(films_at(out_, k), limited(border, reach_));
+    void show_old(std::size_t k, const DistanceAndGradient& border) {
+        const DistanceAndGradient smooth = with_border(films_at(out_, k), limited(border, reach_));
         out_.smooth.samples()[k] = static_cast<float>(smooth.distance);
         set_vector(out_.smooth_gradient, k, smooth.gradient);
         limit_distance(k, out_, border);
         copy(k, out_, in_);
     }
 
-    static void limit_distance(std::size_t k, DistanceField& field, const Lead& border) {
+    static void limit_distance(std::size_t k,
+                               DistanceField& field,
+                               const DistanceAndGradient& border) {
         float& distance = field.distance.samples()[k];
         if (border.distance < static_cast<double>(distance)) {
             distance = static_cast<float>(border.distance);

@@ -22,9 +22,9 @@ constexpr double kFlattest = 0.05;
 
 // Returns the fraction of every pixel that wet films cover. A wet film covers the points whose
 // smooth distance is below half its width. The signed distance from a pixel's center to the film's
-// edge, positive inside the film, is estimated to first order: (half the width - smooth distance) /
-// slope of the smooth distance. The coverage grows linearly with this distance, from 0 at -1/2
-// pixel to 1 at 1/2 pixel.
+// edge, positive inside the film, is estimated to first order:
+//     (half the width - smooth distance) / slope of the smooth distance.
+// The coverage grows linearly with this distance, from 0 at -1/2 pixel to 1 at 1/2 pixel.
 Image<float> wet_films(FrameLayers& layers, double width) {
     Image<float> films(layers.grid().width, layers.grid().height, 1);
     if (width == 0.0) {

@@ -60,8 +60,8 @@ Vec2 lattice_gradient(std::int32_t x, std::uint32_t row) {
 }
 
 // Returns gradient noise with features of size 1. Each of the four lattice points around the point
-// defines a plane through this lattice point with its gradient; quintic polynomials blend the four
-// planes.
+// defines a plane (a linear function), which is 0 at the lattice point and has the gradient that
+// lattice_gradient returns. Quintic polynomials blend the four planes.
 GrainValue gradient_noise(const Vec2& point, std::uint32_t seed) {
     const double left = std::floor(point.x());
     const double bottom = std::floor(point.y());

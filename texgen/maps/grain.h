@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// Bound of the difference between a value of a grain and the mean of its values.
+/// The values of a grain differ from their mean by at most this number.
 inline constexpr double kGrainBound = 2.0;
 
 /// The use of a grain. Grains of different uses are independent of each other.
@@ -20,8 +20,8 @@ enum class GrainUse : std::uint32_t { Relief, Albedo };
 
 /// A value of a grain.
 struct GrainValue {
-    // Its difference from the mean of all values of the grain is rarely above 1 and never above
-    // kGrainBound.
+    // Differs from the mean of all values of the grain rarely by more than 1, and never by more
+    // than kGrainBound.
     double value = 0.0;
     Vec2 gradient = Vec2::Zero();  // of the value; x to the right, y up
 };
@@ -29,8 +29,8 @@ struct GrainValue {
 /// Returns the sum of several octaves of gradient noise at a point (K. Perlin, "Improving noise",
 /// 2002). The first octave has features of size 1. The features of each further octave have half
 /// the size and half the height of the features of the preceding octave. The gradient is the
-/// derivative with respect to `point`. The noise depends only on the arguments. Precondition: 1 <=
-/// octaves <= 30.
+/// derivative with respect to `point`. The noise depends only on the arguments. Precondition:
+/// `octaves` is from 1 to 30.
 GrainValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
 
 /// A fine texture of noise in every bubble. It moves with the centroid of the bubble, does not turn

@@ -29,7 +29,7 @@ Keys<GrowthOptions> growth_keys() {
     return {key("full",
                 RealsOrAuto{1e-9, 1e6},
                 "growth rate that a PNG stores as its largest code, in square foam units per foam "
-                "time; code 0 stands for its negative; \"auto\" fits the whole animation",
+                "time; code 0 stands for -full; \"auto\" fits the whole animation",
                 &GrowthOptions::full)
                 .in("square foam units per foam time")};
 }

@@ -18,17 +18,17 @@ inline constexpr MapTraits kGrowthMap = {
     .full_key = "growth.full"};
 
 struct GrowthOptions {
-    AutoReal full{
-        0.05, true};  // growth rate stored as the largest code of a PNG; code 0 stands for -full
+    // The growth rate that a PNG stores as its largest code; code 0 stands for -full.
+    AutoReal full{0.05, true};
 };
 
 Keys<GrowthOptions> growth_keys();
 
 /// Draws the growth rate of every bubble: the change of its area until the next frame, divided by
 /// the magnitude of the change of foam time. A bubble that vanishes before the next frame has the
-/// area 0 there. A pixel that several bubbles share has the mean of their rates, weighted by the
-/// part of the pixel that each bubble covers. In the second half of a pingpong loop, time runs
-/// backwards: a bubble that shrinks from frame to frame has a negative rate there, too. In all
+/// area 0 in that frame. A pixel that several bubbles share has the mean of their rates, weighted
+/// by the part of the pixel that each bubble covers. In the second half of a pingpong loop, time
+/// runs backwards: a bubble that shrinks from frame to frame has a negative rate there, too. In all
 /// other frames a rate follows von Neumann's law (E6 in core/README.md), provided that only
 /// diffusion changes the area of the bubble and that its number of sides stays the same. The image
 /// has one channel. It is 0 around a patch; if no time passes until the next frame, it is 0

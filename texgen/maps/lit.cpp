@@ -31,9 +31,9 @@ namespace {
 // reflected direction (J. F. Blinn and M. E. Newell, "Texture and reflection in computer generated
 // images", 1976). Direct light is divided by its value on flat ground, and the highlight and the
 // reflection of flat ground are subtracted, so that flat ground keeps its color if the whole sky is
-// visible from it. The fraction LitOptions::glow of the color of films, of the shade beside them
-// and of the walls of a maze is not shaded. The picture is drawn on a finer grid, whose pixels are
-// called samples, and squares of samples are averaged.
+// visible from it. Films, the shade beside them, and the walls of a maze can glow: the fraction
+// LitOptions::glow of their color is not shaded. The picture is drawn on a finer grid, whose pixels
+// are called samples, and squares of samples are averaged.
 
 // Returns the options for the finer grid: if the film width is in pixels, it is multiplied by
 // `samples`.
@@ -216,9 +216,8 @@ Keys<LitOptions> lit_keys() {
               &Options::rim),
           key("glow",
               kFractions,
-              "fraction of the color of films, of the shade beside them, and of the walls of a "
-              "maze, "
-              "that is emitted light",
+              "fraction of the color of films, of the shade beside films, and of the walls of a "
+              "maze that is emitted light and therefore not shaded",
               &Options::glow)
               .in("fraction of the color"),
           key("samples", Integers{1, 8}, "samples per pixel in each direction", &Options::samples)

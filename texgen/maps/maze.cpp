@@ -29,9 +29,8 @@ Keys<MazeOptions> maze_keys() {
             &Options::seed),
         key("loops",
             kFractions,
-            "fraction of the walls between bubbles that are opened in addition; with 0, exactly "
-            "one "
-            "path connects any two bubbles of a torus or of a raft",
+            "fraction of the walls between bubbles that are opened to make loops; with 0, exactly "
+            "one path connects any two bubbles of a torus or of a raft",
             &Options::loops)
             .in("fraction of the walls"),
         key("wall_width",

@@ -25,9 +25,11 @@ inline constexpr MapTraits kMazeSolutionMap = {.name = "maze_solution",
                                                .png_filter = PngFilter::Up};
 
 struct MazeOptions {
-    double chance = 0.4;    // weight of chance in the choice of openings; pressure has the rest
+    // The weight of chance in the choice of openings; the weight of the pressure is 1 - chance.
+    double chance = 0.4;
     std::int64_t seed = 1;  // seed of the random choices
-    double loops = 0.0;     // fraction (0 to 1) of the inner walls opened in addition
+    // The fraction (0 to 1) of the walls between bubbles that are opened to make loops.
+    double loops = 0.0;
     // The full width of walls, in diameters of a mean bubble of the seeded foam.
     double wall_width = 0.22;
     std::string wall_color = "#16262f";  // colors are sRGB

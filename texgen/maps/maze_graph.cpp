@@ -85,11 +85,13 @@ struct Wall {
     FilmId film;
     bool is_narrow;  // MazeRule::narrow
     double weight;   // the spanning tree opens films of small weight first, but narrow films last
-    double number;   // random; a part of the weight; additional films are opened in its order
+    // A random number: a part of the weight. Films that are opened to make loops are opened in the
+    // order of these numbers, but narrow films last.
+    double number;
 };
 
 // Returns true if a film is narrow (MazeRule::narrow): if it is shorter than `width`, or if a
-// bubble beside it has a smaller area than a circle of this diameter.
+// bubble beside it has a smaller area than a circle of the diameter `width`.
 bool is_narrow(const Frame& frame, FilmId film, double width) {
     const HalfEdgeId side = forward_side(film);
     const double area = std::min(frame.bubbles[frame.network.left(side)].area,

@@ -12,10 +12,12 @@ namespace foam::texgen {
 
 /// The parameters with which a maze is built from a foam.
 struct MazeRule {
-    double chance = 0.4;    // weight of chance in the choice of openings; pressure has the rest
+    // The weight of chance in the choice of openings; the weight of the pressure is 1 - chance.
+    double chance = 0.4;
     std::int64_t seed = 1;  // seed of the random numbers
-    double loops =
-        0.0;  // fraction (0 to 1) of the walls between bubbles that are opened in addition
+    // After the spanning tree has been built, this fraction (0 to 1) of the remaining walls between
+    // bubbles is opened to make loops.
+    double loops = 0.0;
     // A length in foam units. A film is narrow if it is shorter than this length, or if a bubble
     // beside it has a smaller area than a circle with this diameter. Narrow films are opened only
     // after all other films.
@@ -40,9 +42,10 @@ struct Maze {
 /// Builds a maze. The open films between bubbles form a minimum spanning tree (J. B. Kruskal, "On
 /// the shortest spanning subtree of a graph and the traveling salesman problem", 1956): exactly one
 /// path connects any two bubbles of a torus, or of a raft of a patch. The weight of a film is a mix
-/// of the difference of the pressures on its sides and of a random number that depends on the seed
-/// and on the identities of both bubbles, so that passages follow bubbles of similar pressure. If
-/// rule.loops is above 0, further films are opened, and several paths may connect two bubbles.
+/// of two numbers. One is the difference of the pressures on its sides, which makes passages follow
+/// bubbles of similar pressure. The other is a random number that depends on the seed and on the
+/// identities of both bubbles. If rule.loops is above 0, further films are opened, and several
+/// paths may connect two bubbles.
 ///
 /// The ends of the solution are two bubbles that are as far apart in the tree as possible. On a
 /// torus any bubble can be an end. On a patch the ends are at the rim or beside a hole, and the

@@ -141,8 +141,8 @@ class MotionPainter {
     }
 
     // Returns the position of a bubble's first junction in the image, in pixels. On a torus it is
-    // a whole number of subpixels, so that the position of a pixel relative to it has the same bits
-    // on a shifted grid.
+    // a whole number of subpixels, so that the position of a pixel relative to this junction has
+    // the same bits on a shifted grid.
     Vec2 first_junction(const Region& region, SubpixelPoint translation) const {
         if (layers_.is_patch()) {
             const Network& network = layers_.frame().network;
@@ -197,7 +197,7 @@ Keys<MotionOptions> motion_keys() {
             key("multiplier",
                 RealsOrAuto{1e-6, 10.0},
                 "motion that a PNG stores as its largest code, as a fraction of the image width; "
-                "code 0 stands for its negative; \"auto\" fits the whole animation",
+                "code 0 stands for -multiplier; \"auto\" fits the whole animation",
                 &MotionOptions::multiplier)
                 .in("fraction of the image width")};
 }

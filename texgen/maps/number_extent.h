@@ -7,7 +7,7 @@
 namespace foam::texgen {
 
 /// The smallest and the largest number of an image, and the fraction of its numbers that are
-/// outside the range of a file of codes, such as a PNG.
+/// outside the range of a file of integer samples (codes), such as a PNG.
 struct NumberExtent {
     double smallest = 0.0;  // of the finite numbers, in the unit of the map; 0 if there is none
     double largest = 0.0;   // of the finite numbers, in the unit of the map; 0 if there is none

@@ -163,11 +163,13 @@ Keys<PressureOptions> pressure_keys() {
             .in("percent of the bubbles")
             .used_with("pressure.scaling", {"percentile"}),
         key("low", kPressures, "for \"range\": pressure of tone 0", &Options::low)
-            .in("film tension / sqrt(mean area), selected by pressure.unit")
+            .in("film tension / sqrt(mean area of the seeded foam or of the drawn frame), "
+                "selected by pressure.unit")
             .used_with("pressure.scaling", {"range"})
             .below("high"),
         key("high", kPressures, "for \"range\": pressure of tone 1; above low", &Options::high)
-            .in("film tension / sqrt(mean area), selected by pressure.unit")
+            .in("film tension / sqrt(mean area of the seeded foam or of the drawn frame), "
+                "selected by pressure.unit")
             .used_with("pressure.scaling", {"range"}),
         key("unit",
             kPressureUnits,
@@ -182,8 +184,8 @@ Keys<PressureOptions> pressure_keys() {
             .in("rounds"),
         key("flattening",
             Integers{0, 1000},
-            "additional rounds of a wider average that is subtracted, so that the corridors of a "
-            "labyrinth are about equally wide; 0 subtracts nothing",
+            "additional rounds of averaging that give a wider average, which is subtracted so that "
+            "the corridors of a labyrinth are about equally wide; 0 subtracts nothing",
             &Options::flattening)
             .in("rounds"),
         key("exaggeration",

@@ -38,7 +38,8 @@ struct PressureOptions {
     double high = 0.5;                          // pressure of tone 1, for Range
     double percentile = 2.0;  // for Percentile: percentage of bubbles beyond each end of the scale
     int smoothing = 0;        // rounds of averaging with neighbors (average_with_neighbors)
-    int flattening = 0;       // additional rounds of a wider average that is subtracted; 0: none
+    // Additional rounds that give a wider average, which is subtracted; 0 subtracts nothing.
+    int flattening = 0;
     double exaggeration = 1.0;      // factor on the difference from the middle tone, 0.5
     std::string colormap = "none";  // "none" draws the tones as numbers
 };
@@ -46,9 +47,9 @@ struct PressureOptions {
 Keys<PressureOptions> pressure_keys();
 
 /// Returns the tone of every bubble: the position of its pressure on the scale, with its difference
-/// from 0.5 multiplied by options.exaggeration. All tones are 0.5 if the scale begins and ends at
-/// the same pressure, because both percentiles are equal, or if percentiles or ranks are unknown,
-/// because FoamRecord::first_pressures is empty. Throws std::invalid_argument if
+/// from 0.5 multiplied by options.exaggeration. With the scaling Percentile, all tones are 0.5 if
+/// both percentiles are equal. All tones are also 0.5 if percentiles or ranks of
+/// FoamRecord::first_pressures are needed, but this list is empty. Throws std::invalid_argument if
 /// options.low is not below options.high, even if the scaling is not Range.
 PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options);
 

@@ -17,8 +17,8 @@ namespace {
 using Encoding = std::array<std::uint8_t, 65536>;
 
 // Returns a table of the 8-bit sRGB code of every 16-bit value of linear light. A value has the
-// code k if its sRGB encoding rounds to k: if it is below the light with the encoding (k + 1/2) /
-// 255, but not below the light with the encoding (k - 1/2) / 255.
+// code k if its sRGB encoding rounds to k: if the value is below the light with the encoding
+// (k + 1/2) / 255, but not below the light with the encoding (k - 1/2) / 255.
 Encoding make_srgb_encoding() {
     Encoding encoding{};
     std::size_t value = 0;

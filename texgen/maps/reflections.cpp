@@ -57,8 +57,7 @@ Keys<ReflectionOptions> reflection_keys() {
             key("horizon",
                 Reals{0.0, 1000.0},
                 "factor on the brightness of the reflected sky, which is brightest near the "
-                "horizon and "
-                "appears as a ring in every dome that is steep enough",
+                "horizon and appears as a ring in every dome that is steep enough",
                 &Options::horizon)};
 }
 

@@ -53,7 +53,7 @@ class Window {
 /// black, with a soft transition to the sky. Borrows the options.
 class Reflections {
   public:
-    /// `azimuth` and `elevation` are those of the light, in degrees.
+    /// `azimuth` and `elevation` give the direction of the light, in degrees.
     Reflections(const ReflectionOptions& options, double azimuth, double elevation);
 
     /// Returns true if nothing is reflected.

@@ -25,15 +25,16 @@ struct ReliefSource {
 /// The relief of a frame: a surface whose height varies over the foam, at the centers of pixels.
 /// Heights come from the smooth distance and slopes from its gradient, so that there are creases
 /// only along films. A grain (grain.h), which fades out towards films, is added if
-/// ReliefOptions::grain is above 0. The grain of ridges and wet films, whose ground is flat, is not
-/// negative, so that it raises the bubbles between the films. If only the walls of a maze shape the
-/// relief (ReliefFilms::Walls), there is no grain, and the distance to the nearest wall replaces
-/// the smooth distance. There are then also creases where two walls are equally near. Around a
-/// patch the relief is flat, except for the outer half of ridges and wet films. Borrows the layers.
+/// ReliefOptions::grain is above 0. With the profiles Ridge and Wet, where bubbles are flat, the
+/// grain is never negative: it raises the bubbles between the films. If only the walls of a maze
+/// shape the relief (ReliefFilms::Walls), there is no grain, and the distance to the nearest wall
+/// replaces the smooth distance. There are then also creases where two walls are equally near.
+/// Around a patch the relief is flat, except for the outer half of ridges and wet films. Borrows
+/// the layers.
 class Relief {
   public:
-    /// `reach` is in units of the section (ReliefSection). Distances above it from the walls of a
-    /// maze are infinite. It has no effect on other reliefs.
+    /// In a relief of walls, distances to the nearest wall above `reach` count as infinite. `reach`
+    /// is in units of the section (ReliefSection). It has no effect on reliefs of all films.
     Relief(FrameLayers& layers, const ReliefSource& source, double reach);
     /// The `reach` that suffices if only heights and slopes are used, because the relief is flat
     /// beyond the foot of ridges and of Plateau borders.

@@ -28,8 +28,9 @@ struct ReliefOptions {
     // Height of the grain (grain.h) in diameters of the mean bubble, before the factor `strength`;
     // 0 draws no grain. A relief of walls has no grain.
     double grain = 0.0;
-    double grain_size = 0.4;  // size of its largest features, in diameters of a mean bubble of the
-                              // seeded foam
+    // The size of the largest features of the grain, in diameters of a mean bubble of the seeded
+    // foam.
+    double grain_size = 0.4;
     MeanBubble mean_bubble = MeanBubble::Current;  // its diameter is the unit of heights and widths
 };
 

@@ -16,10 +16,11 @@ inline constexpr MapTraits kRoughnessMap = {
     .smooth_distance = SmoothDistance::UsedByFilms};
 
 struct RoughnessOptions {
-    double cell = 0.15;      // roughness of bubbles, which are smooth and wet
-    double film = 0.45;      // roughness of films; the options of albedo give their width and shape
-    double variation = 0.1;  // bubbles have a roughness from cell - variation / 2 to cell +
-                             // variation / 2, clamped to [0, 1]
+    double cell = 0.15;  // roughness of bubbles, which are smooth and wet
+    double film = 0.45;  // roughness of films; the options of albedo give their width and shape
+    // The roughness of bubbles is from cell - variation / 2 to cell + variation / 2, clamped to
+    // [0, 1].
+    double variation = 0.1;
 };
 
 Keys<RoughnessOptions> roughness_keys();
