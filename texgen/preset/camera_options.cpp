@@ -14,8 +14,8 @@ Keys<CameraOptions> camera_keys() {
                 .only_for("foam.domain", {"patch"}),
             key("center",
                 Points{{-10.0, 10.0}},
-                "position in the image at zoom 1 that becomes the center, in fractions of the "
-                "image from its lower left corner",
+                "point that is shown in the center of the image, given as its position in the "
+                "image at zoom 1: fractions of the width and height from the lower left corner",
                 &CameraOptions::center)
                 .in("fraction of the image width and height")
                 .only_for("foam.domain", {"patch"}),

@@ -25,7 +25,8 @@ std::string value_of(std::string_view path, const Preset& preset) {
     return word != nullptr ? *word : to_toml(*value);
 }
 
-// Returns the condition that is not met and deprives the key of its effect, or nullptr.
+// Returns an unmet condition of a key, because of which the key has no effect. Returns nullptr if
+// all conditions are met.
 const Condition* unmet(const KeyInfo& key, const Preset& preset) {
     for (const std::optional<Condition>* condition : {&key.condition, &key.use}) {
         if (condition->has_value() && !is_met(**condition, preset)) {

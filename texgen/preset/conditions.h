@@ -20,8 +20,8 @@ bool is_met(const Condition& condition, const Preset& preset);
 /// have been stored in the preset.
 std::vector<std::string> unused_keys(const Preset& preset, std::span<const Assignment> assignments);
 
-/// Returns the lines of the reference of all keys about the conditions of a key; empty if it has
-/// none.
+/// Returns the lines about the conditions of a key that `foamtex presets keys` prints; empty if the
+/// key has no conditions.
 std::string describe_conditions(const KeyInfo& key);
 
 }  // namespace foam::texgen

@@ -191,8 +191,9 @@ void assign_event(Preset& preset, const Assignment& assignment) {
     }
     if (path.number > preset.events.size()) {
         reject(assignment,
-               fmt::format(
-                   "the preset has no event {}; it has {}", path.number, preset.events.size()));
+               fmt::format("the preset has no event {}; the number of its events is {}",
+                           path.number,
+                           preset.events.size()));
     }
     const Key<Event>* key = find_key(event_keys(), path.name);
     if (key == nullptr) {

@@ -15,15 +15,15 @@ namespace foam::texgen {
 /// the name of a shipped preset.
 bool is_preset_path(std::string_view name_or_path);
 
-/// Loads a preset, which a path or a name gives (is_preset_path). A preset may extend another
-/// preset:
+/// Loads the preset in the file with the given path, or the shipped preset with the given name
+/// (is_preset_path). A preset may extend another preset:
 ///
 ///     extends = "sea_foam"    # or the path of a file, relative to the folder of this file
 ///
 /// The preset then inherits all values that it does not set. It inherits the events if it has no
 /// events of its own. Throws PresetError if a preset is invalid, if a file is missing or
-/// unreadable, if the name of a file without ".toml" is not plain (is_plain_name), or if presets
-/// extend each other in a circle.
+/// unreadable, if the file name without its extension is not a plain name (is_plain_name), or if
+/// presets extend each other in a circle.
 Preset load_preset(const std::string& name_or_path);
 
 /// Returns the assignments of the document of a preset, without those of the presets that it

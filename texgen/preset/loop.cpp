@@ -86,8 +86,9 @@ Keys<LoopOptions> loop_keys() {
             .only_for("foam.domain", {"torus"}),
         key("current",
             Reals{0.0, 0.6},
-            "typical strain by a current that carries bubbles around and back in every loop: 0.1 "
-            "is gentle, 0.3 clearly flows, more stretches bubbles",
+            "typical strain from a current that moves bubbles around and back to their start in "
+            "every loop: 0.1 is gentle, at 0.3 the foam clearly flows, larger values stretch "
+            "bubbles",
             &LoopOptions::current)
             .in("strain")
             .only_for("foam.domain", {"torus"}),

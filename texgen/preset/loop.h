@@ -31,8 +31,9 @@ struct LoopOptions {
     double amplitude = 0.15;
     double boiling = 0.15;  // Boil: fraction of the bubbles that vanish and are born again
     std::array<int, 2> drift = {0, 0};  // motion per loop, in image widths and heights; y is up
-    double current =
-        0.0;         // root mean square strain of a current that carries the drawn foam around
+    // The root mean square of the strain from a current, which moves the drawn bubbles around and
+    // back to their start in every loop.
+    double current = 0.0;
     int eddies = 1;  // number of eddies of the current along the shorter side of the image
     /// Breathe, Shear and Boil: the largest number of cycles that are simulated before frame 1.
     /// Cycles are simulated until the foam at the end of a cycle agrees with the foam at its start.

@@ -236,8 +236,8 @@ TEST(EventIo, SetChangesAnExistingEvent) {
     assign(preset, std::vector{read_set_argument("event[1].frames=[7, 9]")});
     EXPECT_EQ(preset.events[0].frames, (FrameSpan{7, 9}));
     EXPECT_EQ(failure(toml, {"event[2].frame=4"}),
-              "--set event[2].frame=4: key 'event[2].frame' = 4: the preset has no event 2; it "
-              "has 1");
+              "--set event[2].frame=4: key 'event[2].frame' = 4: the preset has no event 2; "
+              "the number of its events is 1");
     EXPECT_EQ(failure(toml, {"event[1].kind=nucleate"})
                   .find("--set event[1].kind=nucleate: key 'event[1].kind' = \"nucleate\": "
                         "not a key of kind \"nucleate\""),
