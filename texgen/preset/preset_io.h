@@ -21,16 +21,16 @@ void assign(Preset& preset, std::span<const Assignment> assignments);
 /// PresetError for malformed TOML or an invalid preset.
 Preset parse_preset(std::string_view toml, const std::string& name, const std::string& source);
 
-/// Returns the preset as TOML: every key of its tables, also if it has its default, and the events.
-/// parse_preset restores an equal preset from the text, except for Preset::name.
+/// Returns the preset as TOML: every key of its tables, even if the key has its default value, and
+/// the events. parse_preset restores an equal preset from the text, except for Preset::name.
 std::string to_toml(const Preset& preset);
 
-/// Returns the reference of all keys, including the keys of events: default, meaning and allowed
-/// values of each key.
+/// Returns the reference text of all keys, including the keys of events. It gives the default, the
+/// meaning and the allowed values of each key.
 std::string describe_keys();
 
-/// Returns the part of the reference that describes the keys of one table, or the keys of events if
-/// `table` is "event". Throws PresetError if the table does not exist.
+/// Returns the part of the reference text (describe_keys) that describes the keys of one table, or
+/// the keys of events if `table` is "event". Throws PresetError if the table does not exist.
 std::string describe_table(std::string_view table);
 
 }  // namespace foam::texgen

@@ -9,10 +9,12 @@ namespace foam::texgen {
 /// Returns the JSON Schema (draft 2020-12) of preset files as indented text. A table is an object
 /// whose properties are the keys of the table. The schema of a key contains its type, its range or
 /// choices, its default and its description. The events are an array; each item must match the
-/// schema of one kind of event (`anyOf`). Three annotations are not part of JSON Schema: `x-unit`
-/// is the unit of a number or of all numbers of a list. `x-only-for` names another key and values;
-/// the key must keep its default unless the other key has one of these values. `x-below` names
-/// another key, whose number must be larger.
+/// schema of one kind of event (`anyOf`). Some annotations are not part of JSON Schema. `x-unit` is
+/// the unit of a number or of all numbers of a list. `x-only-for`, `x-used-with` and
+/// `x-unused-with` name another key and some of its values. With `x-only-for`, the key must keep
+/// its default unless the other key has one of these values. With `x-used-with` (`x-unused-with`),
+/// the key has an effect only if the other key has (does not have) one of these values. `x-below`
+/// names another key, whose number must be larger.
 ///
 /// The schema accepts every preset file that the program accepts. It does not express conditions
 /// between several keys, which only the program checks.
