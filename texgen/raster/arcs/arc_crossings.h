@@ -36,8 +36,9 @@ inline std::int32_t rounded(float x) {
 ///     cos alpha cross(d, q) + sin alpha (d² / 4 - q²) = 0.
 /// If y is given, this is a quadratic equation for the x of q; if x is given, it is a quadratic
 /// equation for the y of q. Let u be the unknown, and let the equation be a u² + b u = c, with the
-/// sign of u chosen so that b >= 0. The root that is on the arc is computed as 2 c / (b + sqrt(b² +
-/// 4 a c)), which avoids cancellation.
+/// sign of u chosen so that b >= 0. The root that is on the arc is computed by the following
+/// formula, which avoids cancellation:
+///     u = 2 c / (b + sqrt(b² + 4 a c)).
 template <class Real>
 class CrossingSolver {
   public:
@@ -99,9 +100,9 @@ class CrossingSolver {
     Real up_ = 0;
 };
 
-/// A rising arc, in subpixels, whose crossings are rounded to the nearest subpixel. If the arc is
-/// at most 256 pixels wide and high, its crossings are computed in floats, with errors of up to
-/// 1/10 subpixel before rounding, otherwise in doubles.
+/// A rising arc, in subpixels, whose crossings are rounded to the nearest subpixel. The crossings
+/// of an arc that is at most 256 pixels wide and high are computed in floats; before rounding,
+/// their errors are up to 1/10 subpixel. The crossings of any other arc are computed in doubles.
 class RoundedCrossings {
   public:
     RoundedCrossings() = default;

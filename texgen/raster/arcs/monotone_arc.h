@@ -62,7 +62,9 @@ struct CellArcs {
     RasterGrid grid;
     std::int32_t shear = 0;                         // shear_in_subpixels on a torus; 0 in the plane
     std::vector<std::vector<MonotoneArc>> batches;  // one batch per task of make_arcs
-    int unclosed_loops = 0;              // 0 for a valid foam, unless a raft overlaps itself
+    // The number of boundary loops of insets that did not close (outline/inset.h). It is 0 for a
+    // valid foam, unless a raft overlaps itself.
+    int unclosed_loops = 0;
     std::optional<BubbleId> ghost = {};  // the ghost bubble of a patch
 };
 

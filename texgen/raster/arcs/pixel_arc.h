@@ -70,9 +70,10 @@ struct MonotonePiece {
 /// head. Positions are relative to the tail of the arc.
 boost::container::static_vector<MonotonePiece, 5> monotone_pieces(const PixelArc& arc);
 
-/// Calls visit(from, to, sine) for each monotone piece of an arc, in order. `tail` and `head` are
-/// the ends of the arc, as points of any type. inner(position) converts a point between two pieces
-/// to this type. `position` is relative to the tail, in the unit of the arc.
+/// Calls visit(from, to, sine) for each monotone piece of an arc, in order. `from` and `to` are the
+/// ends of the piece, and `sine` is as in MonotonePiece. `tail` and `head` are the ends of the arc,
+/// as points of any type. inner(position) converts a point between two pieces to this type.
+/// `position` is relative to the tail, in the unit of the arc.
 template <class Point, class Inner, class Visit>
 void for_each_piece(const PixelArc& arc,
                     const Point& tail,

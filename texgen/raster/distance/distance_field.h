@@ -18,10 +18,10 @@ struct DistanceNeeds {
 /// Gradients are images of two channels: x to the right and y up. All other images have one
 /// channel. Images that the DistanceNeeds do not select are empty.
 struct DistanceField {
-    /// The index of the bubble whose outline, for films of no width, encloses the pixel's center.
-    /// In a patch the surroundings have the index of the ghost bubble, and the indices of the lone
-    /// bubbles follow, in the order of Frame::lone_bubbles. Where bubbles of a patch overlap, the
-    /// pixel gets the largest index of these bubbles.
+    /// The index of the bubble whose outline encloses the center of the pixel. Films count as lines
+    /// without a width. In a patch the surroundings have the index of the ghost bubble, and the
+    /// indices of the lone bubbles follow, in the order of Frame::lone_bubbles. Where bubbles of a
+    /// patch overlap, the pixel gets the largest index of these bubbles.
     Image<std::uint32_t> ids;
     /// The distance to the nearest point of a film in pixels, never negative. It is infinite if the
     /// region of the pixel has no film, as in a patch without bubbles. The error is at most 1e-6

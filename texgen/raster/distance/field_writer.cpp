@@ -48,7 +48,7 @@ inline void copy_pairs(const float* xs, const float* ys, std::size_t count, floa
 
 }  // namespace
 
-// Writes a span, whose column and row are those of the image.
+// Writes a span. Precondition: its column and its row are in the coordinates of the image.
 inline void FieldWriter::write_span(const PixelBatch& batch,
                                     const PixelBatch::Span& span,
                                     std::uint32_t id) {

@@ -20,8 +20,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Regions are painted in two phases (README.md): bubbles within one band of rows of the unshifted
-// grid of a torus, by paint_within_bands, and then all other regions, sorted by bands of the image.
+// Regions are painted in two phases (README.md). First, paint_within_bands paints each bubble of a
+// torus that is within one band of rows of the unshifted grid. Then all other regions are painted,
+// sorted by bands of the image.
 
 // The number of rows of a band, a multiple of RegionField::kTileRows and TorusRegions::kSquare.
 constexpr int kBandRows = 128;
@@ -100,8 +101,9 @@ Buckets<RegionCopy> copies_by_band(std::span<const Region> regions,
     });
 }
 
-// Returns true if a region is within a band of rows of the unshifted grid. A region that begins on
-// the upper border of the grid belongs to the first band, which contains its periodic copy.
+// Returns true if a region is within a band of rows of the unshifted grid. A region whose first
+// point (Region::first) is on the upper border of the grid belongs to the first band, which
+// contains the periodic copy of this point.
 bool is_within(const Region& region, const RasterGrid& grid, int band) {
     const std::int32_t height = grid.height * kSubpixel;
     const std::int32_t down = region.first.y < height ? 0 : height;
@@ -110,10 +112,10 @@ bool is_within(const Region& region, const RasterGrid& grid, int band) {
     return box.bottom >= rows.begin && box.top <= rows.end;
 }
 
-// Traces the bubbles of a torus by the bands of rows of the unshifted grid in which they begin, and
-// paints those that are within one band. No other worker paints the same rows, because different
-// bands contain different rows, and a shift of the grid moves all bands by the same distance.
-// Returns the regions of all other bubbles.
+// Traces the bubbles of a torus. Each worker traces the bubbles that begin (Region::first) in one
+// band of rows of the unshifted grid at a time, and paints those of them that are within the band.
+// No other worker paints the same rows, because different bands contain different rows, and a shift
+// of the grid moves all bands by the same distance. Returns the regions of all other bubbles.
 std::vector<Region> paint_within_bands(const TorusRegions& regions,
                                        const RasterGrid& grid,
                                        int workers,

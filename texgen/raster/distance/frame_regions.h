@@ -18,10 +18,11 @@ using PaintRegion = std::function<void(
 
 /// Calls `paint` for all regions that may contain pixels of an image: the bubbles of a frame, and
 /// the lone bubbles and the surroundings of a patch. The workers 0 to `workers` - 1 paint in
-/// parallel, no two of them the same rows at the same time. Where regions overlap, their order does
-/// not depend on the number of workers or on the shift of the grid. In a patch the surroundings are
-/// painted first, then all bubbles in the order of their ids. Throws std::invalid_argument if the
-/// grid is too large or empty, or if it does not fit the domain (pixels_per_unit).
+/// parallel; no two of them paint the same rows at the same time. Where regions overlap, their
+/// order does not depend on the number of workers or on the shift of the grid. In a patch the
+/// surroundings are painted first, then all bubbles in the order of their ids. Throws
+/// std::invalid_argument if the grid is too large or empty, or if it does not fit the domain
+/// (pixels_per_unit).
 void paint_regions(const Frame& frame,
                    const RasterGrid& grid,
                    int workers,

@@ -22,10 +22,10 @@ namespace {
 constexpr std::size_t kRegionsPerTask = 256;
 
 // Limits for the edges of a chain (append_chain_points). The sagitta of an edge is the largest
-// distance of the edge from the part of the arc that it replaces. Edges between points of the arc
-// cut off area, so the inner points are moved outwards, away from the center of the circle, to add
-// the same area. Within a pixel that contains whole edges, the two areas cancel, so short edges may
-// have a larger sagitta. Longer edges must be accurate on their own.
+// distance of the edge from the part of the arc that it replaces. Edges that end on the arc would
+// cut off area. The inner points of the chain are therefore moved outwards, away from the center of
+// the circle, to add the same area. Within a pixel that contains whole edges, the two areas cancel,
+// so short edges may have a larger sagitta. Longer edges must be accurate on their own.
 //
 // An arc whose sagitta is at most kSagitta is replaced by its chord. Any other arc is divided into
 // one edge more than the limits require. The ends of the arc cannot be moved, so only the points

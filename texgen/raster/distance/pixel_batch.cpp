@@ -28,7 +28,8 @@ constexpr float kPastEnd = 1e-3F;
 constexpr float kMinSquare = 1e-12F;
 // The smallest value of `root` in add_film. It avoids 0 / 0 at the ends of a film.
 constexpr float kMinRoot = 1e-18F;
-// A sum of 1/phi² up to this limit counts as 0: the smooth distance is at least 1e6 pixels.
+// A sum of 1/phi², in 1 / square pixels, counts as 0 up to this limit: the smooth distance would be
+// at least 1e6 pixels.
 constexpr float kMinSum = 1e-12F;
 
 // One float for each of the kLanes pixels that are measured at once. These pixels are called a

@@ -19,8 +19,8 @@ struct FloatQuadratic {
     float curvature = 0.0F;
 };
 
-/// The signed distance from a line at a position d relative to the middle of a batch: value + (x,
-/// y) · d.
+/// The signed distance of a point from a line. At a position d relative to the middle of a batch,
+/// it is value + (x, y) · d.
 struct FloatLine {
     float value = 0.0F;
     float x = 0.0F;

@@ -29,8 +29,9 @@ constexpr double kHalfPixel = 0.5 * kSubpixel;
 
 // One of these numbers is added to a crossing before it is rounded down. kToNearest rounds to the
 // nearest subpixel. kUp rounds up, which gives the same columns as the exact crossing, because the
-// middles of pixels are at whole subpixels. A whole number is not rounded up to the next one. The
-// crossing of a straight edge h subpixels high is a multiple of 1/h; h may be up to 2^27.
+// middles of pixels are at whole subpixels. A crossing at a whole number is not changed. The
+// crossing of a straight edge that is h subpixels high is a multiple of 1/h, so that kUp is large
+// enough for h up to 2^27.
 constexpr double kToNearest = 0.5;
 constexpr double kUp = 1.0 - 0x1p-27;
 

@@ -66,8 +66,8 @@ class Boundary {
     /// the outline is not empty.
     Extent extent() const;
 
-    /// Returns the exact arcs for measuring distances, wide arcs in halves
-    /// (DistanceArc::kMinCosine).
+    /// Returns the exact arcs for measuring distances. Arcs that turn by more than 120 degrees are
+    /// cut in halves (DistanceArc::kMinCosine).
     std::span<const DistanceArc> arcs() const { return arcs_; }
     /// Returns the exact arcs without halving, one per film. DistanceArc::corner is not set for the
     /// first arc of a loop.

@@ -16,12 +16,14 @@ constexpr int kMaxBatchSide = 40;
 // The largest number of arcs of a region that is measured as one batch. In blocks of tiles with
 // more arcs, those that are too far away are dropped.
 constexpr std::size_t kMaxUnculledArcs = 24;
-// A film whose chord is at most this fraction of its distance from the farthest pixel of a batch is
-// ignored in smooth distances. The film would add only about 1e-8 / distance² to the sum of 1/phi²,
-// and its functions could leave the range of floats.
+// A film is ignored in smooth distances if its chord is at most this fraction of its distance from
+// the farthest pixel of a batch. The smooth distance s is defined by 1/s² = Σ 1/phi², summed over
+// the films (README.md). The film would add only about 1e-8 / distance² to this sum, and its
+// functions could leave the range of floats.
 constexpr double kMinChord = 1e-4;
-// For a circle, whose film has no ends, FilmFunctions::along is a constant. kNoEnd is twice this
-// constant, which is so large that every pixel counts as beside the film, not beyond its ends.
+// For a circle, whose film has no ends, FilmFunctions::along is a constant, so large that every
+// pixel counts as beside the film, not beyond its ends. kNoEnd is FloatQuadratic::twice_value of
+// this constant function.
 constexpr float kNoEnd = 1e15F;
 
 }  // namespace
@@ -50,9 +52,10 @@ void RegionField::measure(const Region& region,
 }
 
 // Measures a block of tiles with as many rows as columns of tiles, a power of two. `arcs` are the
-// arcs that may be the nearest arc of a pixel in the block, and `level` is the depth of the
-// recursion. If the block has many arcs, those that cannot be the nearest arc of any of its pixels
-// are dropped before its quarters are measured.
+// arcs that may be the nearest arc of a pixel in the block, and `level` is the number of enclosing
+// blocks for which arcs were dropped, so that near_[level] is the next free list of arcs. If there
+// are more than kMaxUnculledArcs arcs, those that cannot be the nearest arc of any pixel in the
+// block are dropped before its quarters are measured.
 void RegionField::subdivide(const PixelMask& mask,
                             Arcs arcs,
                             const PixelBox& block,
@@ -145,9 +148,10 @@ void RegionField::measure_distances(Arcs arcs, double reach) {
     }
 }
 
-// Measures the smooth distances of the batch. For the surroundings, no films are passed to the
-// batch, so that their smooth distances equal their distances. For a circle, only one of its two
-// arcs is passed, since its function `across` is 0 on the whole circle.
+// Measures the smooth distances of the batch. For the region of the ghost
+// (RegionKind::Surroundings), no films are passed to the batch, so that the smooth distances of its
+// pixels equal their distances. For a circle, only one of its two arcs is passed, since its
+// function `across` is 0 on the whole circle.
 void RegionField::measure_smooth(double reach) {
     const bool is_circle = region_->kind == RegionKind::Circle;
     Arcs films = region_->boundary.films();

@@ -16,9 +16,9 @@ namespace foam::texgen {
 
 /// Computes the distances, gradients and smooth distances of the pixels of regions, in batches. A
 /// small region with few arcs is one batch; any other region is subdivided recursively into tiles,
-/// as in a quadtree, and each tile is a batch. Where a part of the region has many arcs, those too
-/// far away to be the nearest arc of any of its pixels are dropped. Buffers are reused between
-/// regions.
+/// as in a quadtree, and each tile is a batch. If many arcs may be near a part of the region, the
+/// arcs that are too far away to be the nearest arc of any pixel of this part are dropped before
+/// the part is measured. Buffers are reused between regions.
 class RegionField {
   public:
     static constexpr int kTileColumns = 16;  // pixels
@@ -44,8 +44,8 @@ class RegionField {
     const Visit* visit_ = nullptr;
     const Region* region_ = nullptr;
     Vec2 offset_{0.0, 0.0};  // RegionPixels::offset
-    std::deque<std::vector<DistanceArc>>
-        near_;  // the remaining arcs at each level of the recursion
+    // The remaining arcs of each block around the current one for which arcs were dropped.
+    std::deque<std::vector<DistanceArc>> near_;
     ArcView view_;
     std::vector<ArcFunctions> functions_;
     std::vector<Vec2> points_;

@@ -25,7 +25,7 @@ MonotonePiece between(const MonotonePiece& piece, double low, double high) {
 }
 
 // Returns the height at which a piece crosses the vertical line at x. If the piece does not cross
-// the line, returns the height of the end that is nearest to the line.
+// the line, returns the height of the end that is nearer to the line.
 double height_at(const MonotonePiece& piece, double x) {
     const double from = piece.tail.x();
     const double to = piece.head.x();

@@ -14,7 +14,8 @@ namespace {
 // Limits on the half angle of a side (at most 60 degrees) and on the angle of the left turn from
 // one side to the next (from 0.06 to 120 degrees). Suppose that the offsets of two successive sides
 // cross exactly once. A point of one offset beyond this crossing is too near to the circle of the
-// other side. Within the limits, the nearest point of this circle is on that side itself.
+// other side. Within the limits, the nearest point of this circle is on that side, so that the
+// point is too near to the side, too.
 constexpr double kMinSideCosine = 0.5;
 constexpr double kMinCornerSine = 1e-3;
 constexpr double kMinCornerCosine = -0.5;
@@ -94,12 +95,13 @@ const ArcLoops* FullInset::trace(std::span<const ArcLoops::Side> loop, double di
 // Let p and q be the signed distances of the two ends of a piece from the offset, positive on its
 // left. Let c be the length of the chord of the piece, and a and b the absolute curvatures of the
 // piece and of the side. Let t be a fraction of the chord, counted from the end with the distance
-// q. The signed distance of the piece from the offset at this fraction is at least t p + (1 - t) q
-// - t (1 - t) c² (a + b). The term with a bounds the distance of the piece from its chord
-// (intersecting chords theorem), the term with b the difference between the signed distance of the
-// chord and its linear interpolation. The signed distance is not negative for any t if c² (a + b)
-// <= (sqrt p + sqrt q)². The code compares with p + q + 2 min(p, q), which is at most the
-// right-hand side.
+// q. The signed distance of the piece from the offset at this fraction is at least
+//     t p + (1 - t) q - t (1 - t) c² (a + b).
+// The term with a bounds the distance of the piece from its chord (intersecting chords theorem),
+// the term with b the difference between the signed distance of the chord and its linear
+// interpolation. The signed distance is not negative for any t if
+//     c² (a + b) <= (sqrt p + sqrt q)².
+// The code compares c² (a + b) with p + q + 2 min(p, q), which is at most the right-hand side.
 //
 // The piece of an adjacent side and the offset share one end. The two do not cross again if the
 // other end of the piece is on the left of the offset.

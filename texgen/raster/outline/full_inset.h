@@ -10,11 +10,12 @@
 
 namespace foam::texgen {
 
-/// InsetTracer (inset.h) drops a piece of an offset if the parameters (OffsetArc) of its ends
-/// differ by less than this, in pixels; FullInset (below) does not find the inset of a loop with
-/// such a piece. The middle of a short piece is close to the offset that cuts the piece. If the
-/// middle is too near to the side of this offset, the difference may be below the tolerance of the
-/// test of distances (1e-7 pixels), which then does not detect it.
+/// The smallest length of a piece of an offset, in pixels: the difference of the parameters
+/// (OffsetArc) of its ends. InsetTracer (inset.h) drops shorter pieces; FullInset (below) returns
+/// null for a loop with such a piece. The test of distances is not reliable for a short piece. The
+/// middle of the piece is close to the offset that cuts the piece. If this middle is too near to
+/// the side of that offset, it may be too near by less than the tolerance of the test (1e-7
+/// pixels), so that the test does not detect it.
 inline constexpr double kShortestPiece = 1e-6;
 
 /// Finds the inset of a loop (inset.h) if its boundary provably consists of one piece of the offset

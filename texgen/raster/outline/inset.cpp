@@ -132,8 +132,9 @@ void InsetTracer::collect_pieces(std::size_t index) {
     }
 }
 
-// Returns the piece whose tail is nearest to the head of `piece`, among those that are not linked
-// yet and the first piece of the loop, or null if none is within kLargestGap.
+// Returns the piece that follows `piece` in a loop: the candidate whose tail is nearest to the head
+// of `piece`. Candidates are all pieces that are not linked yet, and the first piece of the loop.
+// Returns null if the tail of no candidate is within kLargestGap of the head.
 InsetTracer::Piece* InsetTracer::successor(const Piece& piece, const Piece& first) {
     Piece* nearest = nullptr;
     double min_gap = kLargestGap * kLargestGap;

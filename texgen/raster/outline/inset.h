@@ -39,7 +39,8 @@ class InsetTracer {
         double to = 0.0;         // parameter of the head on the offset
         Vec2 tail{0.0, 0.0};
         Vec2 head{0.0, 0.0};
-        bool linked = false;  // true once the piece was used in a loop, kept or not
+        // True once the piece was used in a loop, even if the loop did not close.
+        bool linked = false;
     };
 
     void add_loop(std::span<const ArcLoops::Side> loop);

@@ -106,9 +106,10 @@ struct Crossings {
 /// middle of `arc` to the middle of `other`. The points of the first circle, relative to the middle
 /// of `arc`, are
 ///     y(s) = s / (1 + (k s / 2)²) (t + (k s / 2) n).
-/// Inserted into the equation of the second circle, n' (y - q) - k' / 2 |y - q|² = 0, they give a
-/// quadratic equation for s, a s² + b s - e = 0, with the coefficients a, b and e of the code. Each
-/// root is computed by the formula that avoids cancellation.
+/// They are inserted into the equation of the second circle,
+///     n' · (y - q) - k' / 2 |y - q|² = 0.
+/// The result is a quadratic equation for s, a s² + b s - e = 0, with the coefficients a, b and e
+/// of the code. Each root is computed by the formula that avoids cancellation.
 inline Crossings crossings(const OffsetArc& arc, const OffsetArc& other) {
     const Vec2 q = other.middle - arc.middle;
     const Vec2 m = other.curvature * q + turned_left(other.direction);
@@ -133,9 +134,9 @@ double extent(const OffsetArc& arc);
 /// arc.
 ///
 /// Let y be the vector from the middle of the arc to the point, n the normal at the middle and k
-/// the curvature. The function f = n y - k / 2 y² is 0 on the circle. The squared distance from the
-/// center of the circle, divided by the squared radius, is 1 - 2 k f. The signed distance from the
-/// circle is therefore 2 f / (1 + sqrt(1 - 2 k f)).
+/// the curvature. The function f = n · y - k / 2 |y|² is 0 on the circle. The squared distance from
+/// the center of the circle, divided by the squared radius, is 1 - 2 k f. The signed distance from
+/// the circle is therefore 2 f / (1 + sqrt(1 - 2 k f)).
 inline double distance_left(const OffsetArc& arc, const Vec2& point) {
     const Vec2 y = point - arc.middle;
     const double f = cross(arc.direction, y) - 0.5 * arc.curvature * y.squaredNorm();
