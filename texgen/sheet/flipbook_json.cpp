@@ -41,9 +41,9 @@ Json conventions_value(const ManifestConventions& conventions) {
 }
 
 // Returns the layout in texture coordinates. The origin is the top left corner of the sheet.
-// Frames, columns and rows are counted from 0. Frame k is in column k mod columns and row k /
-// columns, rounded down. The top left corner of the frame is at (column, row) * cell + inset, where
-// * multiplies component by component. The size of the frame is `frame`.
+// Frames, columns and rows are counted from 0. Frame k is in column `k mod columns` and in row
+// `k / columns`, rounded down. The top left corner of the frame is at (column, row) * cell + inset,
+// where * multiplies component by component. The size of the frame is `frame`.
 Json uv_value(const SheetLayout& layout) {
     const auto width = static_cast<double>(layout.width());
     const auto height = static_cast<double>(layout.height());

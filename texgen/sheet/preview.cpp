@@ -222,7 +222,7 @@ class Previews {
 void check_tiling(const PreviewOptions& options, bool tiles, int frame, const std::string& preset) {
     if (!tiles && std::ranges::count(options.kinds, PreviewKind::Tiling) > 0) {
         throw std::invalid_argument(
-            fmt::format("frame {} of preset '{}' does not tile; previews 'tiling' need a torus "
+            fmt::format("frame {} of preset '{}' does not tile; the preview 'tiling' needs a torus "
                         "without shear",
                         frame,
                         preset));

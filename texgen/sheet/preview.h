@@ -50,9 +50,9 @@ void check_shown_map(const std::string& map, std::string_view kind);
 /// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are composited over gray, and large frames are
 /// reduced in size (display_frame.h). `folder` is the folder of the manifest. `to` is created if
 /// needed. `on_progress` receives the phase Previews. Throws std::invalid_argument if no map was
-/// baked, for a map of integers that must not be averaged (ids or sides), and for the tiling of a
-/// frame that does not tile. Throws OutputError if a file cannot be written. Also throws the
-/// exceptions of map_sequence, read_display_frame, ApngMuxer and encode_video.
+/// baked, for a map of integers that must not be averaged (ids or sides), and for a preview of the
+/// kind Tiling if the first frame does not tile. Throws OutputError if a file cannot be written.
+/// Also throws the exceptions of map_sequence, read_display_frame, ApngMuxer and encode_video.
 std::vector<std::filesystem::path> write_previews(const BakedSet& set,
                                                   const std::filesystem::path& folder,
                                                   const PreviewOptions& options,
