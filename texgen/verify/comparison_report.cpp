@@ -106,7 +106,8 @@ Json object_of(const ComparedImage& image) {
     return json;
 }
 
-// Returns the frames that exist on one side only: one line per map and side.
+// Returns lines that list the frames that exist on one side only (A or B): one line per map and
+// side.
 std::string lines_of_absent_frames(std::span<const ComparedImage> images) {
     std::map<std::pair<std::string, Presence>, std::vector<int>> frames;
     for (const ComparedImage& image : images) {

@@ -12,8 +12,8 @@ namespace foam::texgen {
 /// Returns the result of one comparison as a line for users, without a newline.
 std::string to_line(const ComparedImage& image);
 
-/// Returns a summary of several comparisons for users. The frames that exist on one side only are
-/// listed in one line per map and side. The last line gives the number of images for each
+/// Returns a summary of several comparisons for users. The frames that exist on one side only (A or
+/// B) are listed in one line per map and side. The last line gives the number of images for each
 /// verdict.
 std::string summary_of(std::span<const ComparedImage> images);
 

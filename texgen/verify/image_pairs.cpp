@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An image of one side.
+// The two things that are compared, A and B, are called sides. A SideImage is what is known about
+// one image of a side.
 struct SideImage {
     std::string map{};  // empty if unknown, or if the image has several maps
     std::optional<int> frame{};

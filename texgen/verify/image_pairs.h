@@ -14,8 +14,9 @@ namespace foam::texgen {
 /// for frames of a range the value is Both, even if a file does not exist.
 enum class Presence { Both, OnlyA, OnlyB };
 
-/// Two images to compare: `a` is the reference, `b` the new image. The path of a missing image is
-/// the path at which it was expected.
+/// Two images to compare. The two things that are compared, A and B, are called sides. `a` is an
+/// image of the side A, the reference; `b` is an image of the side B, the new one. The path of a
+/// missing image is the path at which it was expected.
 struct ImagePair {
     std::filesystem::path a;
     std::filesystem::path b;

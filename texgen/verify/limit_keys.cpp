@@ -45,8 +45,8 @@ Keys<DifferenceLimits> severity_keys() {
     return {
         key("{}",
             Maybe<Reals>{kDifferences},
-            "largest difference of a pixel (default 1e-6, or none if the rms, a percentile or the "
-            "angle is limited)",
+            "largest allowed difference of a pixel (default 1e-6, or none if the rms, a percentile "
+            "or the angle is limited)",
             &L::sample),
         key("{}_percent",
             Reals{0.0, 100.0},
@@ -58,11 +58,11 @@ Keys<DifferenceLimits> severity_keys() {
             &L::allowed_pixels),
         key("hard_{}",
             Maybe<Reals>{kDifferences},
-            "largest difference of a pixel, without exceptions",
+            "largest allowed difference of a pixel, without exceptions",
             &L::hard),
         key("{}_rms",
             Maybe<Reals>{kDifferences},
-            "largest root mean square of the differences of all samples",
+            "largest allowed root mean square of the differences of all samples",
             &L::rms),
         key("{}_percentile",
             PercentileLimits{},
@@ -71,7 +71,7 @@ Keys<DifferenceLimits> severity_keys() {
             &L::percentiles),
         key("{}_angle",
             Maybe<Reals>{{0.0, kLargestAngle}},
-            "largest angle between the normals of a pixel of a normal map, in degrees",
+            "largest allowed angle between the normals of a pixel of a normal map, in degrees",
             &L::angle)
             .in("degrees"),
     };

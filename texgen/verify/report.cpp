@@ -96,9 +96,8 @@ std::string text_of(const VerifiedSet& found) {
                                    set.width,
                                    set.height,
                                    set.version);
-    text += fmt::format("  files    {} of {} have the pixels in the manifest\n",
-                        found.files_same,
-                        set.files.size());
+    text += fmt::format(
+        "  files    {} of {} have the recorded pixels\n", found.files_same, set.files.size());
     text += "  tile     " + tile_line(found) + "\n";
     text += "  loop     " + loop_line(found) + "\n";
     text += clipped_lines(found);
