@@ -138,7 +138,7 @@ RunOutcome fit_automatic_ranges(Preset& preset,
         ranges.measure(shown);
         progress.add(shown);
     };
-    const RunOutcome outcome = source(frames, next, measure, progress.for_source());
+    RunOutcome outcome = source(frames, next, measure, progress.for_source());
     if (outcome.status == RunStatus::Complete) {
         for (const MeasuredMap& one : ranges.maps()) {
             AutoReal& full = *full_of(*one.map, preset.maps);
