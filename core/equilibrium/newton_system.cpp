@@ -12,10 +12,10 @@ namespace {
 // Regularization: a number that is added to each diagonal entry of the Hessian, because the Hessian
 // is singular. Its null modes are, for example, the translation of the whole foam and, on a torus,
 // a common change of all pressures (E3). For junctions and half angles, the number is the film
-// tension times one of the factors below. For pressures, it is minus this factor times the sum of
-// 1e-12 and the magnitude of the diagonal entry, which may be 0. The regularization is small
+// tension times one of the two constants below. For pressures, it is minus this constant times the
+// sum of 1e-12 and the magnitude of the diagonal entry, which may be 0. The regularization is small
 // compared with the stiffness of the softest shear mode of the foam, and large compared with
-// rounding errors in the factor.
+// rounding errors in the LDLᵀ factor.
 constexpr double kSingleRegularization = 1e-6;
 constexpr double kDoubleRegularization = 1e-7;
 

@@ -11,21 +11,23 @@
 
 namespace foam::texgen {
 
-/// A current on a torus, which carries the drawn foam around and back to its start in every loop.
-/// It displaces a point by moving it along a velocity field for one unit of time. The velocity is
-/// given by a stream function, the sum of a few waves, each of which travels by one wavelength in a
-/// loop. The displacement has no seam and, whatever its strength, maps the torus to itself one to
-/// one and preserves areas (up to errors of 1e-5).
+/// A current on a torus, which carries the drawn foam around and back in every loop. At each moment
+/// of the loop, a stream function, the sum of a few waves, gives a velocity field. A point is
+/// displaced to where it would arrive if it moved in this fixed field for one unit of time; this
+/// time is unrelated to the time of the loop. From moment to moment the waves travel, each by one
+/// wavelength per loop, so that the displacement at the end of the loop equals that at its start.
+/// The displacement has no seam and, whatever its strength, maps the torus to itself one to one and
+/// preserves areas (up to errors of 1e-5).
 class Current {
   public:
     /// Uses the options `current` and `eddies` of the loop. `aspect` is the width of the torus
     /// divided by its height.
     Current(const LoopOptions& loop, double aspect, std::uint64_t seed);
 
-    /// Returns the displacement of a point of the foam after the fraction `progress` of the loop.
+    /// Returns the displacement of a point of the foam at the fraction `progress` of the loop.
     Vec2 displacement(const Vec2& point, const Domain& domain, double progress) const;
 
-    /// Returns the frame, displaced by the current after the fraction `progress` of the loop
+    /// Returns the frame, displaced by the current at the fraction `progress` of the loop
     /// (displaced_frame.h). Precondition: the frame is on a torus.
     Frame carried(const Frame& frame, double progress) const;
 

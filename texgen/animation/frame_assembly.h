@@ -23,7 +23,8 @@ enum class NextFrames { Omitted, Included };
 /// passes it to the visitor, as soon as all states that it needs exist. The frames are emitted in
 /// increasing order, except in a pingpong: the second half shows states of the first half, so the
 /// frames of the second half are emitted among the frames of the first half. States are released
-/// when no further frame needs them. Frames show the foam carried by the current of the loop.
+/// when no further frame needs them. If `loop.current` is above 0, frames show the foam as
+/// this current displaces it (current.h).
 class FrameAssembly {
   public:
     /// Prepares the frames with the given numbers. `on_frame` is called for each of them.

@@ -18,7 +18,8 @@ namespace foam::texgen {
 class Cache {
   public:
     /// Opens a cache. Throws InputError if cache.json is missing, malformed or of a newer version
-    /// of the file format than this program supports, or if the file of pressures is damaged.
+    /// of the file format than this program supports, or if the file with the pressures at the end
+    /// of the warm-up exists but is damaged.
     explicit Cache(std::filesystem::path folder);
 
     const CacheInfo& info() const { return info_; }

@@ -11,8 +11,8 @@
 
 namespace foam::texgen {
 
-/// Returns a set that describes a bake of the given frames of a preset, in any order. The set has
-/// no files and no statistics yet.
+/// Returns a set that describes a bake of the given frames of a preset. The frames may be given in
+/// any order. The set has no files and no statistics yet.
 BakedSet describe(const Preset& preset, const std::vector<int>& frames);
 
 /// Adds the files and the statistics of a baked frame to a set. `folder` is the folder of the

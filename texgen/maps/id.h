@@ -8,7 +8,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kIdMap = {
     .name = "id",
-    .meaning = "permanent id of a bubble plus 1, exact; 0 around a patch",
+    .meaning = "permanent id of a bubble plus 1, not averaged; 0 around a patch",
     .unit = "PNG: lowest 16 bits",
     .channels = "Y",
     .png_bits = 16};

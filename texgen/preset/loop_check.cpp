@@ -81,7 +81,7 @@ void check_frames(const Preset& preset, std::span<const Assignment> assignments)
         reject_last(assignments,
                     {"frames.count", "loop.kind"},
                     "the loop \"pingpong\" needs an even frames.count: it shows the first and the "
-                    "last state once and every other state twice");
+                    "last state once and all states between them twice");
     }
     if (!is_pingpong && preset.frames.first == FirstFrame::Diagram) {
         reject_last(

@@ -47,10 +47,10 @@ TEST(LoopCheck, RejectsLoopsThatCannotClose) {
     EXPECT_EQ(failure("[loop]\ndrift = [0, 1]\n"),
               "test.toml:2: key 'loop.drift' = [0, 1]: loop.drift is only allowed with loop.kind = "
               "\"drift\", \"breathe\", \"shear\", \"boil\" or \"flow\"");
-    EXPECT_EQ(
-        failure("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
-        "test.toml:4: key 'loop.kind' = \"pingpong\": the loop \"pingpong\" needs an even "
-        "frames.count: it shows the first and the last state once and every other state twice");
+    EXPECT_EQ(failure("[frames]\ncount = 25\n[loop]\nkind = 'pingpong'\n"),
+              "test.toml:4: key 'loop.kind' = \"pingpong\": the loop \"pingpong\" needs an even "
+              "frames.count: it shows the first and the last state once and all states between "
+              "them twice");
     EXPECT_EQ(failure("[loop]\nkind = 'shear'\namplitude = 0.5\n"),
               "test.toml:3: key 'loop.amplitude' = 0.5: loop.amplitude must be at most 0.4 with "
               "loop.kind = \"shear\"");
