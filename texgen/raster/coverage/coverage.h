@@ -3,7 +3,9 @@
 #pragma once
 
 #include "texgen/raster/coords/fixed_point.h"
+#include "texgen/raster/coords/raster_grid.h"
 #include "texgen/raster/coverage/arc_splitter.h"
+#include "texgen/raster/simd/kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +13,16 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
 
 /// The binary logarithm of the area of a pixel. The unit of areas is half a square subpixel.
 inline constexpr int kAreaBits = 2 * kSubpixelBits + 1;
+
+static_assert(kLargestGridSide <= std::numeric_limits<std::uint16_t>::max(),
+              "Coverage stores columns in 16 bits");
 
 /// The largest possible mean of 16-bit values.
 inline constexpr std::int32_t kLargestMean = std::numeric_limits<std::uint16_t>::max();
@@ -42,14 +48,6 @@ inline std::uint16_t mean_of(double sum) {
 /// The topology of a row of pixels: a ring around a torus, or a line segment in the plane.
 enum class RowKind { Ring, Line };
 
-/// The sums along a row, as spans of pixels with equal sums. The arrays never shrink.
-template <std::size_t Channels>
-struct RowSums {
-    std::size_t count = 0;              // number of spans
-    std::vector<std::uint16_t> begins;  // the first pixel of each span, then the width of the row
-    std::vector<PixelSums<Channels>> sums;  // the sums of each pixel of a span
-};
-
 /// Computes sums of values times areas in a band of rows. Each arc is added with the change of the
 /// values from its left to its right, per channel. The sum of a pixel is a start value plus the
 /// contributions of all arcs: sums of integers, which do not depend on the order of the arcs.
@@ -58,7 +56,10 @@ struct RowSums {
 /// part of the arc (ArcSplitter::Part), this is the area between the part and the right border of
 /// the pixel. In each pixel further right, it is the height of the part times the width of a pixel.
 /// The band stores the parts of each row in a list. When the row is taken, its parts are added to
-/// one cell per pixel, and a running sum along the row converts the cells to sums of pixels.
+/// cells, one per pixel: a cell is the difference between the sum of its pixel and that of the
+/// pixel before it. A part adds the area on its right to the cell of its pixel, and the rest of its
+/// full contribution to the next cell. A running sum along the row converts cells to sums of
+/// pixels.
 ///
 /// On a torus, an arc outside of the image is added at its wrapped column. The sums would be right
 /// if all arcs of an outline were in the same period, because their signed heights then cancel in
@@ -95,11 +96,17 @@ class Coverage {
     /// Adds all pending arcs.
     void finish();
 
-    /// Stores the sums of the pixels of a row, `start` plus the contributions of the arcs, and
-    /// removes the parts of the row. Precondition: no arc is pending.
-    void take_row(int row, const Sums& start, RowSums<Channels>& sums);
+    /// Calls visit(begin, end, sums) for the spans of pixels [begin, end) of a row that have equal
+    /// sums, from left to right. The sums are `start` plus the contributions of the arcs. Removes
+    /// the parts of the row. The calls are a part of a kernel, so `visit` should capture by value
+    /// (at_simd_level). Precondition: no arc is pending.
+    template <class Visit>
+    void take_row(int row, const Sums& start, const Visit& visit);
 
   private:
+    static constexpr std::size_t kFlagsPerWord = 64;
+    static constexpr std::size_t kFlagsPerStep = 4;  // see take_begins
+
     // A part of an arc in a row, as in ArcSplitter::Part.
     struct RowPart {
         std::int32_t column;
@@ -107,18 +114,24 @@ class Coverage {
         std::int32_t twice_area_on_left;
         std::uint32_t arc;  // index in across_
     };
-    // The contributions of parts to the sums of the pixels of a row.
-    struct alignas(2 * sizeof(Sums)) Cell {
-        Sums all{};   // added to the pixel of a part and to all pixels further right
-        Sums left{};  // subtracted from the pixel of a part
-    };
     struct Row {
         std::vector<RowPart> parts;
         Sums start{};  // added to the start of the running sum
     };
 
+    // Adds factor * values to sums, per channel. Reads all channels before it writes any, so that
+    // the loop is vectorized.
+    static void add_times(double factor, const Sums& values, Sums& to) {
+        Sums sums = to;
+#pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
+        for (std::size_t c = 0; c < sums.size(); ++c) {
+            sums[c] += factor * values[c];
+        }
+        to = sums;
+    }
     void add_parts(std::size_t k);
     void add_outside(const ArcSplitter::Part& part, std::uint32_t arc, Row& row);
+    static std::size_t take_begins(std::span<std::uint64_t> flags, std::uint16_t* begins);
 
     int width_;
     RowKind kind_;
@@ -127,8 +140,73 @@ class Coverage {
     std::vector<Row> rows_;
     std::vector<Sums> across_;  // Step::across of each arc
     // Scratch arrays for one row; all elements are 0 between calls.
-    std::vector<Cell> cells_;
-    std::vector<std::uint64_t> touched_;  // one flag per pixel, set if its cell may be nonzero
+    std::vector<Sums> cells_;             // see the class comment
+    std::vector<std::uint64_t> touched_;  // one flag per pixel, set if it contains a part
+    std::vector<std::uint16_t> begins_;   // the first pixel of each span of a row
 };
+
+// Spans begin at the first pixel, at the pixels with a flag, and at the pixels after them. Stores
+// these positions in increasing order, clears the flags, and returns the number of positions.
+// Stores kFlagsPerStep positions at a time, and overwrites up to kFlagsPerStep - 1 elements after
+// the last position. The end of a loop over single flags would often be mispredicted.
+template <std::size_t Channels>
+[[gnu::always_inline]] inline std::size_t Coverage<Channels>::take_begins(
+    std::span<std::uint64_t> flags, std::uint16_t* begins) {
+    std::size_t count = 0;
+    std::uint64_t carry = 1;  // the lowest bit of the next word
+    for (std::size_t word = 0; word < flags.size(); ++word) {
+        std::uint64_t bits = flags[word] | flags[word] << 1 | carry;
+        carry = flags[word] >> (kFlagsPerWord - 1);
+        flags[word] = 0;
+        const std::size_t end = count + static_cast<std::size_t>(std::popcount(bits));
+        for (; count < end; count += kFlagsPerStep) {
+            for (std::size_t k = 0; k < kFlagsPerStep; ++k) {
+                const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
+                begins[count + k] = static_cast<std::uint16_t>(word * kFlagsPerWord + bit);
+                bits &= bits - 1;
+            }
+        }
+        count = end;
+    }
+    return count;
+}
+
+// If the last pixel contains a part, the span that begins after it is dropped.
+template <std::size_t Channels>
+template <class Visit>
+void Coverage<Channels>::take_row(int row, const Sums& start, const Visit& visit) {
+    Row& own = rows_[static_cast<std::size_t>(row)];
+    Sums first = start;
+    add_times(1, std::exchange(own.start, Sums{}), first);
+    at_simd_level([parts = std::span<const RowPart>(own.parts),
+                   across = across_.data(),
+                   touched = std::span<std::uint64_t>(touched_),
+                   width = static_cast<std::size_t>(width_),
+                   first,
+                   cells = cells_.data(),
+                   begins = begins_.data(),
+                   visit] {
+        for (const RowPart& part : parts) {
+            const auto column = static_cast<std::size_t>(part.column);
+            touched[column / kFlagsPerWord] |= std::uint64_t{1} << column % kFlagsPerWord;
+            const Sums step = across[part.arc];
+            add_times(part.twice_area - part.twice_area_on_left, step, cells[column]);
+            add_times(part.twice_area_on_left, step, cells[column + 1]);
+        }
+        std::size_t count = take_begins(touched, begins);
+        if (begins[count - 1] == width) {
+            --count;
+        }
+        begins[count] = static_cast<std::uint16_t>(width);
+        Sums sums = first;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t begin = begins[k];
+            add_times(1, std::exchange(cells[begin], Sums{}), sums);
+            visit(begin, static_cast<std::size_t>(begins[k + 1]), sums);
+        }
+        cells[width] = {};
+    });
+    own.parts.clear();
+}
 
 }  // namespace foam::texgen

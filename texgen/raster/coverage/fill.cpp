@@ -3,9 +3,10 @@
 #include "texgen/raster/coverage/fill.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/image/cache_line.h"
 #include "texgen/raster/coverage/arc_bands.h"
 #include "texgen/raster/coverage/coverage.h"
-#include "texgen/raster/coverage/row_writer.h"
+#include "texgen/raster/coverage/paint_span.h"
 
 #include <fmt/core.h>
 
@@ -68,7 +69,7 @@ std::vector<PixelSums<Channels>> differences_from_film(const CellValues& values)
     return differences;
 }
 
-// Fills an image of `Channels` channels. ToPixel converts the sums of a pixel (row_writer.h).
+// Fills an image of `Channels` channels. ToPixel converts the sums of a pixel (paint_span.h).
 template <std::size_t Channels, class ToPixel>
 class Filler {
   public:
@@ -105,11 +106,12 @@ class Filler {
   private:
     struct Worker {
         explicit Worker(const Filler& filler)
-            : coverage(filler.image_.width(), filler.bands_.row_count(0), filler.row_kind_) {}
+            : coverage(filler.image_.width(), filler.bands_.row_count(0), filler.row_kind_),
+              padded_row(filler.image_.row_samples() + kBlockBytes / sizeof(std::uint16_t)) {}
 
         Coverage<Channels> coverage;
-        RowSums<Channels> sums;
-        RowWriter<Channels, ToPixel> writer;
+        std::vector<std::uint16_t>
+            padded_row;  // a row of the image, with room for a block after it
     };
 
     void fill_band(int band, Worker& worker) const {
@@ -126,16 +128,34 @@ class Filler {
             worker.coverage.add(arc, entries[k].translation - origin, step_across(arc));
         }
         worker.coverage.finish();
-        const std::size_t row_samples = image_.row_samples();
-        const std::span<std::uint16_t> rows(
-            image_.row(first_row).data(),
-            row_samples * static_cast<std::size_t>(bands_.row_count(band)));
-        for (int row = 0; row < bands_.row_count(band); ++row) {
-            const std::span<std::uint16_t> output =
-                rows.subspan(row_samples * static_cast<std::size_t>(row));
-            worker.writer.prefetch(output.first(row_samples));
-            worker.coverage.take_row(row, start_, worker.sums);
-            worker.writer.write(worker.sums, static_cast<std::size_t>(image_.width()), output);
+        const int rows = bands_.row_count(band);
+        for (int row = 0; row < rows; ++row) {
+            const std::span<std::uint16_t> output = image_.row(first_row + row);
+            prefetch(output);
+            // Blocks may be written beyond the end of a row: over the rows of the band above it,
+            // which are written later, but not over another band.
+            const bool has_room =
+                static_cast<std::size_t>(rows - 1 - row) * output.size_bytes() >= kBlockBytes;
+            const std::span<std::uint16_t> to = has_room ? output : worker.padded_row;
+            worker.coverage.take_row(
+                row,
+                start_,
+                [bytes = reinterpret_cast<std::uint8_t*>(to.data())](
+                    std::size_t begin, std::size_t end, const Sums& sums) {
+                    paint_span<Channels * sizeof(std::uint16_t)>(
+                        begin, end, ToPixel::template pixel<Channels>(sums), bytes);
+                });
+            if (!has_room) {
+                std::copy_n(to.begin(), output.size(), output.begin());
+            }
+        }
+    }
+
+    // Prefetches a row of the image. If this is done before sums are computed, the stores do not
+    // stall on one cache miss after the other.
+    static void prefetch(std::span<const std::uint16_t> row) {
+        for (std::size_t k = 0; k < row.size(); k += kLineBytes / sizeof(row[k])) {
+            __builtin_prefetch(&row[k], 1);
         }
     }
 

@@ -13,18 +13,36 @@ namespace {
 
 constexpr std::int64_t kFull = std::int64_t{1} << kAreaBits;
 
-// Returns the sum of each pixel of a row.
+template <std::size_t Channels>
+struct Span {
+    std::size_t begin;
+    std::size_t end;
+    PixelSums<Channels> sums;
+
+    bool operator==(const Span&) const = default;
+};
+
+// Takes a row and returns its spans.
+template <std::size_t Channels>
+std::vector<Span<Channels>> spans_of(Coverage<Channels>& coverage, int row) {
+    std::vector<Span<Channels>> spans;
+    coverage.take_row(
+        row, {}, [&spans](std::size_t begin, std::size_t end, const PixelSums<Channels>& sums) {
+            spans.push_back({begin, end, sums});
+        });
+    return spans;
+}
+
+// Takes a row and returns the sum of each pixel.
 std::vector<std::int64_t> take(Coverage<1>& coverage, int row, int width) {
-    RowSums<1> sums;
     coverage.finish();
-    coverage.take_row(row, {}, sums);
-    EXPECT_EQ(sums.begins[0], 0);
-    EXPECT_EQ(sums.begins[sums.count], width);
     std::vector<std::int64_t> values;
-    for (std::size_t k = 0; k < sums.count; ++k) {
-        EXPECT_LT(sums.begins[k], sums.begins[k + 1]);
-        values.resize(sums.begins[k + 1], static_cast<std::int64_t>(sums.sums[k][0]));
+    for (const Span<1>& span : spans_of(coverage, row)) {
+        EXPECT_EQ(span.begin, values.size());
+        EXPECT_LT(span.begin, span.end);
+        values.resize(span.end, static_cast<std::int64_t>(span.sums[0]));
     }
+    EXPECT_EQ(values.size(), static_cast<std::size_t>(width));
     return values;
 }
 
@@ -165,15 +183,7 @@ TEST(Coverage, OrderDoesNotMatter) {
     there.finish();
     back.finish();
     for (int row = 0; row < 2; ++row) {
-        RowSums<3> a;
-        RowSums<3> b;
-        there.take_row(row, {}, a);
-        back.take_row(row, {}, b);
-        ASSERT_EQ(a.count, b.count);
-        for (std::size_t k = 0; k < a.count; ++k) {
-            EXPECT_EQ(a.begins[k], b.begins[k]);
-            EXPECT_EQ(a.sums[k], b.sums[k]);
-        }
+        EXPECT_EQ(spans_of(there, row), spans_of(back, row));
     }
 }
 

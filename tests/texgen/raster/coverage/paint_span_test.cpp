@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/raster/coverage/row_writer.h"
+#include "texgen/raster/coverage/paint_span.h"
 
 #include "tests/support/simd_levels.h"
 
@@ -42,7 +42,11 @@ class Row {
     // the row, and the bytes more than a block after the row, are unchanged.
     void expect_painted(std::size_t offset) const {
         std::vector<std::uint8_t> bytes(offset + expected_.size() + kBlockBytes + 1, kUntouched);
-        paint_spans<PixelBytes>(begins_, pixels_.data(), bytes.data() + offset);
+        at_simd_level([this, row = bytes.data() + offset] {
+            for (std::size_t k = 0; k < pixels_.size(); ++k) {
+                paint_span<PixelBytes>(begins_[k], begins_[k + 1], pixels_[k], row);
+            }
+        });
         const std::span<const std::uint8_t> all = bytes;
         EXPECT_TRUE(std::ranges::equal(all.subspan(offset, expected_.size()), expected_))
             << PixelBytes << " bytes";
@@ -74,28 +78,11 @@ void expect_painted() {
     });
 }
 
-TEST(PaintSpans, WritesEverySpan) {
+TEST(PaintSpan, WritesEverySpan) {
     expect_painted<2>();
     expect_painted<4>();
     expect_painted<6>();
     expect_painted<8>();
-}
-
-// Writes the samples of two spans, once with room for a block after the row and once without.
-TEST(RowWriter, WritesOnlyItsRow) {
-    RowWriter<1, RoundedMeans> writer;
-    RowSums<1> sums;
-    sums.count = 2;
-    sums.begins = {0, 3, 5};
-    sums.sums = {{7 * kPixelArea}, {9 * kPixelArea}};
-    for (const std::size_t size : {std::size_t{6}, 6 + kBlockBytes}) {
-        std::vector<std::uint16_t> samples(size, 1);
-        writer.prefetch(std::span<const std::uint16_t>(samples).first(5));
-        writer.write(sums, 5, samples);
-        EXPECT_EQ(std::vector<std::uint16_t>(samples.begin(), samples.begin() + 5),
-                  (std::vector<std::uint16_t>{7, 7, 7, 9, 9}));
-        EXPECT_TRUE(size > 6 || samples.back() == 1);
-    }
 }
 
 TEST(PixelMeans, PackSamplesInTheOrderOfMemory) {
@@ -104,25 +91,13 @@ TEST(PixelMeans, PackSamplesInTheOrderOfMemory) {
               0x060504030201U);
 }
 
-// The 37 sums are several vectors and a remainder. The fourth sum of a pixel is unused.
 TEST(PixelMeans, AreRounded) {
-    at_every_simd_level([] {
-        RowSums<3> sums;
-        sums.count = 37;
-        for (int k = 0; k < 37; ++k) {
-            sums.begins.push_back(static_cast<std::uint16_t>(k));
-            sums.sums.push_back(
-                {750.25 * kPixelArea * k, 0.5 * kPixelArea, 65535 * kPixelArea, 0.0});
-        }
-        sums.begins.push_back(37);
-        std::vector<std::uint16_t> samples(std::size_t{3} * 37);
-        RowWriter<3, RoundedMeans>().write(sums, 37, samples);
-        for (std::size_t k = 0; k < 37; ++k) {
-            EXPECT_EQ(samples[3 * k], std::lround(750.25 * double(k)));
-            EXPECT_EQ(samples[3 * k + 1], 1);
-            EXPECT_EQ(samples[3 * k + 2], 65535);
-        }
-    });
+    for (int k = 0; k < 37; ++k) {
+        const std::uint64_t pixel = RoundedMeans::pixel<3>(
+            {750.25 * kPixelArea * k, 0.5 * kPixelArea, 65535 * kPixelArea, 0.0});
+        EXPECT_EQ(pixel & 0xFFFF, std::lround(750.25 * k));
+        EXPECT_EQ(pixel >> 16, 0xFFFF0001U);
+    }
 }
 
 // The mean color 20000 at an opacity of 32768 of 65535 is the straight color 20000 / 32768 x 65535.
