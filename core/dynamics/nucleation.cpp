@@ -124,7 +124,7 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam,
     std::array<double, 3> cut{};
     const double side = triangle_side(area);
     const auto [a, b, c] = foam.network.leaving(junction);
-    const std::array<HalfEdgeId, 3> spokes{a, c, b};  // counter-clockwise, like the corners
+    const std::array<HalfEdgeId, 3> spokes{a, c, b};  // counter-clockwise
     for (std::size_t k = 0; k < 3; ++k) {
         around.insert(foam.network.left(spokes[k]));
         arcs[k] = film_arc(foam, spokes[k]);

@@ -8,7 +8,8 @@ namespace foam {
 
 /// Applies simple shear along x to the whole foam and its torus: every point moves to the right by
 /// the strain times its y coordinate. The areas within the chords of the bubbles are unchanged. The
-/// foam is not in equilibrium afterwards. Calls reduce_lattice (core/foam/lattice.h).
+/// foam is not in equilibrium afterwards. Finally, the shear of the torus is reduced to at most
+/// half of its width, which does not move the junctions (reduce_lattice in core/foam/lattice.h).
 void shear(Foam& foam, double strain);
 
 }  // namespace foam

@@ -57,7 +57,8 @@ struct Body {
 
 /// The elements of a data file, each in the order of the file.
 struct Mesh {
-    std::vector<Vertex> vertices;  // including midpoints
+    // Includes the midpoints of the edges of a quadratic model. No Edge refers to them.
+    std::vector<Vertex> vertices;
     std::vector<Edge> edges;
     std::vector<Face> faces;
     std::vector<Body> bodies;

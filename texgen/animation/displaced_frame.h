@@ -14,8 +14,8 @@ Frame displaced(Frame frame,
                 const Indexed<JunctionId, Vec2>& of_junctions,
                 const Indexed<FilmId, Vec2>& of_middles);
 
-/// Returns the mean of the junctions of a bubble, in any lattice copy of the bubble. Precondition:
-/// the frame is on a torus.
+/// Returns the mean of the positions of the junctions of one lattice copy of a bubble. Which copy
+/// this is, is not specified. Precondition: the frame is on a torus.
 Vec2 mean_corner(const Frame& frame, BubbleId bubble);
 
 }  // namespace foam::texgen

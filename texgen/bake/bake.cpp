@@ -65,7 +65,8 @@ class FrameWriter {
         return all;
     }
 
-    /// Returns the numbers of all files that were written. Must not be called during `write`.
+    /// Returns the ranges and the extents of the numbers in the written files, one element per map
+    /// (BakeSummary::numbers). Must not be called during `write`.
     const std::vector<WrittenNumbers>& numbers() const { return numbers_; }
 
     /// Returns the meter of the phase Frames, which counts the written frames.
@@ -99,7 +100,8 @@ class FrameWriter {
         meter_.add(baked.shown);
     }
 
-    // Precondition: the file has numbers, and therefore one map, which has a range.
+    // Precondition: `file.numbers` is set. The file then stores codes, so it has only one map, and
+    // this map has a range.
     void add_numbers(const WrittenFile& file) {
         const auto& [map, samples] = file.maps.front();
         const auto found = std::ranges::find(numbers_, map, &WrittenNumbers::map);
