@@ -11,8 +11,8 @@
 
 namespace foam {
 
-/// A bubble that vanishes once in each cycle and is born again later in the cycle (E9), with the
-/// same identity.
+/// A bubble that vanishes once in each cycle (E9). About a tenth of a cycle later it is born again,
+/// with the same identity.
 struct BoilingBubble {
     BubbleIdentity identity = 0;
     // The position in the cycle, from 0 to steps - 1, directly before the bubble appears: the
@@ -20,8 +20,8 @@ struct BoilingBubble {
     int birth = 0;
     double area_rise = 0.0;      // largest rise of the target area above `first_area` (area_at)
     double min_area_rise = 0.0;  // Cycle::calm does not reduce area_rise below this area
-    // The position at which the bubble last vanished. Until it has vanished for the first time, it
-    // is the mean of the bubble's junctions when it was chosen.
+    // The position at which the bubble last vanished. Before the bubble has vanished for the first
+    // time, this is the mean position of the junctions that it had when it was chosen.
     Vec2 last_position{0.0, 0.0};
     // The bubbles between which the bubble last vanished; empty until it has vanished.
     std::set<BubbleIdentity> neighbors{};
@@ -31,7 +31,7 @@ struct BoilingBubble {
 
 /// Chooses the given fraction of the bubbles of a foam, at least one bubble, so that they are far
 /// from each other. The cycle, which has `steps` steps, is divided into as many equal parts as
-/// bubbles are chosen. In each part one of the bubbles is born, at a random position.
+/// bubbles are chosen. In each part one of the bubbles is born, at a random step.
 std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
                                                   double fraction,
                                                   int steps,

@@ -44,8 +44,8 @@ const std::map<std::string, const char*>& rejected_keywords() {
     return rejected_words;
 }
 
-// A method, in Evolver's sense: a quantity that is computed for each element, such as the length of
-// an edge.
+// A method, in Evolver's sense: a value that is computed for each element, such as the length of an
+// edge.
 struct Method {
     std::string name;
     bool global = false;  // true if it applies to all elements
@@ -211,8 +211,9 @@ class HeaderReader {
         skip_statement();
     }
 
-    // Reads the energy of a quantity. Adds its modulus to the film tension if the energy is the
-    // length of all edges. Rejects other energies, unless their modulus is 0.
+    // Reads a QUANTITY that is declared ENERGY. Adds its modulus to the film tension if the
+    // quantity is the length of all edges. Rejects every other quantity of this kind, unless its
+    // modulus is 0.
     void read_energy(const std::string& name) {
         double modulus = 1.0;
         Method method;

@@ -51,8 +51,9 @@ std::string aspect_of(const ImageOptions& image) {
 }
 
 constexpr const char* kAllowed =
-    "with a cache, only keys of the image, the output, the maps and the camera of a patch can be "
-    "changed";
+    "with a cache, only keys of the image, the output and the maps can be changed, and the camera "
+    "of "
+    "a patch if no event has a position";
 
 }  // namespace
 

@@ -29,8 +29,8 @@ CLI::Option* add_quiet_option(CLI::App& command,
 /// Adds --progress, the form of the progress on stderr: "auto" or "json". Returns the option.
 CLI::Option* add_progress_option(CLI::App& command, std::string& progress);
 
-/// Returns the options with which a command without -v reports its progress. `progress` is the
-/// value of --progress.
+/// Returns the progress options of a command that has no option -v, such as `verify`. `progress` is
+/// the value of --progress.
 ProgressOptions progress_options(bool quiet, const std::string& progress);
 
 /// Adds --threads, the number of threads. 0, the default, uses all hardware threads.

@@ -52,8 +52,9 @@ std::string memory_needed(std::uint64_t bytes);
 /// is available.
 void warn_of_little_memory(std::uint64_t bytes);
 
-/// Prints a warning on stderr for each element of `replaced`. The warning says that a bake of the
-/// preset replaces files of this set of images, and how to keep both.
+/// Each element of `replaced` is a set of images of an earlier bake. For each of them, prints a
+/// warning on stderr: the bake of the preset replaces files of this set, and the images of both
+/// bakes can be kept by writing to another folder.
 void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced, const Preset& preset);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the

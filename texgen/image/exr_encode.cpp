@@ -47,8 +47,10 @@ void check_channel(const ExrChannel& channel, const ExrSize& size) {
             fmt::format("channel '{}' has a different size than the first channel", channel.name));
     }
     if (channel.channel_index < 0 || channel.channel_index >= channels_of(channel)) {
-        reject_exr(
-            fmt::format("channel '{}' is not one of the channels of its pixels", channel.name));
+        reject_exr(fmt::format("channel '{}' has the channel index {}, but must be from 0 to {}",
+                               channel.name,
+                               channel.channel_index,
+                               channels_of(channel) - 1));
     }
     if (integers != (channel.type == SampleType::Uint32)) {
         reject_exr(

@@ -17,7 +17,7 @@ struct PictureLayer {
 
 /// Splits a picture into its layers, in alphabetical order of their names. Every layer gets the
 /// metadata of the picture. If no channel has a layer, the result is one layer with an empty name.
-/// Precondition: all channels of a group are in the same layer.
+/// Precondition: all channels of a ChannelGroup (picture.h) are in the same layer.
 std::vector<PictureLayer> split_into_layers(Picture picture);
 
 }  // namespace foam::texgen

@@ -16,8 +16,8 @@ Keys<ReliefOptions> relief_keys() {
     return {
         key("profile",
             kProfiles,
-            "shape of the surface that height, normal, occlusion, curvature, lit and caustics "
-            "show: domes, rounded ridges on films, or wet films with Plateau borders",
+            "shape of the surface that the maps height, normal, occlusion, curvature, lit and "
+            "caustics show: domes, rounded ridges on films, or wet films with Plateau borders",
             &Options::profile),
         key("films",
             kFilms,
@@ -32,8 +32,9 @@ Keys<ReliefOptions> relief_keys() {
             Reals{0.001, 10.0},
             "width of a ridge from film to foot, or radius of Plateau borders, in bubble "
             "diameters; "
-            "with relief.mean_bubble = \"seed\", half of maze.wall_width gives ridges as wide as "
-            "painted walls",
+            "if relief.mean_bubble is \"seed\" and this width is half of maze.wall_width, ridges "
+            "are "
+            "as wide as the painted walls of a maze",
             &Options::width)
             .in(kReliefDiameters)
             .used_with("relief.profile", {"ridge", "wet"}),
@@ -41,7 +42,8 @@ Keys<ReliefOptions> relief_keys() {
         key("grain",
             Reals{0.0, 10.0},
             "height of a fine grain that moves with each bubble, in bubble diameters, scaled by "
-            "relief.strength; 0 disables it; shown by height, normal, lit and caustics",
+            "relief.strength; 0 disables it; shown by the maps height, normal, lit and "
+            "caustics",
             &Options::grain)
             .in(kReliefDiameters)
             .only_for("relief.films", {"all"}),

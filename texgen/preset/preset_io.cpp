@@ -27,7 +27,7 @@ namespace {
 constexpr int kLargestAspect = 16;  // longer side of an image divided by the shorter side
 constexpr std::string_view kEventTable = "event";
 
-// Returns the names of all tables, in the order of the reference.
+// Returns the names of all tables, in the order of preset_keys.
 std::vector<std::string_view> preset_tables() {
     std::vector<std::string_view> tables;
     for (const KeyInfo& key : preset_keys()) {

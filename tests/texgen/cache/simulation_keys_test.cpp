@@ -75,7 +75,8 @@ TEST(SimulationKeys, AChangedPresetNamesTheKey) {
     EXPECT_EQ(rejection(preset, changed(preset, "albedo.film_width=4")), "no failure");
     EXPECT_EQ(rejection(preset, changed(preset, "frames.warm_up=2")),
               "key 'frames.warm_up' = 2.0: must be 0.0, as in the cache; with a cache, only keys "
-              "of the image, the output, the maps and the camera of a patch can be changed");
+              "of the image, the output and the maps can be changed, and the camera of a patch if "
+              "no event has a position");
     EXPECT_EQ(rejection(preset, changed(preset, "image.size=[512, 256]")),
               "key 'image.size' = [512, 256]: must have the aspect ratio 1:1 of the cache, such as "
               "[1024, 1024]");

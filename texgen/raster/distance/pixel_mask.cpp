@@ -97,7 +97,8 @@ void PixelMask::reset(int columns, PixelRows rows, bool full) {
 
 // Computes the crossings with the middles of rows in groups of kRows. If the last group of rows
 // extends beyond the arc, the words of the rows beyond the arc are written back unchanged. Rounding
-// depends only on the film, so two neighboring regions compute the same crossings.
+// depends only on the film and on `is_chain`, which is the same for all regions of a frame, so that
+// two neighboring regions compute the same crossings.
 // NOLINTNEXTLINE(readability-function-size): a vectorized kernel keeps its loops in one function
 void PixelMask::flip_right_of(std::span<const OutlineArc> outline,
                               const Vec2& offset,

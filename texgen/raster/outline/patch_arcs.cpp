@@ -64,11 +64,12 @@ class PatchArcs {
         }
     }
 
-    // Appends the inset of each loop by itself, because the boundary of the inset of all loops does
-    // not close if rafts overlap. If a raft overlaps itself, the inset of its own loop does not
-    // close either. Then this loop of the ghost bubble is appended without an inset, so that the
-    // outer halves of the raft's outer films are not drawn. For any other bubble, the loop is left
-    // out. `region` is `boundaries` relative to the tail of its first side.
+    // Appends the inset of each loop by itself. The loops of the ghost bubble include the rims of
+    // rafts. If rafts overlap, the boundary of the inset of all loops does not close. If a raft
+    // overlaps itself, the inset of its rim alone does not close either. A loop of the ghost bubble
+    // whose own inset does not close is appended without an inset; as a result, the outer halves of
+    // its films are missing. Such a loop of any other bubble is left out. `region` is `boundaries`
+    // relative to the tail of its first side.
     void append_each(const ArcLoops& boundaries,
                      const ArcLoops& region,
                      BubbleId bubble,
