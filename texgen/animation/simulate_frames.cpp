@@ -4,7 +4,10 @@
 
 #include "texgen/animation/shown_states.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace foam::texgen {
@@ -42,7 +45,37 @@ RunOutcome failed(const Simulation& simulation, const Preset& preset) {
             simulation.missing_bubbles()};
 }
 
+// Returns why a loop did not close. `closing_error` is infinite if, at the end of the last cycle, a
+// bubble is missing or has another number of sides than at its start.
+std::string open_loop_failure(double closing_error) {
+    if (!std::isfinite(closing_error)) {
+        return "the loop does not close: at the end of its last cycle, bubbles are missing or have "
+               "other neighbors than at its start";
+    }
+    if (closing_error < Simulation::kClosed) {
+        return "the loop does not close: the foam returned to its start in the last cycle, but not "
+               "in two cycles in a row, with the births at the same places";
+    }
+    return fmt::format(
+        "the loop does not close: at the end of its last cycle, bubbles are up to {:.2g} mean "
+        "bubble diameters away from their positions at its start",
+        closing_error);
+}
+
 }  // namespace
+
+std::string failure_of(const RunOutcome& outcome) {
+    switch (outcome.status) {
+        case RunStatus::NoEquilibrium:
+            return fmt::format("frame {}: the foam did not reach equilibrium",
+                               outcome.failed_frame);
+        case RunStatus::OpenLoop:
+            return open_loop_failure(*outcome.closing_error);
+        case RunStatus::Complete:
+            break;
+    }
+    return "";
+}
 
 FrameSource simulation_of(const Preset& preset, int threads) {
     return [preset, threads](const std::vector<int>& numbers,

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace foam::texgen {
@@ -27,6 +28,9 @@ struct RunOutcome {
     std::optional<double> closing_error;  // Simulation::closing_error
     std::vector<int> missing_bubbles{};   // Simulation::missing_bubbles; empty for a cache
 };
+
+/// Returns why a run ended early, as the text of a message; empty if it is complete.
+std::string failure_of(const RunOutcome& outcome);
 
 /// A source of frames: calls the visitor for each of the frames with the given numbers, in the
 /// order of FrameAssembly, and returns how the run ended. The progress callback receives the phases

@@ -28,8 +28,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kClosed = 1e-9;  // largest closing error of a loop, in diameters of a mean bubble
-
 CycleOptions cycle_options_of(const LoopOptions& loop, int steps, std::uint64_t seed) {
     CycleOptions options{.steps = steps, .seed = seed};
     (loop.kind == LoopKind::Shear ? options.strain : options.area_amplitude) = loop.amplitude;

@@ -20,6 +20,9 @@ namespace foam::texgen {
 /// are the states of shown_states.h: a frame of an animation shows one or two of them.
 class Simulation {
   public:
+    /// A cycle whose closing_error is below this number has closed.
+    static constexpr double kClosed = 1e-9;
+
     /// Seeds the foam. `threads` is the number of threads, 0 for all hardware threads; the results
     /// have the same bits for any number of threads. `on_progress` receives the phases before frame
     /// 1: Equilibrium, WarmUp and LoopClosing. Throws the exceptions of seeded_foam.

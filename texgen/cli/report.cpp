@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -144,22 +143,10 @@ void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced, const Pr
 }
 
 ExitCode report_failure(const RunOutcome& outcome) {
-    if (outcome.status == RunStatus::OpenLoop) {
-        const double error = *outcome.closing_error;
-        const std::string apart =
-            std::isfinite(error)
-                ? fmt::format(
-                      "are up to {:.2g} mean bubble diameters away from their positions at "
-                      "its start",
-                      error)
-                : "have different neighbors than at its start";
-        print_stderr(
-            "foamtex: the loop does not close: bubbles at the end of its last cycle {}; "
-            "use a smaller loop.amplitude or more loop.cycles",
-            apart);
-    } else {
-        print_stderr("foamtex: frame {}: the foam did not reach equilibrium", outcome.failed_frame);
-    }
+    const bool is_open = outcome.status == RunStatus::OpenLoop;
+    print_stderr("foamtex: {}{}",
+                 failure_of(outcome),
+                 is_open ? "; use a smaller loop.amplitude or more loop.cycles" : "");
     return ExitCode::NoEquilibrium;
 }
 

@@ -13,7 +13,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <numeric>
@@ -40,34 +39,6 @@ void check_names(const Preset& preset, const BakeOptions& options) {
                             preset.output.pattern));
         }
     }
-}
-
-// Returns the message for a run that ended early because its loop does not close. `closing_error`
-// is infinite if, at the end of the cycle, a bubble is missing or has a different number of sides
-// than at the start.
-std::string open_loop_failure(const std::optional<double>& closing_error) {
-    if (!closing_error || !std::isfinite(*closing_error)) {
-        return "the loop does not close: bubbles at the end of the cycle have different neighbors "
-               "than at its start";
-    }
-    return fmt::format(
-        "the loop does not close: the foam at the end of the cycle differs from the foam at its "
-        "start by {:.2g} mean bubble diameters",
-        *closing_error);
-}
-
-// Returns the reason why a run ended early; empty if it is complete.
-std::string failure_of(const RunOutcome& outcome) {
-    switch (outcome.status) {
-        case RunStatus::NoEquilibrium:
-            return fmt::format("frame {}: the foam did not reach equilibrium",
-                               outcome.failed_frame);
-        case RunStatus::OpenLoop:
-            return open_loop_failure(outcome.closing_error);
-        case RunStatus::Complete:
-            break;
-    }
-    return "";
 }
 
 // Records the failure of a bake that ends with an exception, if at least one frame has been

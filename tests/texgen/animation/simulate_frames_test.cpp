@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -188,6 +191,29 @@ TEST(SimulateFrames, ReportsStatesBetweenFrames) {
                                                   {Phase::States, 4},
                                                   {Phase::States, 5},
                                                   {Phase::States, 6}}));
+}
+
+TEST(SimulateFrames, ARunTellsWhyItFailed) {
+    const auto failure = [](RunStatus status, std::optional<double> closing_error) {
+        return failure_of({status, 7, closing_error});
+    };
+    EXPECT_EQ(failure(RunStatus::Complete, std::nullopt), "");
+    EXPECT_EQ(failure(RunStatus::NoEquilibrium, std::nullopt),
+              "frame 7: the foam did not reach equilibrium");
+    const std::string open = "the loop does not close: ";
+    EXPECT_EQ(failure(RunStatus::OpenLoop, 0.0125),
+              open +
+                  "at the end of its last cycle, bubbles are up to 0.013 mean bubble diameters "
+                  "away from their positions at its start");
+    EXPECT_EQ(failure(RunStatus::OpenLoop, std::numeric_limits<double>::infinity()),
+              open +
+                  "at the end of its last cycle, bubbles are missing or have other neighbors "
+                  "than at its start");
+    // A boil has to close twice in a row.
+    EXPECT_EQ(failure(RunStatus::OpenLoop, 1e-12),
+              open +
+                  "the foam returned to its start in the last cycle, but not in two cycles in a "
+                  "row, with the births at the same places");
 }
 
 }  // namespace
