@@ -7,11 +7,12 @@
 namespace foam {
 
 /// Brings a foam that was made elsewhere to mechanical equilibrium (E2), in its own units: its mean
-/// bubble area and its film tension may have any value. The first two attempts keep the topology:
-/// the first begins with Newton's method, the second with relaxation. If neither attempt
-/// converges, the third attempt allows T1s. Its T1 distance is the default of TopologyThresholds,
-/// in units in which the mean bubble area, without lone bubbles, is 1. If no attempt converges, the
-/// foam stays as it was given. The events of the T1s are appended to the events of the foam.
+/// bubble area and its film tension may have any value. The first two attempts keep the topology.
+/// The first relaxes the whole foam (E4) at its start only if the foam is tangled (untangle.h); the
+/// second always does. If neither attempt converges, the third attempt allows T1s. Its T1 distance
+/// is the default of TopologyThresholds, in units in which the mean bubble area, without lone
+/// bubbles, is 1. If no attempt converges, the foam stays as it was given. The events of the T1s
+/// are appended to the events of the foam.
 ///
 /// In the summary, `iterations` and `sweeps` are sums over all attempts. All other members describe
 /// the last attempt. The energy is in the units of the foam if this attempt converged, otherwise in

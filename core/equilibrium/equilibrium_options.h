@@ -14,10 +14,10 @@ struct EquilibriumOptions {
     // tolerance; it is very slow if the tolerance is below 1e-4.
     double tolerance = 1e-9;
     bool relaxes_first = true;  // relaxes the foam first (E4), for a foam far from equilibrium
-    // Number of sweeps of each relaxation of a worst region, and of each pass of a relaxation of
-    // the whole foam (GlobalRelaxationOptions). Exception: in `equilibrate`, the first pass of the
-    // second, third, ... relaxation of the whole foam has 15, 3, 1, 60, 15, ... sweeps if this
-    // number is 60 (next_sweeps in equilibrate.cpp).
+    // Number of sweeps of each relaxation of a region around a large error (worst_regions in
+    // local_solve.h), and of each pass of a relaxation of the whole foam (GlobalRelaxationOptions).
+    // Exception: in `equilibrate`, the first pass of the second, third, ... relaxation of the whole
+    // foam has 15, 3, 1, 60, 15, ... sweeps if this number is 60 (next_sweeps in equilibrate.cpp).
     int relaxation_sweeps = 60;
     int threads = 0;  // as in parallel_for; the result has the same bits for any number
     // Largest number of rounds. A round is a run of the solver and the response to its result: T1s,

@@ -11,8 +11,9 @@ namespace foam {
 
 namespace {
 
-// If the first pass leaves at most this many films at the limit of their half angle, for example
-// around a two-sided bubble, these films are no reason for a further pass.
+// A pass is one call of `relax` for the whole foam. If the first pass leaves at most this many
+// inner films at the limit of their half angle (80 degrees, E3), for example around a two-sided
+// bubble, these films are no reason for a further pass.
 constexpr int kFewAtLimit = 10;
 constexpr int kMaxFurtherPasses = 10;  // largest number of passes after the first one
 

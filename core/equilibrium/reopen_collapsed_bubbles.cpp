@@ -13,7 +13,8 @@ namespace foam {
 
 namespace {
 
-// A bubble is collapsed if it has less than this fraction of its target area.
+// A two-sided bubble is collapsed if it has less than this fraction of its target area. Exceptions
+// are bubbles with an outer film, and bubbles whose two ends have the same third film.
 constexpr double kCollapsedAreaFraction = 0.01;
 // Largest move of an end of a bubble, in chord lengths of the third film at this end.
 constexpr double kLargestMove = 1.0 / 3.0;

@@ -22,7 +22,7 @@ Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads
 /// of the target area. The error of Laplace-Young's law at an outer film counts as a force in
 /// `force` and `squares`. If a residual is NaN, the norms that depend on it are NaN.
 struct ResidualNorms {
-    double force = 0.0;    // largest force
+    double force = 0.0;    // largest force on a junction, or largest error at an outer film
     double area = 0.0;     // largest magnitude of an area error
     double squares = 0.0;  // sum of all squares; the merit function of the line search
 };

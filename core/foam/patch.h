@@ -22,9 +22,9 @@ struct PatchOptions {
 /// Returns the Voronoi diagram of random sites within an outline as a patch that is not in
 /// equilibrium. Cells are clipped to the outline, and small parts are merged with their neighbors.
 /// Corners of the outline that do not become junctions are dropped (polygon_mesh.h). The patch is
-/// scaled to a mean cell area of 1, and the mean of its corners is moved to the origin. Throws
-/// std::invalid_argument if an option is out of range or the outline has no area. Throws
-/// std::runtime_error if none of several random draws gives a valid foam, for example if the
+/// scaled to a mean cell area of 1, and the mean of the corners of all cells is moved to the
+/// origin. Throws std::invalid_argument if an option is out of range or the outline has no area.
+/// Throws std::runtime_error if none of several random draws gives a valid foam, for example if the
 /// outline is too narrow for its bubbles.
 Foam seed_patch(const Outline& outline, const PatchOptions& options);
 

@@ -10,7 +10,7 @@
 namespace foam {
 
 /// Returns a description of the first broken invariant, or nothing if the network is valid. The
-/// invariants, for V junctions, E films and F bubbles, are:
+/// invariants, for V junctions, E films and F bubbles (without the ghost), are:
 /// - exactly three half-edges of live films leave each junction;
 /// - what next(), left(), tail(), first() and outgoing() return is consistent (first() of the ghost
 ///   is not checked);
@@ -19,8 +19,9 @@ namespace foam {
 /// - no film has the same copy of a bubble on both sides;
 /// - all numbers of sides add up to 2 E, and 3 V = 2 E;
 /// - Euler's relation holds: on a torus V - E + F = 0;
-/// - in the plane, all lattice offsets are zero, and each boundary of the ghost has at least two
-///   films; Euler's relation is V - E + F + B = 2 R for B boundaries and R rafts.
+/// - in the plane, all lattice offsets are zero, and each boundary of the ghost (a closed chain of
+///   outer films around a raft or a hole) has at least two films; Euler's relation is
+///   V - E + F + B = 2 R for B boundaries and R rafts.
 std::optional<std::string> find_fault(const Network& network);
 
 }  // namespace foam

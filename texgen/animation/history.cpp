@@ -55,8 +55,9 @@ void History::renumber(int frames) {
     }
 }
 
-// shear_since determines the change only up to multiples of the width. The result is right if the
-// torus has been sheared by less than half of its width since the previous frame.
+// The shear of a torus is the displacement of its upper border. shear_since determines the change
+// of the shear only up to multiples of the torus's width. The result is right if the change since
+// the previous frame is less than half of the width.
 void History::shear_recorded_events(const Domain& domain) {
     if (domain.is_plane()) {
         return;
@@ -107,8 +108,8 @@ void History::average_values(const Foam& foam) {
 
 // A cycle of n frames changes an average from v to c + k v, where k = (1 - weight)^n, with the
 // weight of average_values, and c depends only on the values in the cycle. After infinitely many
-// cycles, v = c / (1 - k). The averages of a bubble that was born in the cycle depend only on the
-// values since its birth. They are not changed.
+// cycles, v = c / (1 - k); this value replaces the average. The averages of a bubble that was born
+// in the cycle depend only on the values since its birth. They are not changed.
 void History::close_averages(const FoamRecord& start, int frames) {
     if (smoothing_ == 0.0) {
         return;

@@ -12,8 +12,8 @@ namespace foam::texgen {
 namespace {
 
 // Returns the seed for the random numbers of the event with the given index, counted from 0. The
-// seeds of the events differ from each other and from the seed of the foam. The renewal of a flow
-// uses the index after the last event.
+// seeds of the events differ from each other and from the seed of the foam. In a loop of
+// the kind flow, the creation of new bubbles (`renew`) uses the index after the last event.
 std::uint64_t seed_of(const Preset& preset, std::size_t event) {
     return (preset.seeding.seed ^ 0x9e3779b97f4a7c15U) + 0xd1b54a32d192ed03U * (event + 1);
 }
@@ -72,8 +72,9 @@ std::vector<int> Timeline::missing_bubbles() const {
     return missing;
 }
 
-// Creates new bubbles until the foam has as many bubbles as at the first call, and schedules their
-// growth to the mean area. Creates fewer bubbles if nucleate_anywhere fails.
+// Creates new bubbles until the foam has as many bubbles as at the first call of `renew`, and
+// schedules their growth to the mean area of that number of bubbles. Creates fewer bubbles if
+// nucleate_anywhere fails.
 void Timeline::renew(int frame, Foam& foam) {
     if (renewal_->bubbles == 0) {
         renewal_->bubbles = foam.network.bubble_count();

@@ -27,7 +27,8 @@ struct BakeOptions {
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 
-/// Describes the numbers of a map in all of its files that a bake has written.
+/// Describes the numbers of a map, before they are rounded to codes (integer samples), in all files
+/// of the map that a bake has written.
 struct WrittenNumbers {
     const Map* map = nullptr;
     std::array<double, 2> range{};  // the numbers that the smallest and the largest code represent

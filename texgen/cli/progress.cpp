@@ -121,9 +121,10 @@ void ProgressReporter::print() {
     is_pending_ = false;
 }
 
-// A step that prepares frame 1 takes about as long as the step to a later frame. Before the phase
-// Frames, the estimate is a lower bound, because drawing and further cycles of a loop take
-// additional time.
+// The estimate multiplies the measured time of a unit, such as a step, by the number of units left.
+// Before the phase Frames, the frames count as such units, because a step that prepares frame 1
+// takes about as long as the step to a later frame. In these phases the estimate is a lower bound,
+// because drawing and further cycles of a loop take additional time.
 void ProgressReporter::note_long_run() {
     const std::optional<double> per_unit = clock_.seconds_per_unit();
     const bool is_told = options_.verbosity == Verbosity::Normal && !options_.json;

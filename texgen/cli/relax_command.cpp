@@ -88,8 +88,8 @@ void print_notes(const LoadedFoam& loaded, const std::string& in) {
     }
 }
 
-/// Prints that the foam did not reach equilibrium, as one line with all notes of the reader, which
-/// may explain the failure.
+/// Prints that the foam did not reach equilibrium, as one line. The line also contains all notes of
+/// load_foam about the file, because they may explain the failure.
 void print_failure(const LoadedFoam& loaded, const std::string& in) {
     print_stderr("foamtex: {}: the foam did not reach equilibrium{}{}",
                  in,

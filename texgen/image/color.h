@@ -37,8 +37,8 @@ LinearRgb to_linear(Srgb8 color);
 /// Returns (1 - part) a + part b.
 LinearRgb mixed(const LinearRgb& a, const LinearRgb& b, double part);
 
-/// Returns the sRGB encoding of a color, rounded to the nearest codes. Each component of the color
-/// is clamped to [0, 1]; NaN becomes 0.
+/// Returns the sRGB encoding of a color, rounded to the nearest 8-bit values. Each component of the
+/// color is clamped to [0, 1]; NaN becomes 0.
 Srgb8 to_srgb8(const LinearRgb& color);
 
 /// Parses "#rrggbb", with six hexadecimal digits in either case. Throws std::invalid_argument for

@@ -27,15 +27,16 @@ std::vector<std::string> written_paths(const Preset& preset,
 /// read.
 class BakeRecorder {
   public:
-    /// Prepares the set that describes the bake. Does not write the manifest yet.
+    /// Prepares the set (BakedSet), the part of the manifest that describes the bake. Does not
+    /// write the manifest yet.
     BakeRecorder(const Preset& preset, const BakeOptions& options);
 
     /// Removes from the manifest the files that the bake will write, and adds the set of the bake.
     /// Only the first call has an effect.
     void begin();
 
-    /// Adds a frame whose files have been written. Writes the manifest if enough time has passed
-    /// since it was last written. Precondition: `begin` has been called.
+    /// Adds a frame, whose files have been written, to the set. Writes the manifest if enough time
+    /// has passed since it was last written. Precondition: `begin` has been called.
     void add(const BakedFrame& baked);
 
     /// Calls `begin`, and writes the manifest at the end of the bake. `failure` is the reason why

@@ -21,7 +21,8 @@ FoamValues present_values(const Frame& frame);
 /// otherwise the present values. Precondition: `record` is the record of the frame.
 FoamValues shown_values(const Frame& frame, const FoamRecord& record);
 
-/// Returns the present values in the form in which RecentAverages averages them.
+/// Returns the present values in the form in which RecentAverages averages them: a pressure p, in
+/// units of PressureUnit::Current, is replaced by p / (1 + |p|).
 FoamValues values_to_average(const Frame& frame);
 
 }  // namespace foam::texgen

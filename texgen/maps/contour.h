@@ -29,11 +29,11 @@ struct ContourOptions {
 
 Keys<ContourOptions> contour_keys();
 
-/// Draws the films whose bubbles have tones (pressure_tones) on different levels, as lines with
-/// round ends. The scale of tones is divided into options.levels equal levels; tones beyond its
-/// ends belong to the first and the last level. The outer films of a patch and lone bubbles are
-/// drawn, too. The surroundings of a patch are transparent. Throws as pressure_tones does,
-/// and std::invalid_argument if a color is invalid.
+/// Draws, as lines with round ends, the films between bubbles of different levels. The tone of a
+/// bubble is its pressure on the scale of the map `pressure` (pressure_tones). This scale is
+/// divided into options.levels equal levels; tones beyond its ends belong to the first and the last
+/// level. The outer films of a patch and lone bubbles are drawn, too. The surroundings of a patch
+/// are transparent. Throws as pressure_tones does, and std::invalid_argument if a color is invalid.
 ColorPixels draw_contour(FrameLayers& layers,
                          const ContourOptions& options,
                          const PressureOptions& pressure);

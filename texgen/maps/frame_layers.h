@@ -49,9 +49,10 @@ class FrameLayers {
     const CellArcs& arcs(double film_width);
     /// Returns the distance field of the frame. It contains the ids, the distances and the images
     /// that FrameInput::distance lists. In a cross-fade, distances are measured from the films of
-    /// the foam that is shown at a pixel and from the border (join_at_border).
+    /// the foam that is shown at a pixel, and from the border between the regions in which one and
+    /// the other foam are shown (join_at_border).
     const DistanceField& distance();
-    /// Returns the border of a cross-fade; nullptr without a cross-fade.
+    /// Returns the border between the two foams; nullptr without a cross-fade.
     const FadeBorder* border();
     /// Returns the layers of the same frame on another grid, which shows the same tile or view.
     /// Maps that need the next frame cannot be drawn from the result. `distance` replaces
@@ -60,7 +61,8 @@ class FrameLayers {
     /// Returns the maze of the frame (find_maze).
     const Maze& maze(const MazeRule& rule);
     /// Returns the distances to the walls of the maze and to the circles of lone bubbles
-    /// (distances_to_arcs). Throws std::invalid_argument if pixels_per_unit throws it.
+    /// (distances_to_arcs). Throws std::invalid_argument if the grid does not fit the domain, for
+    /// example if pixels on a torus are not square (pixels_per_unit).
     const ArcDistances& wall_distances(const MazeRule& rule, const ArcDistanceNeeds& needs);
     /// Returns true if an id of the distance field stands for the surroundings of a patch.
     bool is_surroundings(std::uint32_t id) const {

@@ -33,9 +33,9 @@ enum class MotionY { Up, Down };
 struct MotionOptions {
     MotionUnit unit = MotionUnit::Image;
     MotionY y = MotionY::Up;
-    // The motion that a PNG stores as its largest code, as a fraction of the image width. Code 0
-    // stands for the opposite motion. A program that plays the PNGs needs this number to convert
-    // codes to motion.
+    // The motion that the largest code (integer sample) of a PNG stands for, as a fraction of the
+    // image width. Code 0 stands for the opposite motion. A program that plays the PNGs needs this
+    // number to convert codes to motion.
     AutoReal multiplier{0.005, true};
 };
 

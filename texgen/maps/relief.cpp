@@ -14,8 +14,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The grain has its full height where the smooth distance from films is at least this, in diameters
-// of the mean bubble.
+// The grain (a fine texture of noise, grain.h) has its full height where the smooth distance from
+// films is at least this, in diameters of the mean bubble.
 constexpr double kGrainFade = 0.12;
 
 // Returns for each bubble the radius, in pixels, of a circle with its area. The table is indexed by

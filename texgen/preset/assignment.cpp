@@ -121,9 +121,10 @@ void collect_node(const toml::node& node,
     }
 }
 
-// Returns the index of the closing quote of a text; `begin` is the index of the opening quote. If
-// the line has no closing quote, returns the index of the last character of the line. Texts of
-// several lines are not recognized: all lines after the first are scanned as if they were TOML.
+// Returns the index of the closing quote of a TOML string; `begin` is the index of the opening
+// quote. If the line has no closing quote, returns the index of the last character of the line.
+// Strings of several lines are not recognized: all lines after the first are scanned as if they
+// were TOML.
 std::size_t end_of_text(std::string_view toml, std::size_t begin) {
     std::size_t k = begin + 1;
     while (k < toml.size() && toml[k] != '\n' && toml[k] != toml[begin]) {

@@ -98,8 +98,8 @@ class Coverage {
 
     /// Calls visit(begin, end, sums) for the spans of pixels [begin, end) of a row that have equal
     /// sums, from left to right. The sums are `start` plus the contributions of the arcs. Removes
-    /// the parts of the row. The calls are a part of a kernel, so `visit` should capture by value
-    /// (at_simd_level). Precondition: no arc is pending.
+    /// the parts of the row. `visit` is compiled for every SIMD level together with the loop that
+    /// calls it, and should capture by value (at_simd_level). Precondition: no arc is pending.
     template <class Visit>
     void take_row(int row, const Sums& start, const Visit& visit);
 
