@@ -34,8 +34,9 @@ namespace foam {
 
 namespace {
 
-// The factor by which Cycle::calm multiplies the amplitudes of restless bubbles, and the rise of
-// the target areas of the boiling bubbles nearest to them (BoilingBubble::area_rise).
+// The factor by which Cycle::calm multiplies the amplitudes of restless bubbles (the bubbles whose
+// neighbors keep changing from cycle to cycle, unrest.h), and the rise of the target areas of the
+// boiling bubbles nearest to them (BoilingBubble::area_rise).
 constexpr double kCalming = 0.8;
 
 // Returns the center of each bubble: in a patch the mean of all points of its films

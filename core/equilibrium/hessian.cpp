@@ -70,9 +70,9 @@ OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergy
 // Adds one block of a film's matrix to `values`. The block has the rows of the first node of the
 // pair and the columns of the second node. `values` points to the first value of the block in the
 // Hessian. `stride` is FilmSlots::strides[b] for the second node b. `is_own` is true if the two
-// nodes of the pair are the same node of the Hessian: if a = b, or if they are the tail and the
-// head of a film that begins and ends at the same junction of a torus. The block is then on the
-// diagonal of the Hessian, and only its lower triangle is added.
+// nodes of the pair are the same node of the Hessian. This is so if a = b, and on a small torus
+// also if a film ends at the junction at which it begins, or has the same bubble on both sides. The
+// block is then on the diagonal of the Hessian, and only its lower triangle is added.
 template <class Matrix>
 void add_block(
     double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {

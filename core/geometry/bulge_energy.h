@@ -12,7 +12,7 @@ namespace foam {
 /// delta = p_left - p_right the pressure difference. The half angle alpha in (-pi, pi) is an
 /// unknown of its own. Length and segment area are given by E1. The energy is stationary in alpha
 /// if Laplace-Young's law holds:
-///     d energy / d alpha = c w (T sin alpha - delta c / 2) = 0,  with w as in ArcShape.
+///     d energy / d alpha = c w (T sin alpha - delta c / 2) = 0,  with w as in E3.
 /// This formulation is regular at 90 degrees and beyond, where Laplace-Young's law alone does not
 /// determine alpha.
 struct BulgeEnergy {

@@ -67,10 +67,10 @@ class JunctionBlock {
     /// Returns the errors of the constraints after a change of the unknowns (paper eq. 8 and 12).
     /// An error is the required value minus the actual value. The error of a bubble is its target
     /// area minus its area, divided by its target area. The error of an outer film is minus
-    /// laplace_young_error (bulge_energy.h) along the film's forward side. The error of an angle is
-    /// 120 degrees minus the angle, in [-pi, pi] radians. The half angles of inner films follow
-    /// from the pressures and are clamped to the limit (film_energy.h). Precondition: the block is
-    /// not degenerate.
+    /// laplace_young_error (bulge_energy.h) along the film's forward side (HalfEdgeId). The error
+    /// of an angle is 120 degrees minus the angle, in [-pi, pi] radians. The half angles of inner
+    /// films follow from the pressures and are clamped to the limit (film_energy.h). Precondition:
+    /// the block is not degenerate.
     BlockVector constraint_errors(const BlockVector& change) const;
 
     /// Returns the change of a bubble's pressure, in foam units. `bubble` is an index in bubbles().

@@ -16,7 +16,8 @@ template <class Real>
 using DenseView = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>;
 
 /// Returns the size of the scratch memory of factor_panel and complete_update_matrix, in
-/// floating-point numbers, for a front with `pivots` pivots and a border of `border` rows.
+/// floating-point numbers, for a front with `pivots` pivots and a border of `border` rows, which
+/// are the rows of its update matrix.
 constexpr std::size_t ldlt_scratch(std::size_t pivots, std::size_t border) {
     const std::size_t group = kTileColumns;
     return kMaxDepth * ((std::max(pivots, border) + group - 1) / group * group);

@@ -10,7 +10,7 @@
 namespace foam::texgen {
 
 /// Returns true if a map of the preset has an automatic range (AutoReal), and the files store
-/// codes, which need a range.
+/// codes (integers, as in a PNG), which need a range.
 bool has_automatic_ranges(const Preset& preset);
 
 /// Fits the automatic ranges of the maps of a preset to the numbers in the given frames. These are

@@ -33,10 +33,12 @@ struct ProgressOptions {
 /// - nothing, in all other cases, and always for Verbosity::Quiet.
 ///
 /// With Verbosity::Normal and without JSON, a note tells the user that the rest of the run takes a
-/// minute or more, as soon as this can be estimated from the first units of a phase.
+/// minute or more, as soon as this can be estimated from the first units, such as frames, of a
+/// phase.
 class ProgressReporter {
   public:
-    /// Begins the run. Calls handle_stop_signals.
+    /// Begins the run. From now on, SIGINT, SIGTERM and SIGHUP stop the run after its current step
+    /// instead of ending the process at once (handle_stop_signals).
     explicit ProgressReporter(const ProgressOptions& options);
 
     /// Ends the run. In the styles bar and JSON lines, prints the last report if it has news and is

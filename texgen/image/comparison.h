@@ -40,9 +40,10 @@ struct Comparison {
     // The number of pixels above the limits for warnings, and for failures (DifferenceLimits).
     std::size_t warning_pixels = 0;
     std::size_t failure_pixels = 0;
-    std::optional<double> angle{};  // largest angle between normals, degrees; nullopt for Numbers
-    int angle_x = 0;                // column of the largest angle
-    int angle_y = 0;                // row of the largest angle
+    // Largest angle between normals, degrees; nullopt if pixels are not compared as normals.
+    std::optional<double> angle{};
+    int angle_x = 0;  // column of the largest angle
+    int angle_y = 0;  // row of the largest angle
     /// The exceeded limits in words, such as "rms 0.02 above 0.01". For the verdict Failure, only
     /// limits for failures are listed; for the verdict Warning, limits for warnings. For all other
     /// verdicts the list is empty.

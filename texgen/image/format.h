@@ -24,7 +24,8 @@ struct EncodingOptions {
 
 /// The kind of samples that a format stores.
 enum class FormatSamples {
-    /// One group of 1 to 4 interleaved channels of 8-bit or 16-bit codes. Colors are sRGB.
+    /// One group of 1 to 4 interleaved channels of codes: integers of 8 or 16 bits whose largest
+    /// value represents 1. Colors are sRGB.
     Codes,
     /// Any number of named channels of floating-point numbers or 32-bit integers. Colors are linear
     /// light, premultiplied by the opacity.

@@ -44,15 +44,17 @@ Bytes encode_png(ImageView<const std::uint16_t> pixels,
                  const ImageMetadata& metadata = {},
                  const PngEncoding& encoding = {});
 
-/// Encodes a picture that consists of one group of codes. Throws std::invalid_argument for any
-/// other picture, and the same exceptions as the functions above.
+/// Encodes a picture that consists of one ChannelGroup whose samples are integers of 8 or 16 bits
+/// (codes). Throws std::invalid_argument for any other picture, and the same exceptions as the
+/// functions above.
 Bytes encode_png(const Picture& picture, const PngEncoding& encoding = {});
 
-/// Decodes a PNG to one group of codes. The codes have 16 bits if the file has 16 bits per sample,
-/// and 8 bits otherwise. Palettes and samples of fewer than 8 bits are expanded, and a transparent
-/// color becomes an alpha channel. The member `color` of the metadata is true if the file has the
-/// chunk sRGB. Throws InputError for a malformed stream and for an image above the limits in
-/// input_limits.h. Throws OutOfMemory if the machine has too little memory for the image.
+/// Decodes a PNG to a picture of one ChannelGroup of codes. The codes have 16 bits if the file has
+/// 16 bits per sample, and 8 bits otherwise. Palettes and samples of fewer than 8 bits are
+/// expanded, and a transparent color becomes an alpha channel. The member `color` of the metadata
+/// is true if the file has the chunk sRGB. Throws InputError for a malformed stream and for an
+/// image above the limits in input_limits.h. Throws OutOfMemory if the machine has too little
+/// memory for the image.
 Picture decode_png(std::span<const std::byte> content);
 
 /// Encodes samples and writes them to a file. Throws the exceptions of encode_png and write_file.

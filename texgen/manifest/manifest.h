@@ -23,7 +23,7 @@ inline constexpr std::string_view kManifestFormat = "foamtex-manifest";
 struct ManifestMap {
     std::string name;
     std::string meaning;
-    std::string unit;         // unit of the values, and what the codes of a PNG mean
+    std::string unit;         // unit of the values, and the meaning of the samples of a PNG
     std::string note;         // additional information, such as the direction of y; may be empty
     std::vector<int> frames;  // requested frames, in increasing order
     std::optional<MapSamples> samples;  // nullopt until the first file of the map is written

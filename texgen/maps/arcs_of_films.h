@@ -11,7 +11,8 @@
 namespace foam::texgen {
 
 /// Returns the arcs of the films for which is_chosen(film) is true. Also returns the circles of all
-/// lone bubbles, each as two arcs. Throws std::invalid_argument as pixels_per_unit does.
+/// lone bubbles, each as two arcs. Throws std::invalid_argument in the same cases as
+/// pixels_per_unit (raster_grid.h).
 std::vector<PlacedArc> arcs_of_films(const Frame& frame,
                                      const RasterGrid& grid,
                                      int threads,

@@ -12,8 +12,8 @@ namespace foam::texgen {
 namespace {
 
 // Returns the curvature of a section at a point whose smooth distance from the film is `smooth`, by
-// the formula in curvature.h. Does not include the factor ReliefOptions::strength and the diameter.
-// All lengths are in the unit of the section.
+// the formula in curvature.h. The result is for ReliefOptions::strength = 1 and is not multiplied
+// by the diameter of the mean bubble. All lengths are in the unit of the section (ReliefSection).
 double curvature_at(const ReliefSection& section, double smooth, double radius) {
     const double distance = section.distance(smooth);
     const double outside =

@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// The values of a grain differ from their mean by at most this number.
+/// The values of a grain (see the class Grain below) differ from their mean by at most this number.
 inline constexpr double kGrainBound = 2.0;
 
 /// The use of a grain. Grains of different uses are independent of each other.
@@ -51,7 +51,7 @@ class Grain {
   private:
     /// The grain of one bubble.
     struct Origin {
-        SubpixelPoint center{};  // centroid of the bubble, without the shift of the grid
+        SubpixelPoint center{};  // centroid of the bubble on the unshifted grid
         std::uint32_t seed = 0;  // 0 around a patch
     };
 

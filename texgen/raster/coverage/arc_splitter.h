@@ -92,10 +92,10 @@ class ArcSplitter {
     std::array<ArcCrossings, kMaxArcs> column_crossings_;  // crossings with borders between columns
     std::vector<std::int32_t> xs_;                         // results of row_crossings_
     std::vector<std::int32_t> ys_;                         // results of column_crossings_
-    // Scratch array for the arc that is being processed; otherwise all elements are 0. Element k is
-    // the number of borders between rows that the arc crosses before it crosses its border k
-    // between columns. If the arc crosses none between its borders k - 1 and
-    // k, the element is 0.
+    // Scratch array for the arc that is being processed; otherwise all elements are 0. If the arc
+    // crosses a border between rows after its border k - 1 between columns and before its border k
+    // between columns, element k is the number of all borders between rows that it crosses before
+    // its border k. If it does not, element k is 0.
     std::vector<std::int32_t> rows_crossed_;
     // The start of each part of each arc, and the end of the last part of each arc. The x of a
     // mirrored arc are mirrored.

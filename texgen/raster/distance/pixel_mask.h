@@ -42,10 +42,11 @@ class PixelMask {
     int columns() const { return columns_; }
     PixelRows rows() const { return rows_; }
 
-    /// Flips the pixels to the right of each arc of an outline. `offset` is the translation, in
-    /// whole subpixels, from the coordinates of the outline to those of the box. The point at which
-    /// an arc crosses the middle of a row is rounded to the nearest subpixel. If `is_chain` is
-    /// true, all edges of the outline must be straight, and the exact crossings are used instead.
+    /// Flips the pixels to the right of each arc of an outline. `offset` is the translation from
+    /// the coordinates of the outline to those of the box, in subpixels; its components are whole
+    /// numbers. The point at which an arc crosses the middle of a row is rounded to the nearest
+    /// subpixel. If `is_chain` is true, all edges of the outline must be straight, and the exact
+    /// crossings are used instead.
     void flip_right_of(std::span<const OutlineArc> outline, const Vec2& offset, bool is_chain);
 
     /// Returns the 64 pixels of a row from column 64 k on. The lowest bit is the leftmost pixel.

@@ -19,9 +19,10 @@ constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 
 // Tolerances in pixels. Coordinates within a bubble have errors of about 1e-11, and crossings of
 // arcs that meet at a small angle have errors of about 1e-7. A point therefore counts as far enough
-// from a side if its distance falls short of the required distance by at most kDistanceTolerance. A
-// piece is linked to a successor if the tail of the successor is less than kLargestGap from the
-// head of the piece. This gap is about one subpixel of the rasterizer (1 / kSubpixel pixels).
+// from a side if its distance falls short of the required distance by at most kDistanceTolerance.
+// When pieces of offsets (see the class InsetTracer) are linked to loops, a piece can only be
+// followed by a piece whose tail is less than kLargestGap from its head. This gap is about one
+// subpixel of the rasterizer (1 / kSubpixel pixels).
 constexpr double kDistanceTolerance = 1e-7;
 constexpr double kLargestGap = 1e-3;
 
