@@ -29,8 +29,8 @@ constexpr double kRiseFraction = 2.5;
 // BoilingBubble::min_area_rise in the same unit.
 constexpr double kMinRiseFraction = 0.12;
 
-// Returns the age at which a bubble vanishes: a number of positions, counted from
-// BoilingBubble::birth.
+// Returns the age at which a boiling bubble vanishes: the number of steps of the cycle since
+// BoilingBubble::birth. `steps` is the number of steps of the whole cycle.
 int life(int steps) {
     return static_cast<int>(std::lround(kLifeFraction * steps));
 }

@@ -23,9 +23,10 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam,
                                              std::optional<BubbleIdentity> identity = {});
 
 /// Adds a new two-sided bubble, a lens, in the middle of a film (E10). Returns the bubble. The
-/// bubble touches only the two bubbles beside the film. Takes the gas from these two bubbles and
-/// fails as nucleate_at_junction does. Equilibrium does not determine the position of the bubble
-/// along the film. Precondition: the area is positive.
+/// bubble touches only the two bubbles beside the film. Takes the gas from these two bubbles.
+/// Returns nothing and changes nothing if their target areas add up to less than twice the given
+/// area. Equilibrium does not determine the position of the bubble along the film. Precondition:
+/// the area is positive.
 std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area);
 
 }  // namespace foam

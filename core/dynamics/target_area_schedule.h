@@ -7,8 +7,8 @@ namespace foam {
 /// The target area of a driven bubble as a function of time: a linear ramp times an oscillation
 /// (E9).
 struct TargetAreaSchedule {
-    double from = 1.0;          // area at the start without the oscillation, foam units
-    double to = 1.0;            // area at the end without the oscillation, foam units
+    double from = 1.0;          // area at the start without the oscillation, square foam units
+    double to = 1.0;            // area at the end without the oscillation, square foam units
     double amplitude = 0.0;     // relative amplitude of the oscillation; below 1
     double oscillations = 0.0;  // number of oscillations from start to end
     double phase = 0.0;         // phase at the start, in turns

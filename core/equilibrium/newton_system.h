@@ -36,10 +36,11 @@ class NewtonSystem {
     void drop_factor() { has_factor_ = false; }
 
     /// Returns the step -H⁻¹ r for a residual r of the foam, where H is the regularized Hessian. If
-    /// no bubble is held, the step does not change the mean position of the junctions. Factors H at
-    /// the present state of the foam if no factor is available. With an older factor, this is the
-    /// step of the chord method. If H cannot be factored, returns a zero step, and no factor is
-    /// available afterwards. Precondition: the foam has the network that was given to `start`.
+    /// no bubble is held (every bubble is among the unknowns), the step does not change the mean
+    /// position of the junctions. Factors H at the present state of the foam if no factor is
+    /// available. With an older factor, this is the step of the chord method. If H cannot be
+    /// factored, returns a zero step, and no factor is available afterwards. Precondition: the foam
+    /// has the network that was given to `start`.
     Eigen::VectorXd step(const Foam& foam, const Eigen::VectorXd& residual);
 
     /// Switches to factors in double precision and drops the present factor. Returns false and does

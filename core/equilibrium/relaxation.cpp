@@ -35,11 +35,11 @@ constexpr double kLargestBend = 0.3;  // largest change of a half angle by a cal
 constexpr double kMinStiffness = 0.1;
 
 // Describes how an arc acts on one end of its chord in the Newton step of the junction at this end
-// (`newton_step`). Tension and stiffness are in film tensions; c is the length of the chord; q, h
-// and w are the functions of the half angle alpha in E3. Inner arcs keep their half angles, so that
-// their length c q and the area of their segment, c² h / 4, grow with the chord. Outer arcs keep
-// the area of their segments, since otherwise a bubble on a short chord would collapse. With c² h
-// constant, d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
+// (`newton_step`). Tension and stiffness are divided by the film tension; c is the length of the
+// chord; q, h and w are the functions of the half angle alpha in E3. Inner arcs keep their half
+// angles, so that their length c q and the area of their segment, c² h / 4, grow with the chord.
+// Outer arcs keep the area of their segments, since otherwise a bubble on a short chord would
+// collapse. With c² h constant, d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
 struct Pull {
     double tension = 0.0;  // along the chord
     // h of E3, positive if the arc adds to the area on the left of the half-edge; 0 if the segment
@@ -79,7 +79,8 @@ class Relaxation {
             restart();
         }
         soft_.begin(options_.stiffness);
-        for (const FilmId film : part_.films) {  // also loads the bubbles around the part
+        // Also loads the bubbles beside these films that are not in part_.bubbles.
+        for (const FilmId film : part_.films) {
             soft_.load(foam_.network.left(forward_side(film)));
             soft_.load(foam_.network.right(forward_side(film)));
         }

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <cstdlib>
 
-// Converts faces to loops of films. First, the wrap of every edge is determined. Then the loop of
-// edges of each face is copied; if the body refers to the reversed face, the loop is reversed. Two
-// checks follow: the loops must be closed, and each side of an edge must have one face. In the
-// plane, one of the two sides of an edge may have no face. If the total area of all loops is
-// negative, the loops are clockwise, and all of them are reversed. Finally, each loop is split into
-// films at the vertices of three edges.
+// Converts faces to loops of films. First, the wrap of every edge is determined: the lattice offset
+// of the copy of its head at which it ends. Then the loop of edges of each face is copied; if the
+// body refers to the reversed face, the loop is reversed. Two checks follow: the loops must be
+// closed, and each side of an edge must have one face. In the plane, one of the two sides of an
+// edge may have no face. If the total area of all loops is negative, the loops are clockwise, and
+// all of them are reversed. Finally, each loop is split into films at the vertices of three edges.
 
 namespace foam::evolver {
 
@@ -139,8 +139,8 @@ class LoopBuilder {
         }
     }
 
-    // Checks that every edge has one face on each side. An edge of a free cluster may have a face
-    // on one side only.
+    // Checks that every edge has one face on each side. In the plane, an edge may have a face on
+    // one side only.
     void check_sides() const {
         std::vector<int> faces(2 * mesh_.edges.size(), 0);
         for (std::size_t face = 0; face < loops_.size(); ++face) {
@@ -175,8 +175,9 @@ class LoopBuilder {
         return 0.5 * twice;
     }
 
-    // Makes all loops counter-clockwise. Precondition: either all loops are counter-clockwise or
-    // all are clockwise. Throws FormatError if the loops do not cover the torus once.
+    // Reverses all loops if their total area is negative. If all loops have the same direction,
+    // they are counter-clockwise afterwards. Throws FormatError if the loops do not cover the torus
+    // once.
     void orient() {
         double total = 0.0;
         for (const Loop& loop : loops_) {

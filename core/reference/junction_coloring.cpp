@@ -41,7 +41,7 @@ class Coloring {
     }
 
     const Network& network_;
-    Indexed<BubbleId, std::vector<bool>> used_colors_;  // for each color, true if used
+    Indexed<BubbleId, std::vector<bool>> used_colors_;  // by bubble and color: true if used
 };
 
 }  // namespace

@@ -15,12 +15,13 @@ inline std::ptrdiff_t signed_size(std::size_t size) {
     return static_cast<std::ptrdiff_t>(size);
 }
 
-/// The smallest number of rows for which several threads are used. One thread factors and solves a
-/// smaller system, and one thread solves a smaller subtree of a larger system, since a second
-/// thread would save next to nothing.
+/// The smallest number of rows for which several threads are used. A system with fewer rows is
+/// factored and solved on one thread, since a second thread would save next to nothing. In a larger
+/// system, each subtree of fronts with fewer rows is solved on one thread.
 inline constexpr std::size_t kMinParallelRows = 3000;
 
-/// A front: one step of the elimination. Its pivots are the rows of one DissectionPart. They are
+/// A front: one step of the elimination. Its pivots are the rows of one DissectionPart
+/// (dissection.h): of a separator, or of a part of the graph that is not divided. They are
 /// eliminated together in a dense matrix, whose rows are the pivots and the border. The border
 /// consists of all later rows that are coupled to the pivots, directly or through rows that were
 /// eliminated earlier. Rows are numbered in the order of elimination.

@@ -9,12 +9,14 @@
 
 namespace foam {
 
-/// Returns the largest weight that a zone should have in a graph of total weight `weight`: about
-/// six tenths of `weight`.
+/// A separator divides a graph into two zones, Low and High (zone.h). This function returns the
+/// largest weight that one of them should have in a graph of total weight `weight`: about six
+/// tenths of `weight`.
 int heaviest_zone(int weight);
 
-/// Divides a graph by a light separator, using its edges alone. Returns the zone of each node. The
-/// nodes in Outside are the separator; no node in Low is a neighbor of a node in High.
+/// Divides a graph by a light separator. Uses only the graph, not the positions of its nodes.
+/// Returns the zone of each node. The nodes in Outside are the separator; no node in Low is a
+/// neighbor of a node in High.
 ///
 /// The method is multilevel bisection (Karypis and Kumar 1998). Neighbors are merged until at most
 /// 100 nodes are left or merging would reduce the number of nodes by less than a tenth. The

@@ -15,7 +15,7 @@
 // Before frame 1 the foam is seeded, equilibrated and warmed up, that is, simulated for the time
 // FramesOptions::warm_up. (With FirstFrame::Diagram it is equilibrated and warmed up before frame
 // 2.) Every further frame is one step (core/dynamics/step.h): gas diffuses while the changes of the
-// timeline are imposed. Loops differ from this sequence as follows:
+// events (timeline.h) are imposed. Loops differ from this sequence as follows:
 // - breathe, shear, boil: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run
 //   before frame 1 until one cycle closes (in a boil, two cycles in a row); the frames are the
 //   steps of the next cycle.
@@ -226,7 +226,8 @@ bool Simulation::equilibrate_and_warm_up() {
 
 // The warm-up of a flow consists of equal steps, each at most as long as the time step of a frame.
 // Before each step, new bubbles replace the bubbles that have vanished. The last step leads to
-// state 1. Without a flow, the warm-up is one step.
+// state 1, since numbered states begin after the warm-up (shown_states.h). Without a flow, the
+// warm-up is one step.
 bool Simulation::warm_up() {
     if (loop_.kind != LoopKind::Flow) {
         if (frames_.warm_up > 0.0) {

@@ -14,8 +14,8 @@
 
 namespace foam::texgen {
 
-/// Applies the events of a preset, frame by frame. In a flow, also replaces bubbles that have
-/// vanished.
+/// Applies the events of a preset, frame by frame. In a flow (a loop of the kind "flow"), also
+/// replaces bubbles that have vanished.
 class Timeline {
   public:
     explicit Timeline(const Preset& preset);

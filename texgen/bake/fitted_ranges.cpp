@@ -54,7 +54,7 @@ class RangeMeter {
           threads_(thread_count(threads)),
           width_(preset.image.width),
           height_(preset.image.height) {
-        // The reduced image must have exactly the same aspect ratio.
+        // The reduced image must have exactly the aspect ratio of the full image.
         const int divisor = std::gcd(width_, height_);
         const int parts =
             std::clamp(kMeasuredSide * divisor / std::max(width_, height_), 1, divisor);

@@ -8,8 +8,9 @@ namespace foam::texgen {
 
 namespace {
 
-// The number of reports from which the speed is computed: A, B and the latest report with further
-// units (PhaseClock::seconds_per_unit).
+// The number of reports from which the speed is computed: the first report of the phase, the next
+// report with further units, and the latest report with further units (see
+// PhaseClock::seconds_per_unit).
 constexpr std::size_t kMarks = 3;
 
 double seconds_between(PhaseClock::Clock::time_point from, PhaseClock::Clock::time_point to) {

@@ -12,7 +12,7 @@ namespace foam::texgen {
 /// The differences of all pixels of two pictures, in the order of the samples of an Image.
 struct PixelDifferences {
     std::span<const double> differences;  // per pixel: the largest difference of its samples
-    std::span<const double> angles;       // per pixel: degrees; empty without normals
+    std::span<const double> angles;       // per pixel: degrees; empty unless pixels are normals
 };
 
 /// Returns the smallest difference that at least `percent` percent of the pixels do not exceed (the

@@ -110,7 +110,8 @@ void make_ranges_fixed(Preset& preset) {
     }
 }
 
-// Calls RecordOptions::on_replace if the bake replaces files of other sets.
+// Calls RecordOptions::on_replace if the bake replaces files that the manifest lists in the sets of
+// other bakes.
 void report_replaced(const Preset& preset,
                      const BakeOptions& options,
                      const Manifest& manifest,

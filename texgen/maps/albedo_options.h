@@ -72,10 +72,12 @@ struct AlbedoOptions {
 Keys<AlbedoOptions> albedo_keys();
 
 /// Converts a length to pixels. The unit of `diameters` is the diameter of a mean bubble of the
-/// seeded foam, which is a circle of area 1. Throws std::invalid_argument as pixels_per_unit does.
+/// seeded foam, which is a circle of area 1. Throws std::invalid_argument if the grid and the
+/// domain do not fit together (pixels_per_unit).
 double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain);
 
-/// Returns options.film_width in pixels. Throws std::invalid_argument as pixels_per_unit does.
+/// Returns options.film_width in pixels. Throws std::invalid_argument if the grid and the domain do
+/// not fit together (pixels_per_unit).
 double film_width_in_pixels(const AlbedoOptions& options,
                             const RasterGrid& grid,
                             const Domain& domain);

@@ -72,7 +72,8 @@ struct PixelRange {
     int end;
 };
 
-// Returns the part of a range whose pixels are at most `extent` from a position.
+// Returns a part of a range that contains all pixels at most `extent` from a position. It may also
+// contain a few pixels that are farther away.
 PixelRange range_near(double position, double extent, PixelRange range) {
     const double first = std::floor(position - extent);
     const double last = std::ceil(position + extent);

@@ -18,7 +18,9 @@ inline constexpr MapTraits kAreaMap = {.name = "area",
 
 struct AreaOptions {
     MeanBubble unit = MeanBubble::Current;
-    AutoReal full{4.0, true};  // area that a PNG stores as its largest code, in mean areas (`unit`)
+    // The area that a PNG stores as its largest code (65535), in areas of the mean bubble that
+    // `unit` selects.
+    AutoReal full{4.0, true};
 };
 
 Keys<AreaOptions> area_keys();

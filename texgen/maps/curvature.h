@@ -21,10 +21,10 @@ inline constexpr MapTraits kCurvatureMap = {
     .full_key = "curvature.full"};
 
 struct CurvatureOptions {
-    // The height at a point is compared with the heights at this distance on both sides. In
-    // diameters of the relief's mean bubble.
+    // The distance between the compared heights: the height at a point is compared with the heights
+    // at this distance on both sides of it. In diameters of the relief's mean bubble.
     double radius = 0.08;
-    // The curvature that a PNG stores as its largest code; code 0 stands for -full.
+    // The curvature that a PNG stores as its largest code (65535); code 0 stands for -full.
     AutoReal full{10.0, true};
 };
 

@@ -31,8 +31,8 @@ enum class DistanceUnit { Pixels, Foam };
 struct DistanceOptions {
     DistanceKind kind = DistanceKind::Plain;
     DistanceUnit unit = DistanceUnit::Foam;
-    // The distance that a PNG stores as its largest code, in the unit `unit`. Code 0 stands for 0,
-    // or for -full if distances are signed.
+    // The distance that a PNG stores as its largest code (65535), in the unit `unit`. Code 0 stands
+    // for 0, or for -full if distances are signed.
     AutoReal full{1.0, true};
 };
 

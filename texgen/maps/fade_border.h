@@ -22,8 +22,9 @@ struct CrossFade {
 
 /// The border in a cross-fade: on one side of it the foam that fades out is shown, on the other
 /// side the foam that fades in. Every bubble that fades in appears as a point and grows over the
-/// old foam until it is complete and is bounded by its own films. The border consists of the rims
-/// of growing bubbles, and of the films between complete bubbles and bubbles that are not complete.
+/// foam that fades out, until it is complete and is bounded by its own films. The border consists
+/// of the rims of growing bubbles, and of the films between complete bubbles and bubbles that are
+/// not complete.
 struct FadeBorder {
     /// The distance from the border in pixels: positive where the foam that fades in is shown,
     /// negative elsewhere. The distance from the rim of a growing bubble is an approximation that
@@ -38,7 +39,8 @@ struct FadeBorder {
 /// fields contain the same distances: from the films of the foam that is shown, or from the border
 /// if it is nearer. The ids do not change. Precondition: both fields have the same images, among
 /// them the smooth distances. If the grid is shifted, the results are shifted cyclically, and no
-/// bit of them changes. Throws std::invalid_argument if pixels_per_unit throws it.
+/// bit of them changes. Throws std::invalid_argument if the grid and the domain of the frames do
+/// not fit together (pixels_per_unit).
 FadeBorder join_at_border(const CrossFade& fade,
                           const RasterGrid& grid,
                           int threads,

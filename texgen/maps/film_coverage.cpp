@@ -15,9 +15,10 @@ namespace foam::texgen {
 
 namespace {
 
-// The slope of the smooth distance is raised to at least this value before a distance is divided by
-// it. Smaller slopes occur only near the middle of bubbles. The edge of a film can be there only if
-// the film nearly fills its bubbles.
+// The smallest slope of the smooth distance (raster/distance/distance_field.h) that is used;
+// smaller slopes are replaced by it, because a distance is divided by the slope. Smaller slopes
+// occur only near the middle of bubbles, which the edge of a film reaches only if the film nearly
+// fills its bubbles.
 constexpr double kFlattest = 0.05;
 
 // Returns the fraction of every pixel that wet films cover. A wet film covers the points whose

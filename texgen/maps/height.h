@@ -21,7 +21,9 @@ inline constexpr MapTraits kHeightMap = {
     .full_key = "height.full"};
 
 struct HeightOptions {
-    AutoReal full{0.5, true};  // height stored as the largest code of a PNG, in bubble diameters
+    // The height that a PNG stores as its largest code (65535), in diameters of the relief's mean
+    // bubble.
+    AutoReal full{0.5, true};
 };
 
 Keys<HeightOptions> height_keys();

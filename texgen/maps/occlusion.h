@@ -32,7 +32,8 @@ NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefSource& source,
                             const OcclusionOptions& options);
 
-/// Returns the same image for a given relief. `grid` is the grid of its pixels.
+/// Returns the image that draw_occlusion draws, for a relief that exists already. `grid` is the
+/// grid of the relief's pixels.
 Image<float> occlusion_of(const Relief& relief,
                           const RasterGrid& grid,
                           const OcclusionOptions& options);

@@ -11,7 +11,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kRidgeHeight = 0.5;  // in the section's unit
+constexpr double kRidgeHeight = 0.5;  // in the section's unit of length (see ReliefSection)
 // The two fillets on both sides of a film would meet in an infinitely steep edge. Up to this
 // distance from the film, in the section's unit, a parabola replaces the fillets.
 constexpr double kCrest = 0.1;

@@ -24,7 +24,8 @@ struct OutputOptions {
     int frames_per_second = 24;  // stored in EXR files and in manifest.json
     Compression png_compression = Compression::Fast;
     ExrCompression exr_compression = ExrCompression::Zip;
-    int exr_level = 2;  // level for Zip and Zips: 1 is the fastest, 9 gives the smallest files
+    // The compression level of Zip and Zips: 1 is the fastest, 9 gives the smallest files.
+    int exr_level = 2;
     SampleType exr_numbers = SampleType::Float;  // Float or Half; colors are always Half
     ExrLayout exr_layout = ExrLayout::Rows;
 };

@@ -110,8 +110,8 @@ class Filler {
               padded_row(filler.image_.row_samples() + kBlockBytes / sizeof(std::uint16_t)) {}
 
         Coverage<Channels> coverage;
-        std::vector<std::uint16_t>
-            padded_row;  // a row of the image, with room for a block after it
+        // A row of the image, followed by room for the bytes that paint_span writes beyond it.
+        std::vector<std::uint16_t> padded_row;
     };
 
     void fill_band(int band, Worker& worker) const {
@@ -132,8 +132,8 @@ class Filler {
         for (int row = 0; row < rows; ++row) {
             const std::span<std::uint16_t> output = image_.row(first_row + row);
             prefetch(output);
-            // Blocks may be written beyond the end of a row: over the rows of the band above it,
-            // which are written later, but not over another band.
+            // paint_span may write up to kBlockBytes beyond the end of a row. These bytes may be in
+            // the higher rows of the same band, which are written later, but not in another band.
             const bool has_room =
                 static_cast<std::size_t>(rows - 1 - row) * output.size_bytes() >= kBlockBytes;
             const std::span<std::uint16_t> to = has_room ? output : worker.padded_row;

@@ -36,7 +36,7 @@ class RegionPainter {
     RegionPainter(DistanceNeeds needs, DistanceField& field)
         : needs_(needs), writer_(needs, field) {}
 
-    // Paints the pixels of a region, moved by a translation, in some rows of the images.
+    // Paints the pixels of a region, moved by a translation, in the given rows of the images.
     void paint(const Region& region, SubpixelPoint translation, PixelRows rows) {
         pixels_.rasterize(region, translation, rows);
         field_.measure(region, pixels_, needs_, [&](const PixelBatch& batch) {

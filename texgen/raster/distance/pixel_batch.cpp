@@ -21,10 +21,12 @@ namespace {
 // vectorize them.
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// A pixel that is at most this many pixels beyond the normal at an end of an arc still faces the
-// arc. Without this, rounding could leave a gap between two arcs that continue each other smoothly.
+// A pixel faces an arc if it is between the normals at both ends of the arc. A pixel that is at
+// most this many pixels beyond one of the normals still faces the arc. Without this, rounding could
+// leave a gap between two arcs that continue each other smoothly.
 constexpr float kPastEnd = 1e-3F;
-// The smallest phi², in square pixels. It keeps the inverse within the range of floats.
+// The smallest phi² of a film (see add_film), in square pixels. It keeps the inverse within the
+// range of floats.
 constexpr float kMinSquare = 1e-12F;
 // The smallest value of `root` in add_film. It avoids 0 / 0 at the ends of a film.
 constexpr float kMinRoot = 1e-18F;

@@ -13,8 +13,10 @@ namespace {
 
 // The largest number of columns and of rows of a region that is measured as one batch.
 constexpr int kMaxBatchSide = 40;
-// The largest number of arcs of a region that is measured as one batch. In blocks of tiles with
-// more arcs, those that are too far away are dropped.
+// The largest number of arcs of a region that is measured as one batch. A region that exceeds
+// one of the two limits is divided into tiles of kTileColumns x kTileRows pixels, and blocks of
+// such tiles. If a block has more arcs than this, the arcs that are too far away from it are
+// dropped.
 constexpr std::size_t kMaxUnculledArcs = 24;
 // A film is ignored in smooth distances if its chord is at most this fraction of its distance from
 // the farthest pixel of a batch. The smooth distance s is defined by 1/s² = Σ 1/phi², summed over
@@ -93,8 +95,8 @@ void RegionField::subdivide(const PixelMask& mask,
 }
 
 // Measures the pixels of the region in a box as one batch and passes it to the visitor. `arcs` are
-// the arcs that may be the nearest arc of a pixel. Precondition: the box is within one column of
-// words of the mask.
+// the arcs that may be the nearest arc of a pixel. Precondition: in each row, the columns of the
+// box are in one 64-bit word of the mask.
 void RegionField::measure_box(const PixelMask& mask, Arcs arcs, const PixelBox& box) {
     batch_.clear(Vec2(box.left + box.columns() / 2, box.bottom + box.rows() / 2));
     const PixelRows rows{std::max(box.bottom, mask.rows().begin),
@@ -137,8 +139,8 @@ void RegionField::measure_distances(Arcs arcs, double reach) {
     }
     const std::span<const ArcFunctions> near = std::span(functions_).first(count);
     const bool gradient = needs_.gradient || needs_.smooth;
-    // A pixel slightly outside of a sharp corner may face no arc. Then distances to the ends of all
-    // arcs are included.
+    // A pixel slightly outside of a sharp corner may face no arc: it is not between the normals at
+    // the ends of any arc. Then distances to the ends of all arcs are included.
     if (!batch_.measure(near, points_, gradient)) {
         for (const DistanceArc& arc : arcs) {
             points_.push_back(arc.tail + to_batch);

@@ -15,8 +15,9 @@ namespace foam::texgen {
 /// left of the side. The offset of a corner with an inner angle of more than 180 degrees is a
 /// circular arc around the corner. Each offset is cut at its crossings with all other offsets. A
 /// piece between two cuts belongs to the boundary of the inset if and only if its middle has at
-/// least the given distance from all other sides. If FullInset also finds the inset of a loop, both
-/// results have the same bits. Buffers are reused between regions.
+/// least the given distance from all other sides. FullInset (full_inset.h) finds the insets of most
+/// loops faster; where it finds one, its result has the same bits as the result of this class.
+/// Buffers are reused between regions.
 class InsetTracer {
   public:
     /// Returns the boundary loops of the inset of a region. Both the region and the inset are on

@@ -8,8 +8,9 @@
 
 namespace foam::texgen {
 
-/// A side of a bubble, or the offset of a side or of a corner, in pixels. The bubble is on the left
-/// of the arc.
+/// A side of a bubble, or the offset of a side or of a corner, in pixels. The offset of a side is
+/// the arc at a given distance on its left, that is, inside the bubble (offset_left). The offset of
+/// a corner is an arc around the corner (corner_arc). The bubble is on the left of the arc.
 ///
 /// The position of a point on the arc is given by the parameter s = 2 r tan(phi / 2), where r is
 /// the signed radius (positive if the arc turns left) and phi the angle by which the arc turns left
@@ -91,9 +92,10 @@ inline HalfAngle half_angle_between(double curvature, double from, double to) {
     return {cosine * scale, sine * scale};
 }
 
-/// The crossings of the circle of an arc with another circle, as parameters of the arc. In the
-/// direction of the arc, its circle crosses from the left of the other circle to the right of it at
-/// `leaving`, and back at `entering`. A parameter is infinite or NaN if there is no such crossing.
+/// The crossings of the circle of an arc with another circle, as parameters of the arc. A point
+/// that moves along the circle of the arc, in the direction of the arc, passes from the left of the
+/// other circle to its right at `leaving`, and from its right to its left at `entering`. A
+/// parameter is infinite or NaN if there is no such crossing.
 struct Crossings {
     double leaving;
     double entering;
