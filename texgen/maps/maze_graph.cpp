@@ -61,9 +61,8 @@ class DisjointSets {
     std::vector<std::size_t> sizes_;  // of the sets, at the index of their root
 };
 
-// Returns a number in [0, 1) that depends on the seed and on an unordered pair of identities: the
-// upper 53 bits of a hash. Steps of SplitMix64 (S. Vigna, 2015) mix the seed, the smaller identity
-// and the larger identity, in this order.
+// Returns a number in [0, 1): the upper 53 bits of a hash. Steps of SplitMix64 (S. Vigna, 2015) mix
+// the seed, the smaller and the larger identity, in this order.
 double number_of_pair(std::int64_t seed, BubbleIdentity one, BubbleIdentity other) {
     const auto scrambled = [](std::uint64_t x) {
         x += 0x9e3779b97f4a7c15U;
