@@ -11,9 +11,10 @@ namespace foam {
 
 namespace {
 
-// Largest step, in units of the radius. The slope of (1 - u²)² with u = r/R is at most 1.54. A step
-// of less than 0.64 radii therefore does not fold the plane: points keep their order along the
-// push. The step is much smaller because films flip only between steps.
+// Largest step of a push (E9 in core/README.md), in units of the radius R of the push. The slope of
+// (1 - u²)² with u = r/R is at most 1.54. A step of less than 0.64 radii therefore does not fold
+// the plane: points keep their order along the push. The step is much smaller because films flip
+// only between steps.
 constexpr double kLargestStep = 0.1;
 // The T1 distance during a push, unless the given distance is larger. This value is the upper end
 // of the range that the paper recommends (eq. 16). With the default of TopologyThresholds, 0.05,

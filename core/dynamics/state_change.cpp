@@ -38,7 +38,7 @@ std::vector<LiveDrivenBubble> live_driven_bubbles(const Foam& foam, const StateC
     return live;
 }
 
-// Returns the entry of the bubble, or nullptr if the bubble is not driven.
+// Returns the entry of the bubble in StateChange::driven, or nullptr if the bubble is not driven.
 const DrivenBubble* find_driven(const StateChange& change, BubbleIdentity bubble) {
     const auto found =
         std::find_if(change.driven.begin(), change.driven.end(), [&](const DrivenBubble& driven) {

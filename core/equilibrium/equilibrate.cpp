@@ -19,11 +19,12 @@ namespace foam {
 
 // The equilibration is made in rounds. A round begins with Newton's method (E3) for the whole foam.
 // The response to its result follows: T1s if films collapse or are too short, or relaxation (E4) of
-// the worst regions or of the whole foam if the method has stalled. At the end of the round, the
-// defect regions are solved. After a T1, most of the residual is in the defect regions. Newton's
-// method takes several damped steps there, while one step is enough elsewhere. The defect regions
-// are therefore solved on their own, with everything else held. README.md shows the algorithm.
-// NOTES.md has the measurements behind the constants.
+// the worst regions or of the whole foam if the method has stalled. The worst regions surround the
+// defects whose force or area error is at least a fifth of the largest (worst_regions). At the end
+// of the round, the defect regions are solved. After a T1, most of the residual is in the defect
+// regions. Newton's method takes several damped steps there, while one step is enough elsewhere.
+// The defect regions are therefore solved on their own, with everything else held. README.md shows
+// the algorithm. NOTES.md has the measurements behind the constants.
 
 namespace {
 
@@ -32,10 +33,10 @@ namespace {
 constexpr double kSlowRatio = 0.1;
 // After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
-// A stall of Newton's method is counted if there are worst regions and defect regions are still
-// solved on their own. At every kGlobalRelaxationPeriod-th counted stall the whole foam is relaxed,
-// at the other counted stalls only the worst regions. At a stall that is not counted, the whole
-// foam is relaxed. Reaching the limit of iterations is treated as a stall.
+// A stall of Newton's method is counted if worst_regions returns any region and defect regions are
+// still solved on their own. At every kGlobalRelaxationPeriod-th counted stall the whole foam is
+// relaxed, at the other counted stalls only the worst regions. At a stall that is not counted, the
+// whole foam is relaxed. Reaching the limit of iterations is treated as a stall.
 constexpr int kGlobalRelaxationPeriod = 4;
 
 // The foam that all rounds work on, and the buffers that they reuse.
@@ -45,8 +46,8 @@ struct Work {
 
     Foam& foam;
     const EquilibriumOptions& options;
-    NewtonSystem whole;  // system of all unknowns of the foam
-    RegionBuffers local;
+    NewtonSystem whole;   // system of all unknowns of the foam
+    RegionBuffers local;  // for the defect regions and for all relaxations
 };
 
 // The state that is passed from one round to the next.
@@ -55,13 +56,14 @@ struct Progress {
     int rounds = 0;
     bool is_at_rest = false;  // Newton's method has converged and no T1 is due, or no film is left
     // True while defect regions are solved on their own, in the first kRoundsWithRegions rounds.
-    // While it is true, Newton's method also predicts T1s.
+    // While it is true, Newton's method also predicts T1s (NewtonOptions::predicts_t1): near
+    // equilibrium it ends early if a short film would still be short after the next step.
     bool solves_regions = true;
     // True if Newton's method stops after a slow step, so that defect regions can be solved.
     bool stops_if_slow = false;
     bool needs_restart = true;   // Work::whole must be started before it is used
     int global_relaxations = 0;  // number of relaxations of the whole foam
-    int stalls_in_regions = 0;   // stalls of Newton's method for which there were worst regions
+    int stalls_in_regions = 0;   // counted stalls (kGlobalRelaxationPeriod)
 };
 
 void count_t1(int t1, Progress& progress) {
@@ -107,7 +109,7 @@ std::size_t solve_regions(Work& work, Progress& progress) {
 // relaxed instead every kGlobalRelaxationPeriod-th time, and also if there are no worst regions or
 // if regions are no longer solved on their own.
 void relax_where_stalled(Work& work, Progress& progress) {
-    untangle(work.foam);  // a step of the whole foam may have tangled some junctions
+    untangle(work.foam);  // a Newton step may have tangled some junctions
     reopen_collapsed_bubbles(work.foam);
     std::vector<DefectRegion> regions = worst_regions(work.foam, work.options.threads);
     if (!progress.solves_regions || regions.empty() ||
@@ -122,8 +124,8 @@ Progress initial_phase(Work& work) {
     Progress progress;
     // Relaxation cannot reopen collapsed bubbles; it would raise their pressures without bound.
     reopen_collapsed_bubbles(work.foam);
-    // Newton's method must not start from a tangled foam, because it would request arbitrary T1s at
-    // the tangled junctions.
+    // Newton's method must not start from a tangled foam, in which bubbles overlap or are inverted,
+    // because it would request arbitrary T1s at the tangled junctions.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {
         relax_all(work, true, progress);
     }
@@ -155,7 +157,7 @@ void respond(Work& work, const NewtonSummary& newton_summary, Progress& progress
     };
     switch (newton_summary.status) {
         case NewtonStatus::Converged:
-            if (films_at_limit(work.foam) > 0) {  // an equilibrium has no such film
+            if (films_at_limit(work.foam) > 0) {  // their half angles are clamped: no equilibrium
                 relax_all(work, false, progress);
             } else {
                 progress.is_at_rest =

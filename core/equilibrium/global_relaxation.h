@@ -6,7 +6,8 @@
 
 namespace foam {
 
-/// Options for the relaxation of the whole foam (E4).
+/// Options for the relaxation of the whole foam (E4), which is made in one or more passes. A pass
+/// makes a given number of sweeps. The limit of the half angle of inner films is 80 degrees (E3).
 struct GlobalRelaxationOptions {
     int sweeps = 60;  // sweeps of the first pass
     // Sweeps of each further pass.
@@ -21,11 +22,11 @@ struct GlobalRelaxationOptions {
     int threads = 0;  // same meaning as in parallel_for
 };
 
-/// Untangles the foam and relaxes it until Newton's method can take over. Further passes follow
+/// Untangles the foam and relaxes it, as a start for Newton's method. Further passes follow
 /// while a patch is far from equilibrium in the sense of GlobalRelaxationOptions::restarts. If the
-/// first pass has left many films at the limit of their half angle, further passes also follow
-/// while any film is at this limit. At most ten further passes are made. Returns the total numbers
-/// of sweeps and T1s. Precondition: `memory` was constructed for the same foam.
+/// first pass has left more than ten films at the limit of their half angle, further passes also
+/// follow while any film is at this limit. At most ten further passes are made. Returns the total
+/// numbers of sweeps and T1s. Precondition: `memory` was constructed for the same foam.
 RelaxationSummary relax_globally(Foam& foam,
                                  const GlobalRelaxationOptions& options,
                                  SoftFoam& memory);

@@ -72,7 +72,8 @@ void add_move(const Unknowns& unknowns,
 }
 
 // Reduces the relative motion of the film's ends to its allowed fraction. Each end makes half of
-// the reduction, or all of it if the other end is held. Returns true if the step was changed.
+// the reduction, or all of it if the other end is held (its position is not an unknown). Returns
+// true if the step was changed.
 bool limit_film(const Foam& foam,
                 const Unknowns& unknowns,
                 FilmId film,

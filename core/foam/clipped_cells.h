@@ -23,8 +23,8 @@ ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram);
 double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
 
 /// Merges every cell smaller than a tenth of the mean area into the neighbor with which it shares
-/// the longest border. If the boundary of the union of both is not a single loop, tries the
-/// neighbor with the next longest border. Removes the small cell if no neighbor is left to try.
+/// the longest border. If the boundary of the union of the two cells is not a single loop, tries
+/// the neighbor with the next longest border. Removes the small cell if no neighbor is left to try.
 void merge_slivers(PolygonMesh& mesh);
 
 }  // namespace foam

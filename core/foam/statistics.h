@@ -31,7 +31,8 @@ struct FoamStatistics {
                                  // of lone bubbles
     double mean_sides = 0.0;     // 6 on a torus (Euler), usually fewer in a patch
     double second_moment = 0.0;  // mu_2, the variance of the number of sides over all bubbles
-    std::vector<SidesStatistics> by_sides;  // by increasing number of sides; no empty groups
+    // By increasing number of sides; only numbers of sides that occur.
+    std::vector<SidesStatistics> by_sides;
 };
 
 /// Returns the statistics of a frame.

@@ -12,8 +12,8 @@ namespace foam::evolver {
 /// One side of a film: the chain of edges of a face from one junction to the next. Each vertex
 /// between two edges of the chain joins only these two edges.
 struct FilmSide {
-    EdgeSide first;
-    EdgeSide last;
+    EdgeSide first;        // first edge of the chain
+    EdgeSide last;         // last edge of the chain
     std::size_t tail = 0;  // index in Mesh::vertices
     LatticeOffset offset;  // lattice offset of the copy of the head at which the film ends
 };
@@ -24,11 +24,12 @@ struct FilmLoop {
     double polygon_area = 0.0;  // area within the straight edges of the face
 };
 
-/// Returns the faces of a mesh on a torus or in the plane, in the same order, as loops of films. If
-/// no edge of the file has a wrap, each edge ends at the copy of its head that is nearest to its
-/// tail; on a sheared torus, the nearest row of copies is chosen first. If some edges have a wrap,
-/// the wrap of all other edges is zero. Throws FormatError, with `file` as the name in its message,
-/// in these cases:
+/// Returns the faces of a mesh on a torus or in the plane, in the same order, as loops of films.
+/// The wrap of an edge is the lattice offset that the file gives for its head. If no edge of the
+/// file has a wrap, each edge ends at the copy of its head that is nearest to its tail; on a
+/// sheared torus, the nearest row of copies is chosen first. If some edges have a wrap, the wrap of
+/// all other edges is zero. Throws FormatError, with `file` as the name in its message, in these
+/// cases:
 /// - the faces do not cover the torus once;
 /// - an edge has two faces on one side, or no face on one side; in the plane, one of the two sides
 ///   of an edge may have no face;

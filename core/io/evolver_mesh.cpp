@@ -13,8 +13,8 @@ namespace foam::evolver {
 
 namespace {
 
-// The numeric form of a wrap has six bits per axis. The lower five bits are the number of periods
-// in two's complement.
+// The wrap of an edge is its lattice offset in the file: two symbols, or one number. The number has
+// six bits per axis. The lower five bits are the number of periods in two's complement.
 constexpr unsigned kWrapBits = 6;
 
 std::int32_t decoded_wrap(unsigned bits) {

@@ -18,12 +18,12 @@ struct Split {
     std::vector<BubbleId> loose;  // bubbles beside the film; they have lost all junctions
 };
 
-/// Removes the film and both its junctions. The film separated two outer films on each of its
-/// sides; the two outer films of a side become one film. If a bubble beside the film has only one
-/// other film, that film and the bubble are also removed from the network. If both ends of the film
-/// were on the same boundary of the ghost, the two bubbles beside the film belong to different
-/// rafts afterwards. Otherwise, the boundaries at the two ends have become one; for example, a hole
-/// is now open to the outside. Precondition: can_split.
+/// Removes the film and both its junctions. Each bubble beside the film has an outer film at either
+/// end of it; these two outer films of the bubble become one film. If a bubble beside the film has
+/// only one other film, that film and the bubble are also removed from the network. If both ends of
+/// the film were on the same boundary of the ghost, the two bubbles beside the film belong to
+/// different rafts afterwards. Otherwise, the boundaries at the two ends have become one; for
+/// example, a hole is now open to the outside. Precondition: can_split.
 Split split(Network& network, FilmId film);
 
 /// Sets the first half-edge of the ghost to one of its live half-edges, after a change that may

@@ -4,9 +4,11 @@
 
 #include <cassert>
 
-// The flip keeps the film and its two junctions v and w (see T1Site). It moves the tail of the
-// half-edge `after_left` from w to v, and the tail of `after_right` from v to w. The lattice
-// offsets of the films of these two half-edges change by the offset of the flipped film.
+// A film leads from the junction v to the junction w. C is the third bubble at v and D the third
+// bubble at w, besides the two bubbles beside the film (T1Site). The flip keeps the film and both
+// junctions; afterwards, the film is between C and D. The flip moves the tail of the half-edge
+// `after_left` from w to v, and the tail of `after_right` from v to w. The lattice offsets of the
+// films of these two half-edges change by the offset of the flipped film.
 
 namespace foam {
 

@@ -19,7 +19,8 @@ std::vector<std::uint32_t> nodes_of_rows(std::span<const SolverNode> nodes) {
     return owners;
 }
 
-// Returns each pair of coupled nodes once. The node of lower index is first in each pair, and the
+// Returns each pair of coupled nodes once. Two nodes are coupled if the matrix stores an entry in a
+// row of one node and a column of the other. The node of lower index is first in each pair, and the
 // pairs are sorted by this index.
 std::vector<Pair> coupled_pairs(const Matrix& lower, std::span<const SolverNode> nodes) {
     const std::vector<std::uint32_t> owners = nodes_of_rows(nodes);

@@ -7,11 +7,13 @@
 
 namespace foam {
 
-// The method of Fiduccia and Mattheyses (1982), adapted to vertex separators. A sweep takes the
-// move with the largest gain from a priority queue. When the gain of a node changes, a move with
-// the new gain is added to the queue. A move is outdated if its node has left the separator or has
-// another gain now. Outdated moves are removed when they reach the top of the queue. Changes are
-// recorded so that the best separator of a sweep can be restored.
+// The method of Fiduccia and Mattheyses (1982), adapted to vertex separators. A move takes a node
+// from the separator into one zone, and the node's neighbors in the other zone into the separator.
+// Its gain is the weight that the separator loses. A sweep takes the move with the largest gain
+// from a priority queue. When the gain of a node changes, a move with the new gain is added to the
+// queue. A move is outdated if its node has left the separator or has another gain now. Outdated
+// moves are removed when they reach the top of the queue. Changes are recorded so that the best
+// separator of a sweep can be restored.
 
 namespace {
 

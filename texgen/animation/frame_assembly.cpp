@@ -38,7 +38,7 @@ FadeOrder fade_order_of(const Preset& preset) {
                       .seed = preset.seeding.seed});
 }
 
-// Moves a state, and the events of its record, by the current.
+// Moves a state, and the events of its record, by the current of the loop (current.h).
 void carry(const Current& current, double progress, DrawnState& state) {
     FoamRecord record = *state.record;
     for (RecordedEvent& event : record.events) {

@@ -38,8 +38,8 @@ class FrameAssembly {
     std::vector<int> states() const;
 
     /// Adds a state and emits the frames that are complete with it. Preconditions: states are added
-    /// in the order of states(); the effort of each state covers the steps since the state added
-    /// before it, or since the seed.
+    /// in the order of states(); the effort of each state (its T1s, T2s and computing time) covers
+    /// the steps since the state added before it, or since the seed.
     void add(const SimulatedFrame& state);
 
   private:

@@ -9,8 +9,9 @@
 
 namespace foam::texgen {
 
-/// Counts the units of a phase and reports each of them to a callback. Thread-safe; the callback is
-/// called by one thread at a time. All functions rethrow the exceptions of the callback.
+/// Counts the units of a phase of a run, such as frames (Phase), and reports each of them to a
+/// callback. Thread-safe; the callback is called by one thread at a time. All functions rethrow the
+/// exceptions of the callback.
 class ProgressMeter {
   public:
     /// Keeps a reference to the callback, which may be empty. `total` is the number of units.

@@ -56,7 +56,8 @@ class Simulation {
     /// Returns the number of bubbles of the foam.
     int bubble_count() const;
 
-    /// Returns Timeline::missing_bubbles.
+    /// Returns, for each event of the preset, the number of missing bubbles: bubbles that the event
+    /// should have chosen or created by now, but that did not exist or could not be created.
     std::vector<int> missing_bubbles() const { return timeline_.missing_bubbles(); }
 
     /// Returns the number of the frame that was reached; 0 before the first call of advance().

@@ -45,8 +45,9 @@ constexpr MeasuredMemory kOther{"", 40, 50};
 
 constexpr double kProgram = 10e6;      // bytes of the process without a foam
 constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
-// Bytes per sample of a file that stores all maps: 4 for a float, and 2 for the same sample as a
-// half float in the file. (Numbers that are stored as floats need 4 instead of 2.)
+// Bytes of memory per sample, if one file stores all maps: 4 for a float in the image, and 2 for a
+// half float in the encoded file. (Samples that the file stores as floats need 4 instead of 2 in
+// the encoded file; the estimate ignores this.)
 constexpr double kLayerSample = 6.0;
 // The factor by which a cross-fade, which draws two states of the foam, increases the memory of a
 // frame.

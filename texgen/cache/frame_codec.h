@@ -17,7 +17,7 @@ void write_frame(const Frame& frame, ByteWriter& writer);
 
 /// Decodes the frame at the present position of the reader. The result equals the frame given to
 /// write_frame to the last bit. Throws BadContent if the bytes end too early, if the network is not
-/// valid (find_fault in core/network), or if the numbers are not (find_frame_fault).
+/// valid (find_fault in core/network), or if the numbers are not valid (find_frame_fault).
 Frame read_frame(ByteReader& reader);
 
 }  // namespace foam::texgen

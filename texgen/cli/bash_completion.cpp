@@ -39,7 +39,7 @@ _{0}_list() {{
     compopt -o nospace 2>/dev/null
 }}
 
-# Completes the value of a key: _{0}_values KEY PREFIX WORD.
+# _{0}_values KEY PREFIX WORD: completes WORD to a value of KEY, and puts PREFIX before it.
 _{0}_values() {{
     local words=
     case $1 in
@@ -143,8 +143,8 @@ class BashScript {
 
     // Adds the entry of a command to the second `case`. A word that begins with a hyphen is
     // completed to an option. Any other word is completed to a subcommand or a value of a
-    // positional argument. If none of these match and a positional argument may be a file, files
-    // are completed.
+    // positional argument. If none of these match and the command has a positional argument that
+    // may be a file, which is any argument not called NAME, the word is completed to a file.
     void add_words(const CommandGrammar& command,
                    const std::string& path,
                    const std::vector<std::string>& options) {

@@ -11,7 +11,7 @@
 namespace foam::texgen {
 
 /// Measures how fast the present phase of a run advances, and estimates when it ends. Earlier
-/// phases do not influence the estimate.
+/// phases do not influence the estimate. A unit is what the phase counts (Phase), such as a frame.
 class PhaseClock {
   public:
     using Clock = std::chrono::steady_clock;

@@ -26,9 +26,9 @@ struct CollapseOptions {
 Keys<CollapseOptions> collapse_keys();
 void check_collapse(const EventCheck& check, const CollapseOptions& options);
 
-/// Schedules the collapse of the bubbles that begin to collapse in the step to the context's frame:
-/// their target areas shrink to the T2 area, and the bubbles vanish at the last frame of their
-/// collapse. With EventOrder::AtOnce, this is the last frame of the event.
+/// Schedules the collapse of the bubbles that begin to collapse in the step that leads to the frame
+/// `context.frame`: their target areas shrink to the T2 area, and the bubbles vanish at the last
+/// frame of their collapse. With EventOrder::AtOnce, this is the last frame of the event.
 void advance_collapse(const EventBase& event,
                       const CollapseOptions& options,
                       EventContext& context);

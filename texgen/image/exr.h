@@ -55,22 +55,23 @@ struct ExrEncoding {
 /// attributes that the header has anyway, such as `channels`, or names in the list kReservedNames
 /// in exr_encode.cpp.
 ///
-/// Throws std::invalid_argument for channels or texts that break these rules, and for a number that
+/// Throws std::invalid_argument for channels or texts that break these rules, and for a sample that
 /// is not finite or that its type cannot hold. Throws OutputError if OpenEXR fails.
 Bytes encode_exr(std::span<const ExrChannel> channels,
                  const ImageMetadata& metadata = {},
                  const ExrEncoding& encoding = {});
 
 /// Encodes a picture of floating-point numbers and 32-bit integers. Throws std::invalid_argument if
-/// the picture has codes, and the same exceptions as the function above.
+/// the picture has samples of 8 or 16 bits that are integers, and the same exceptions as the
+/// function above.
 Bytes encode_exr(const Picture& picture, const ExrEncoding& encoding = {});
 
-/// Decodes an EXR of rows or tiles. The picture has one group per channel, in alphabetical order of
-/// the channel names. Its texts are in alphabetical order of their keywords. `level` is the mip
-/// level to read; 0 is the full size. Throws InputError for a malformed stream, for an image above
-/// the limits in input_limits.h, for a level that does not exist, and if the file has several parts
-/// or has deep or subsampled channels. Throws OutOfMemory if the machine has too little memory for
-/// the image.
+/// Decodes an EXR of rows or tiles. Each channel becomes a ChannelGroup of the picture, in
+/// alphabetical order of the channel names. Its texts are in alphabetical order of their keywords.
+/// `level` is the mip level to read; 0 is the full size. Throws InputError for a malformed stream,
+/// for an image above the limits in input_limits.h, for a level that does not exist, and if the
+/// file has several parts or has deep or subsampled channels. Throws OutOfMemory if the machine has
+/// too little memory for the image.
 Picture decode_exr(std::span<const std::byte> content, int level = 0);
 
 }  // namespace foam::texgen

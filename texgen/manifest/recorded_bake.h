@@ -18,7 +18,8 @@ enum class Resume { No, Yes };
 struct RecordOptions {
     Resume resume = Resume::No;
     // Called if the bake replaces files of other sets of the manifest, before the first file is
-    // replaced. May be empty.
+    // replaced. (A set is the images of one preset with the same values of all keys except
+    // image.maps; see BakedSet.) May be empty.
     std::function<void(const std::vector<ReplacedFiles>&)> on_replace = {};
 };
 
@@ -33,10 +34,11 @@ struct RecordOptions {
 /// if the files of all frames in `options.frames` are kept and `callbacks.on_frame` is empty, the
 /// bake has nothing to do and requests no frames.
 ///
-/// Before the bake, automatic ranges of maps are fitted to BakeOptions::sequence. If this sequence
-/// is the whole animation and the bake has nothing to do, nothing is fitted. If the sequence is not
-/// the whole animation, as in a cache of some frames, the ranges are recorded as numbers, so that
-/// the images belong to a set of their own.
+/// Before the bake, automatic ranges of maps (keys with the value "auto") are fitted to the frames
+/// BakeOptions::sequence. If this sequence is the whole animation and the bake has nothing to do,
+/// nothing is fitted. If the sequence is not the whole animation, as in a cache of some frames, the
+/// ranges are recorded as numbers instead of "auto", so that the images belong to a set of their
+/// own.
 ///
 /// Before anything is simulated, throws the exceptions of check_bake, std::invalid_argument if the
 /// name of an image is not UTF-8, and OutputError if the manifest cannot be written into its

@@ -29,8 +29,8 @@ struct CausticsOptions {
     // The colors (sRGB) of the brightnesses from 0 to 1, evenly spaced. An empty list stands for
     // these default colors.
     std::vector<std::string> colors = {"#04465c", "#0d7d96", "#59c9d2", "#d9fbf4", "#ffffff"};
-    // Rays per pixel in each direction. Fewer are used if a side of the image of rays would exceed
-    // kLargestGridSide.
+    // Rays per pixel in each direction. Fewer are used if otherwise the rays per row or per column
+    // of the whole image would be more than kLargestGridSide.
     int samples = 3;
 };
 

@@ -10,8 +10,10 @@
 #include <limits>
 #include <vector>
 
-// A growing bubble is bounded by a level set of its smooth distance s. In a circle of radius R,
-// s = (R² - r²) / (2 R) at the distance r from the center. The points where s is above
+// In a cross-fade, bubbles of the new foam grow over the old foam (fade_border.h). The growth of a
+// bubble is from 0 (not visible) to 1 (complete). Until it is complete, a growing bubble is bounded
+// by a level set of the smooth distance s from its films (DistanceField::smooth). In a circle of
+// radius R, s = (R² - r²) / (2 R) at the distance r from the center. The points where s is above
 // h = R/2 (1 - g²) form a circle of radius g R, and (s - h) / g is the smooth distance of this
 // circle. The same formulas are used for all bubbles: g is the growth, and R is twice the largest
 // smooth distance in the bubble, as in a circle.
@@ -27,7 +29,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // border has creases, which would be visible in the relief.
 constexpr double kReach = 0.5;
 
-// The lower limit to which slopes are clamped before a division by them.
+// A slope below this limit is raised to it before something is divided by the slope.
 constexpr double kFlattestRim = 1e-6;
 
 Vec2 vector_at(const Image<float>& image, std::size_t index) {
@@ -104,7 +106,7 @@ double reach_of(const CrossFade& fade, const RasterGrid& grid) {
     return kReach * std::sqrt(area / static_cast<double>(fade.fading_in.bubbles.size()));
 }
 
-// Returns the distances from the films between complete bubbles and others.
+// Returns the distances from the films between complete bubbles and bubbles that are not complete.
 ArcDistances distances_to_rim_films(const CrossFade& fade, const RasterGrid& grid, int threads) {
     const Frame& frame = fade.fading_in;
     const auto is_complete = [&](BubbleId bubble) { return fade.growth[index_of(bubble)] == 1.0; };
@@ -116,7 +118,8 @@ ArcDistances distances_to_rim_films(const CrossFade& fade, const RasterGrid& gri
         films, grid, frame.domain, {.reach = reach_of(fade, grid), .gradient = true}, threads);
 }
 
-// Joins the distance fields pixel by pixel.
+// Joins the distance fields `out` (of the old foam) and `in` (of the new foam) pixel by pixel:
+// afterwards both contain the same distances, those of the foam that is shown at the pixel.
 class FieldJoiner {
   public:
     FieldJoiner(const CrossFade& fade,
@@ -131,7 +134,7 @@ class FieldJoiner {
           in_(in),
           radii_(radii_of(in, fade.fading_in.bubbles.size())) {}
 
-    // Joins both fields at a pixel, and sets the pixel in both images of the border.
+    // Joins both fields at a pixel, and sets the distance and the weight of the border there.
     void join(std::size_t k, FadeBorder& border) {
         DistanceAndGradient nearest{static_cast<double>(films_.distance.samples()[k]),
                                     vector_at(films_.gradient, k)};

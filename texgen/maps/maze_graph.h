@@ -10,9 +10,11 @@
 
 namespace foam::texgen {
 
-/// The parameters with which a maze is built from a foam.
+/// The parameters with which a maze is built from a foam. The bubbles are the rooms of the maze and
+/// the films its walls; some films are opened, which makes passages between bubbles (find_maze).
 struct MazeRule {
-    // The weight of chance in the choice of openings; the weight of the pressure is 1 - chance.
+    // The weight of chance in the choice of the films to open; the weight of the difference of the
+    // pressures on both sides of a film is 1 - chance.
     double chance = 0.4;
     std::int64_t seed = 1;  // seed of the random numbers
     // After the spanning tree has been built, this fraction (0 to 1) of the remaining walls between

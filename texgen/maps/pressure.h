@@ -19,9 +19,9 @@ inline constexpr MapTraits kPressureMap = {
     .png_bits = 16};
 
 /// The scale that converts pressures to tones. Its ends have the tones 0 and 1. Percentiles and
-/// ranks are measured among FoamRecord::first_pressures, so that all frames have the same scale. If
-/// pressures are smoothed or flattened, percentiles and ranks are measured among the resulting
-/// pressures of the frame.
+/// ranks are measured among the pressures at the end of the warm-up before frame 1
+/// (FoamRecord::first_pressures), so that all frames have the same scale. If pressures are smoothed
+/// or flattened, percentiles and ranks are measured among the resulting pressures of the frame.
 enum class PressureScaling {
     Range,       // from PressureOptions::low to PressureOptions::high
     Percentile,  // from a low to a high percentile of the pressures

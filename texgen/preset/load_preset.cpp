@@ -67,6 +67,7 @@ class Loader {
         std::vector<Assignment> assignments = read_assignments(document.toml, document.source);
         Preset preset = take_extended(assignments, document);
         preset.name = document.name;
+        // The events of a preset replace all events of the preset that it extends.
         if (std::any_of(assignments.begin(), assignments.end(), [](const Assignment& one) {
                 return is_event_key(one.key);
             })) {

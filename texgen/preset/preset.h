@@ -22,7 +22,8 @@ namespace foam::texgen {
 /// The solver that brings the foam to equilibrium, and its accuracy.
 struct SolverOptions {
     Solver solver = Solver::Newton;
-    /// The largest relative error of bubble areas, and the largest error of angles in radians.
+    /// The foam counts as in equilibrium only if all relative errors of bubble areas, and all
+    /// errors of angles in radians, are below this number.
     double tolerance = 1e-9;
 };
 

@@ -9,12 +9,14 @@
 
 namespace foam::texgen {
 
-/// The gray behind transparent frames and between frames, as an 8-bit sRGB code.
+/// The gray behind transparent frames and between the frames of a contact sheet, as an 8-bit sRGB
+/// code.
 inline constexpr std::uint8_t kBackgroundGray = 0x2b;
 
 /// A frame for display, with red, green and blue from 0 to 1. Colors are linear light, composited
-/// over kBackgroundGray. In a map of data, 0 stands for the number that the smallest code of a PNG
-/// represents, and 1 for the number of the largest code, even if the file is not a PNG.
+/// over kBackgroundGray. In a map of data, 0 stands for the number that the smallest code (integer
+/// sample) of a PNG represents, and 1 for the number that the largest code represents, even if the
+/// file is not a PNG.
 struct DisplayFrame {
     static constexpr int kColors = 3;
 

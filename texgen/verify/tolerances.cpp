@@ -47,7 +47,7 @@ std::vector<std::string_view> key_names() {
     return names;
 }
 
-// Reads the assignments of a document.
+// Reads the assignments (keys with values) of a file of tolerances.
 class ToleranceReader {
   public:
     void read(const Assignment& assignment) {

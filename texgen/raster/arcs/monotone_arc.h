@@ -62,8 +62,9 @@ struct CellArcs {
     RasterGrid grid;
     std::int32_t shear = 0;                         // shear_in_subpixels on a torus; 0 in the plane
     std::vector<std::vector<MonotoneArc>> batches;  // one batch per task of make_arcs
-    // The number of boundary loops of insets that did not close (outline/inset.h). It is 0 for a
-    // valid foam, unless a raft overlaps itself.
+    // The number of boundary loops that did not close, of the parts of bubbles that films of a
+    // given width leave free (insets; outline/inset.h). It is 0 for a valid foam, unless a raft
+    // overlaps itself.
     int unclosed_loops = 0;
     std::optional<BubbleId> ghost = {};  // the ghost bubble of a patch
 };
@@ -74,9 +75,10 @@ struct ArcBatch {
     int unclosed_loops = 0;
 };
 
-/// Appends the monotone pieces of an arc with the rounded ends `tail` and `head`. `sides` refers to
-/// the direction from tail to head. A piece whose rounded ends have the same y is left out, because
-/// it does not affect any pixel.
+/// Appends the monotone pieces of an arc whose ends have been rounded to `tail` and `head`. The
+/// ends of the pieces are rounded to subpixels, too. `sides` refers to the direction from tail to
+/// head. A piece whose rounded ends have the same y is left out, because it does not affect any
+/// pixel.
 void append_arc(const PixelArc& arc,
                 SubpixelPoint tail,
                 SubpixelPoint head,

@@ -15,10 +15,11 @@
 namespace foam::texgen {
 
 /// Computes the distances, gradients and smooth distances of the pixels of regions, in batches. A
-/// small region with few arcs is one batch; any other region is subdivided recursively into tiles,
-/// as in a quadtree, and each tile is a batch. If many arcs may be near a part of the region, the
-/// arcs that are too far away to be the nearest arc of any pixel of this part are dropped before
-/// the part is measured. Buffers are reused between regions.
+/// region is a bubble or the surroundings of a patch (Region). A small region with few arcs is one
+/// batch; any other region is subdivided recursively into tiles, as in a quadtree, and each tile is
+/// a batch. If many arcs may be near a part of the region, the arcs that are too far away to be the
+/// nearest arc of any pixel of this part are dropped before the part is measured. Buffers are
+/// reused between regions.
 class RegionField {
   public:
     static constexpr int kTileColumns = 16;  // pixels
@@ -44,7 +45,8 @@ class RegionField {
     const Visit* visit_ = nullptr;
     const Region* region_ = nullptr;
     Vec2 offset_{0.0, 0.0};  // RegionPixels::offset
-    // The remaining arcs of each block around the current one for which arcs were dropped.
+    // In the recursion, one list for each block that contains the current block and for which arcs
+    // were dropped: the arcs that remain, from the largest block to the smallest.
     std::deque<std::vector<DistanceArc>> near_;
     ArcView view_;
     std::vector<ArcFunctions> functions_;
