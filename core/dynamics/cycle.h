@@ -25,9 +25,9 @@ struct CycleOptions {
 /// A periodic sequence of foams, for looping animations. The equilibrium of a foam follows from its
 /// topology, its target areas and its domain. If the target areas and the domain change
 /// periodically, the foam returns to the same state after each cycle, once the T1s and T2s of the
-/// first cycles have happened. In regions where the foam does not return, `calm` weakens the
-/// change. No gas diffuses. After each step, a torus as a whole, or each raft of a patch, is moved
-/// back to its position at the start.
+/// first cycles have happened. If bubbles boil, some regions may not return to the same state;
+/// `calm` weakens the change there. No gas diffuses. After each step, a torus as a whole, or each
+/// raft of a patch, is moved back to its position at the start.
 class Cycle {
   public:
     /// Stores the present target areas of the foam, around which they will oscillate, and its
@@ -41,16 +41,16 @@ class Cycle {
     StepSummary step_to(int position, Foam& foam, double time, const StepOptions& options);
 
     /// Returns true if every boiling bubble vanished between the same bubbles the last two times,
-    /// so that it will be born between them again. A boil has closed if, after each of two cycles
-    /// in a row, this function returns true and closing_error is small. One cycle is not enough:
-    /// closing_error does not compare the flags of films that have flipped (Foam::t1_armed), and
-    /// these flags may make the next cycle differ.
+    /// so that it will be born between them again. The loop of a boil is closed if, after each of
+    /// two cycles in a row, this function returns true and closing_error is small. One cycle is not
+    /// enough: closing_error does not compare the flags of films that have flipped
+    /// (Foam::t1_armed), and these flags may make the next cycle differ.
     bool repeats() const;
 
-    /// Weakens the change where it keeps the foam from returning to its first state. Bubbles whose
-    /// neighbors keep changing from cycle to cycle oscillate less, and the boiling bubbles nearest
-    /// to them grow less large. Does nothing without boiling bubbles. Call it with the foam at the
-    /// end of each cycle.
+    /// Weakens the change where it keeps the foam from being the same after each cycle. Bubbles
+    /// whose neighbors keep changing from cycle to cycle oscillate less, and the boiling bubbles
+    /// nearest to them grow less large. Does nothing without boiling bubbles. Call it with the foam
+    /// at the end of each cycle.
     void calm(const Foam& foam);
 
   private:

@@ -21,7 +21,7 @@ struct DrivenBubble {
 /// that have vanished are ignored.
 struct StateChange {
     std::vector<DrivenBubble> driven{};
-    double strain = 0.0;  // simple shear along x (shear.h)
+    double strain = 0.0;  // every point of a torus moves to the right by strain * y (shear.h)
     std::vector<Displacement> pushes{};
 
     bool empty() const { return driven.empty() && strain == 0.0 && pushes.empty(); }

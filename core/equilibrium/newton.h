@@ -17,14 +17,17 @@ struct NewtonOptions {
     // area.
     double force_tolerance = 1e-11;
     double area_tolerance = 1e-11;
-    // Largest relative motion of the two ends of a film in one limited step, in chord lengths
-    // (limit_moves). Also limits the change of the half angle of an outer film, in radians.
+    // In one limited step (limit_moves), the two ends of a film approach each other, or move across
+    // the chord relative to each other, by at most about this multiple of the chord length. Also
+    // limits the change of the half angle of an outer film, in radians.
     double largest_move = 0.4;
     // The method ends with the status Slow if a step with a new factor leaves more than this share
     // of the norm of the residual. The value 1 disables this status.
     double slow_ratio = 1.0;
-    // If true, T1s are predicted from the step near equilibrium (closing_films). Otherwise, and far
-    // from equilibrium, only collapsing films need a T1 (collapsing_films).
+    // Decides which of the films that are shorter than their T1 distance get a T1 before a step is
+    // made. If true, near equilibrium: those that would still be shorter after the step
+    // (closing_films). Otherwise, and always far from equilibrium: only those that the step would
+    // shorten by more than half (collapsing_films). Collapsed films always get a T1.
     bool predicts_t1 = true;
     TopologyThresholds thresholds{};
 };
@@ -47,12 +50,11 @@ struct NewtonSummary {
     std::vector<FilmId> collapsing;  // the films that need a T1, in increasing order
 };
 
-/// Runs Newton's method on E3 from the present state of the foam, with everything held except the
-/// unknowns of the system. The method is globalized: a step is limited so that it shortens or turns
-/// a film by at most a fraction of its length (limit_moves), and a line search requires the
-/// residual to decrease. If the line search along the limited step fails, the step without limits
-/// is tried. A factor is kept for further steps (the chord method) while these steps are expected
-/// to cost less than a new factor.
+/// Runs Newton's method on E3 from the present state of the foam. Everything except the unknowns of
+/// the system is held fixed. The method is globalized: steps are limited
+/// (NewtonOptions::largest_move), and a line search requires the residual to decrease. If the line
+/// search along the limited step fails, the step without limits is tried. A factor is kept for
+/// further steps (the chord method) while these steps are expected to cost less than a new factor.
 ///
 /// Precondition: the foam has the network with which the system was started.
 NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& options);

@@ -194,7 +194,9 @@ double mean_area(const PolygonMesh& mesh) {
     return total / static_cast<double>(mesh.cells.size());
 }
 
-// Merges the cell into a neighbor, as merge_slivers specifies, and removes it from the mesh.
+// Removes the cell from the mesh after merging it into a neighbor: of the neighbors whose union
+// with the cell has a single loop as its boundary, the one with the longest common border. If there
+// is no such neighbor, the area of the cell is lost.
 void merge_or_drop(PolygonMesh& mesh, std::size_t cell) {
     for (const std::size_t neighbor : neighbors_of(mesh, cell)) {
         if (const std::optional<Cell> both = merged(mesh.cells[cell], mesh.cells[neighbor])) {

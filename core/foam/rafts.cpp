@@ -31,15 +31,15 @@ constexpr std::size_t kMaxSidesOfSmallHole = 3;
 // bubbles along it.
 constexpr double kRaftAreaFraction = 0.5;
 
-// One of the two outer films that result when a film tears. It joins the two outer films of one
-// bubble beside the torn film.
+// One of the two outer films that result when a film tears. For each of the two bubbles beside the
+// torn film, the two outer films of the bubble that end at the torn film become one joined film.
 struct JoinedFilm {
     // The bubble's half-edge directly before the torn film. It becomes the joined film, unless its
     // film is the bubble's only film besides the torn one: then the bubble becomes a lone bubble.
     HalfEdgeId kept;
     Vec2 at_tail;        // unit tangent at the tail of the joined film
     Vec2 at_head;        // unit tangent at the head of the joined film
-    LoneBubble as_lone;  // the lone bubble in this case
+    LoneBubble as_lone;  // the bubble as a lone bubble, for this case
 };
 
 // Returns the bubble on the left of h as a lone bubble, a circle that is tangent to the film of h

@@ -20,7 +20,9 @@ namespace foam {
 
 namespace {
 
-// These lengths are in units of the T1 distance at the film (scaled_distance).
+// A film that has flipped is disarmed (Foam::t1_armed): its T1 distance is shorter until the film
+// has grown, so that films do not flip to and fro. The following lengths are in units of the T1
+// distance at the film (scaled_distance).
 constexpr double kDisarmedFraction = 0.1;    // a disarmed film may flip again below this length
 constexpr double kCollapsedFraction = 0.05;  // a film counts as collapsed below this length
 constexpr double kRearmingFactor = 2.0;      // a disarmed film is armed again above this length

@@ -13,8 +13,9 @@ namespace foam {
 
 namespace {
 
-constexpr unsigned kWrapBits = 6;  // bits per axis in the numeric form of a wrap
-// The numeric form stores a number of periods in five bits, in two's complement.
+// Surface Evolver calls the lattice offset of an edge its wrap. The numeric form of a wrap has six
+// bits per axis. The lower five of them store the number of periods, in two's complement.
+constexpr unsigned kWrapBits = 6;
 constexpr std::int32_t kMinWrap = -16;
 constexpr std::int32_t kMaxWrap = 15;
 
@@ -118,8 +119,8 @@ class Writer {
         }
     }
 
-    // Writes the wrap of an edge: as two symbols if it is at most one period along each axis,
-    // otherwise as a number.
+    // Writes the wrap of an edge: as two of the symbols '*', '+' and '-' if it is at most one
+    // period along each axis, otherwise as a number.
     void write_wrap(int edge, LatticeOffset offset) {
         const auto is_symbol = [](std::int32_t periods) { return -1 <= periods && periods <= 1; };
         if (is_symbol(offset.i) && is_symbol(offset.j)) {
@@ -159,6 +160,7 @@ class Writer {
         }
     }
 
+    // On a torus, pressures are written relative to the pressure of the first bubble.
     void write_bodies() {
         put("\nbodies\n");
         double reference = 0.0;

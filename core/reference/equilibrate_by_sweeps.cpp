@@ -10,10 +10,11 @@
 
 namespace foam {
 
-// The sweeps of a round end when they have converged or their number has reached the limit
-// (GaussSeidelOptions::max_sweeps). If they have converged, the T1s of the short films follow; if
-// no T1 is due, the foam is in equilibrium. If the limit has been reached, the equilibration ends
-// with the status ToleranceMissed.
+// The algorithm repeats rounds, at most EquilibriumOptions::max_rounds of them. The sweeps of a
+// round end when the errors are below the tolerance or the number of sweeps has reached the limit
+// (GaussSeidelOptions::max_sweeps). If the errors are below the tolerance, the T1s of the short
+// films follow; if no T1 is due, the foam is in equilibrium. If the limit has been reached, the
+// equilibration ends with the status ToleranceMissed.
 
 namespace {
 

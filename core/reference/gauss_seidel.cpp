@@ -15,12 +15,12 @@
 
 namespace foam {
 
-// Blocked nonlinear Gauss-Seidel (paper section 4.1): the blocks of all junctions are solved one
-// after another. Each block starts from the state after the block before it. In colored order,
-// junctions of one color share no bubble except the ghost. The blocks of one color are solved in
-// parallel, and their changes are then applied in the order of the junctions. The paper mentions
-// colored order as future work, with the colors red and black. The limit on the size of a step
-// (largest_change) is not in the paper.
+// Blocked nonlinear Gauss-Seidel (E5; paper section 4.1). In sequential order, the blocks of all
+// junctions are solved one after another, and each block starts from the state after the block
+// before it. In colored order, junctions of one color share no bubble except the ghost. The blocks
+// of one color are solved in parallel, and their changes are then applied in the order of the
+// junctions. The paper mentions colored order as future work, with the colors red and black. The
+// limit on the size of a step (largest_change) is not in the paper.
 
 namespace {
 
@@ -32,7 +32,7 @@ constexpr int kSweepsBetweenT1 = 30;
 
 struct OuterChange {
     FilmId film;
-    double half_angle;  // change along the film's forward side, radians
+    double half_angle;  // change of the half angle of the forward side, radians
 };
 
 // The changes of one block: positions and pressures in foam units, half angles in radians.

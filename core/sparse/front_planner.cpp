@@ -18,7 +18,7 @@ namespace foam {
 // ones among the neighbors of its own nodes, and the later ones in the borders of its children. One
 // pass in postorder therefore finds all borders. Three more steps follow: the workspace is laid
 // out, each row of a border gets its slot in the parent front (FrontPlan::write_slots), and each
-// entry of the matrix gets its index in a panel.
+// entry of the matrix gets its index in the panel of its front (the columns of the front's pivots).
 
 namespace {
 
@@ -144,8 +144,9 @@ class FrontBuilder {
     const Dissection& dissection_;
     FrontPlan plan_;
     Indices position_of_node_;
-    std::vector<std::size_t> first_rows_;  // first row of each position; then the row count
-    Indices border_positions_;             // the borders of all fronts, as positions of nodes
+    // The first row of the node at each position, followed by the number of all rows.
+    std::vector<std::size_t> first_rows_;
+    Indices border_positions_;  // the borders of all fronts, as positions of nodes
     std::vector<std::size_t> border_begins_{0};
     Indices last_front_of_;  // for each position, the last front to whose border it was added
 };

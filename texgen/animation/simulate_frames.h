@@ -24,20 +24,24 @@ enum class RunStatus {
 /// How a run ended.
 struct RunOutcome {
     RunStatus status = RunStatus::Complete;
-    int failed_frame = 0;                 // first frame that could not be simulated; 0 if complete
-    std::optional<double> closing_error;  // Simulation::closing_error
-    std::vector<int> missing_bubbles{};   // Simulation::missing_bubbles; empty for a cache
+    int failed_frame = 0;  // first frame that could not be simulated; 0 if complete
+    // Distance between the states at the start and at the end of the last cycle before frame 1
+    // (Simulation::closing_error); nullopt if no cycle was run.
+    std::optional<double> closing_error;
+    // For each event, the number of bubbles that it should have chosen or created, but could not
+    // (Timeline::missing_bubbles); empty if the frames come from a cache.
+    std::vector<int> missing_bubbles{};
 };
 
 /// Returns why a run ended early, as the text of a message; empty if it is complete.
 std::string failure_of(const RunOutcome& outcome);
 
 /// A source of frames: calls the visitor for each of the frames with the given numbers, in the
-/// order of FrameAssembly, and returns how the run ended. The progress callback receives the phases
-/// from Seeding to States; from a source that reads a cache, only the phase States. The phase
-/// States is reported before every state except the first. The reports continue after the first
-/// frame has been passed to the visitor, although States is otherwise the phase before the first
-/// frame (progress.h).
+/// order of FrameAssembly, and returns how the run ended. `next_frames` decides whether the visitor
+/// also receives the frame after each frame. The progress callback receives the phases from Seeding
+/// to States; from a source that reads a cache, only the phase States. The phase States is reported
+/// before every state except the first. The reports continue after the first frame has been passed
+/// to the visitor, although States is otherwise the phase before the first frame (progress.h).
 using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
                                              NextFrames next_frames,
                                              const FrameVisitor&,

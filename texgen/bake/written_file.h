@@ -25,33 +25,34 @@ struct MapSamples {
     std::string color_space;  // "sRGB", "linear sRGB" or "data"
     std::string alpha;        // "none", "straight" or "premultiplied"
     // Only for kind "number": the number that the smallest code represents, and the number that the
-    // largest code represents. Formats that store numbers do not clamp them to this range. Previews
-    // show the first number of the range as black and the second number as white.
+    // largest code represents. (A code is an integer sample, as a PNG stores it.) Formats that
+    // store floating-point numbers do not clamp them to this range. Previews show the first number
+    // of the range as black and the second number as white.
     std::optional<std::array<double, 2>> range;
 
     friend bool operator==(const MapSamples&, const MapSamples&) = default;
 };
 
 /// Returns a description of the samples of a map in a file of the given format. `image` is any
-/// image of the map. `numbers` is the sample type of numbers in a format that stores numbers
-/// instead of codes.
+/// image of the map. `numbers` is the sample type that is used in a format that stores
+/// floating-point numbers instead of codes.
 MapSamples describe_samples(const Map& map,
                             const MapImage& image,
                             const ImageFormat& format,
                             SampleType numbers);
 
 /// Returns the number of bits of each code of a map in the given format; 0 if the format stores
-/// numbers.
+/// floating-point numbers.
 int code_bits(const Map& map, const ImageFormat& format);
 
 /// One image file of a bake.
 struct WrittenFile {
     std::filesystem::path path;
-    std::vector<std::pair<const Map*, MapSamples>> maps;  // one entry, or one entry per layer
+    std::vector<std::pair<const Map*, MapSamples>> maps;  // one map, or one map per layer
     std::uint64_t bytes = 0;                              // size of the file in bytes
     std::string pixels;                                   // pixel_hash of the picture
-    // The extent of the numbers that the codes represent; nullopt if the file stores numbers, or if
-    // its map has no Map::full_key.
+    // The extent of the numbers that the codes represent; nullopt if the file stores floating-point
+    // numbers, or if no key of the preset sets the range of its map (Map::full_key is empty).
     std::optional<NumberExtent> numbers{};
     // The height that the largest code represents, as a fraction of the width of the image; only
     // for codes of the map height.

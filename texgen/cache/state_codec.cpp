@@ -13,12 +13,13 @@
 #include <cmath>
 #include <memory>
 
-// An encoded state consists of its frame (frame_codec.h), its effort and its record, in this order.
-// In the record, values per bubble are in the order of the bubbles of the frame, followed by its
-// lone bubbles, so identities are stored only once, in the frame. A flag precedes the pressures at
-// the end of the warm-up. If it is 1, they equal the pressures in pressures.foam and are left out.
-// The averages of values are at the end of the record. A flag precedes them, too; it is 0 if
-// nothing is averaged.
+// An encoded state consists of its frame (frame_codec.h), its effort (FrameEffort) and its record
+// (FoamRecord), in this order. In the record, values per bubble are in the order of the bubbles of
+// the frame, followed by its lone bubbles, so identities are stored only once, in the frame. A flag
+// precedes FoamRecord::first_pressures, the pressures at the end of the warm-up. If the flag is 1,
+// these pressures equal the pressures in the file pressures.foam of the cache and are left out. At
+// the end of the record are the averages (RecentAverages). A flag precedes them, too; it is 0 if
+// there are no averages.
 
 namespace foam::texgen {
 
@@ -76,7 +77,7 @@ std::vector<double> read_by_identity(const std::vector<BubbleIdentity>& bubbles,
     std::vector<double> values;
     for (const BubbleIdentity bubble : bubbles) {
         values.resize(std::max(values.size(), std::size_t{bubble} + 1), 0.0);
-        values[bubble] = take_number(reader, "the time of a bubble");
+        values[bubble] = take_number(reader, "the time of a birth or of a change of neighbors");
     }
     return values;
 }

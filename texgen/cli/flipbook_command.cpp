@@ -131,8 +131,8 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
             .add_option(
                 "--gutter",
                 arguments.options.gutter,
-                "Width in pixels of a border around each frame, which continues the tile (default: "
-                "0)")
+                "Width in pixels of a border around each frame, which continues the frame "
+                "periodically if it tiles and otherwise repeats its edge pixels (default: 0)")
             ->check(CLI::Range(0, kLargestGutter))
             ->option_text("PX");
     command.add_flag("--strip", arguments.options.strip, "Use one column, for texture arrays")

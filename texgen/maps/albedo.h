@@ -19,10 +19,12 @@ inline constexpr MapTraits kAlbedoMap = {
     .channels = "R G B",
     .smooth_distance = SmoothDistance::UsedByFilms};
 
-/// Draws the colors of bubbles and films. If films are even and there is neither shade nor grain,
-/// fill_colors (cell_fill.h) draws the map, otherwise paint_films (film_coverage.h) does. Throws as
-/// cell_colors and cell_arcs do. Also throws std::invalid_argument if the color of films is
-/// invalid, or if a shade is drawn and its color is invalid.
+/// Draws the colors of bubbles and films. If films have the same width everywhere
+/// (FilmProfile::Even) and there is neither shade nor grain, fill_colors (cell_fill.h) draws the
+/// map, otherwise paint_films (film_coverage.h) does. Throws the exceptions of cell_colors (for
+/// invalid colors) and of cell_arcs (for an invalid film width or grid). Also throws
+/// std::invalid_argument if the color of films is invalid, or if a shade is drawn and its color is
+/// invalid.
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Draws the albedo of a single frame and encodes it as 8-bit sRGB. The image has three channels;

@@ -13,10 +13,10 @@
 namespace foam::texgen {
 
 /// Returns the fraction of every pixel that films cover, from 0 to 1, in one channel. For even
-/// films the fraction is exact, except at the border of a cross-fade (FadeBorder). Wet films end
-/// where the smooth distance (distance_field.h) is half of options.film_width, which rounds the
-/// corners of bubbles. At the edge of a wet film the fraction falls linearly from 1 to 0 over the
-/// width of a pixel.
+/// films (FilmProfile::Even: the same width everywhere) the fraction is exact, except at the border
+/// of a cross-fade (FadeBorder). Wet films (FilmProfile::Wet) end where the smooth distance
+/// (distance_field.h) is half of options.film_width, which rounds the corners of bubbles. At the
+/// edge of a wet film the fraction falls linearly from 1 to 0 over the width of a pixel.
 Image<float> film_coverage(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Returns the fraction of every pixel that films and bubbles cover together, in one channel.

@@ -29,8 +29,8 @@ void check_events(const Preset& preset, std::span<const Assignment> assignments)
 /// Returns the events of a preset as TOML. Keys that have their defaults are left out.
 std::string events_to_toml(const Preset& preset);
 
-/// Returns the reference of all keys of events: default, meaning, allowed values, and the kinds of
-/// events that accept the key.
+/// Returns a description of all keys of events for users: default, meaning, allowed values, and the
+/// kinds of events that accept the key.
 std::string describe_event_keys();
 
 }  // namespace foam::texgen

@@ -7,7 +7,8 @@
 
 namespace foam::texgen {
 
-/// The content of a gutter: the periodic continuation of the frame, or copies of its edge pixels.
+/// The content of a gutter, the border around a frame in a sheet: the periodic continuation of the
+/// frame, or copies of its edge pixels.
 enum class Gutter { Periodic, Edge };
 
 /// Copies a frame into a cell of a sheet and fills the gutter around the frame. `number` is the

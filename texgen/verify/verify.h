@@ -50,7 +50,8 @@ struct VerifiedMap {
     bool holds() const;
 };
 
-/// The result of checking a set of images.
+/// The result of checking a set of images (BakedSet): the images of one preset that were baked with
+/// the same values of the keys.
 struct VerifiedSet {
     BakedSet set;
     int files_same = 0;  // number of files whose pixels have the hash in the manifest
@@ -65,16 +66,16 @@ struct VerifiedSet {
 
 /// The sets of a manifest to check.
 struct VerifyOptions {
-    SetChoice choice = {};
-    bool all = false;  // false to check, of each preset, only the newest set of the choice
+    SetChoice choice = {};  // selects sets by preset, seed and size; by default, all sets
+    bool all = false;       // true: all selected sets; false: the newest selected set per preset
 };
 
 /// The result of checking a folder.
 struct Verification {
     std::filesystem::path folder;
     std::vector<VerifiedSet> sets;
-    // Names (name_of) of the sets of the choice that were not checked, since the manifest has a
-    // newer set of the same preset.
+    // Names (name_of) of the selected sets (VerifyOptions::choice) that were not checked, since a
+    // newer set of the same preset is selected, too.
     std::vector<std::string> unchecked = {};
 
     /// Returns true if no set has a problem. Returns false for a folder without sets.

@@ -8,8 +8,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Computes the results of a query. crossing(arc, at) returns the crossing of the arc, whose
-// coordinates are of type Real, with the line at `at`.
+// Computes the crossings that a query asks for. crossing(arc, at) returns the crossing of the arc
+// with the line at the coordinate `at`. Coordinates are of type Real.
 template <class Real, class Crossing>
 inline void find_of(const CrossingSolver<Real> arc,
                     ArcCrossings query,
@@ -25,7 +25,7 @@ inline void find_of(const CrossingSolver<Real> arc,
     }
 }
 
-// Computes the results of all queries, in floats for short arcs and in doubles for long arcs.
+// Computes the crossings for all queries, in floats for short arcs and in doubles for long arcs.
 template <class Crossing>
 void find(std::span<const ArcCrossings> arcs, const Crossing& crossing, std::int32_t* to) {
     at_simd_level([=] {

@@ -12,9 +12,10 @@
 namespace foam::texgen {
 
 /// The rows of an image, divided into bands, and for each band a list of the arcs that overlap it.
-/// Arcs are moved by the shift of the grid; on a torus, they are wrapped in y. The arcs of a band
-/// are sorted by tile, that is, by the range of columns that contains the lower end of the arc, so
-/// that most sums to which an arc adds are already in the cache.
+/// On a torus, arcs are moved by the shift of the grid and wrapped in y. The arcs of a band are
+/// sorted by tile, that is, by the range of columns that contains the lower end of the arc.
+/// Successive arcs then add to the sums of nearby pixels, most of which are already in the
+/// processor's cache.
 class ArcBands {
   public:
     /// A copy of an arc, moved by a translation to its position in the image. On a torus, the
@@ -25,8 +26,8 @@ class ArcBands {
         SubpixelPoint translation;
     };
 
-    /// Sorts the arcs of `cells`, which are borrowed. `rows_per_band` is rounded up to a power of
-    /// two. The result does not depend on the number of threads.
+    /// Sorts the arcs of `cells`, which must outlive this object. `rows_per_band` is rounded up to
+    /// a power of two. The result does not depend on the number of threads.
     ArcBands(const CellArcs& cells, int rows_per_band, int threads);
 
     /// Returns the number of bands.

@@ -48,7 +48,8 @@ inline void copy_pairs(const float* xs, const float* ys, std::size_t count, floa
 
 }  // namespace
 
-// Writes a span. Precondition: its column and its row are in the coordinates of the image.
+// Writes the id and the values of a span of pixels to the images of the field. Precondition: the
+// column and the row of the span are in the coordinates of these images, not relative to a box.
 inline void FieldWriter::write_span(const PixelBatch& batch,
                                     const PixelBatch::Span& span,
                                     std::uint32_t id) {

@@ -29,8 +29,9 @@ struct DistanceArc {
     Vec2 head() const { return tail + shape.chord; }
 };
 
-/// An arc or a straight edge that decides ids. Its ends are whole numbers of subpixels. `cosine`
-/// and `sine` are those of half the angle by which it turns left.
+/// An arc or a straight edge of the outline that decides which pixels get the id of a region. The
+/// coordinates of its ends are whole numbers of subpixels. `cosine` and `sine` are the cosine and
+/// the sine of half the angle by which it turns left.
 struct OutlineArc {
     Vec2 from{0.0, 0.0};
     Vec2 to{0.0, 0.0};
@@ -69,8 +70,8 @@ class Boundary {
     /// Returns the exact arcs for measuring distances. Arcs that turn by more than 120 degrees are
     /// cut in halves (DistanceArc::kMinCosine).
     std::span<const DistanceArc> arcs() const { return arcs_; }
-    /// Returns the exact arcs without halving, one per film. DistanceArc::corner is not set for the
-    /// first arc of a loop.
+    /// Returns the exact arcs without halving, one per film. In the first arc of each loop,
+    /// DistanceArc::corner is always false.
     std::span<const DistanceArc> films() const { return films_; }
     std::span<const OutlineArc> outline() const { return outline_; }
 

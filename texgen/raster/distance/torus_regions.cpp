@@ -43,7 +43,8 @@ TorusRegions::TorusRegions(const Frame& frame, const RasterGrid& grid, int threa
       films_(sorted_films(threads)),
       starts_(sorted_starts(threads)) {}
 
-// Sorts items by squares. position(item) is the position of an item.
+// Sorts items by the square of the grid that contains them. position(item) is the position of an
+// item in subpixels.
 template <class Item, class PositionOf>
 Buckets<Item> TorusRegions::sorted(std::span<const Item> items,
                                    int threads,
@@ -111,7 +112,8 @@ std::span<const TorusRegions::Start> TorusRegions::starts(int first, int rows) c
     return starts_.items_of(begin * columns_, end * columns_);
 }
 
-// A factor of 1 or -1 replaces a branch on the direction of a side, which would be unpredictable.
+// The arc of a film is stored for its forward side. For the other side, its chord, sine and offset
+// are negated. A factor of 1 or -1 replaces an unpredictable branch on the direction of the side.
 void TorusRegions::trace(const Start& start, Region& region) const {
     region.id = start.bubble;
     region.first = start.from;

@@ -22,10 +22,11 @@ OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double dis
     return cap;
 }
 
-// The nearest point of the circle has the parameter 2 u / (2 - k v - k d), where k is the
-// curvature, u and v are the coordinates of the given point along the tangent and the normal at the
-// middle of the arc, and d is its signed distance from the circle. If the parameter is not on the
-// arc, one of the ends is nearest.
+// The nearest point of the arc's circle has the parameter 2 u / (2 - k v - k d). (The parameter is
+// explained at OffsetArc.) Here k is the curvature of the arc; u and v are the coordinates of the
+// given point along the tangent and the normal at the middle of the arc; d is the signed distance
+// of the given point from the circle. If the parameter is beyond an end of the arc, one of the ends
+// is nearest.
 double distance(const OffsetArc& arc, const Vec2& point) {
     const Vec2 y = point - arc.middle;
     const double u = arc.direction.dot(y);
