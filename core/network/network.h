@@ -26,7 +26,7 @@ namespace foam {
 /// but is not one of `bubbles()`. It may have several boundaries, or none, so a traversal by next()
 /// does not always visit all its half-edges. `sides(ghost())` is the number of its half-edges in
 /// all boundaries. `first(ghost())` is any of its half-edges, and is not valid if the ghost has
-/// none.
+/// no half-edge.
 ///
 /// A removed element leaves a dead slot behind, so that the ids of other elements stay valid during
 /// a time step; `compact` removes dead slots. Accessors take live ids only, unless stated

@@ -30,21 +30,22 @@ struct DissectionPart {
 };
 
 /// The result of nested dissection: an order of elimination, divided into a binary tree of
-/// DissectionParts. No node of the left subtree of a part is coupled (node_graph) to a node of its
-/// right subtree.
+/// DissectionParts. No edge of the graph joins a node of the left subtree of a part to a node of
+/// its right subtree.
 struct Dissection {
     std::vector<std::uint32_t> order;  // nodes in the order of elimination
     // Every part is stored after both its subtrees; the last one is the root.
     std::vector<DissectionPart> parts;
 };
 
-/// Returns an order of elimination, found by nested dissection (George 1973). The nodes are divided
-/// by a light separator (a separator of few rows), which is eliminated last. Both sides are then
-/// divided in the same way, until a part has at most DissectionOptions::leaf_rows rows or one side
-/// of its separator would be empty. Separators are found from positions, or from the edges of the
-/// graph where positions give heavy separators (PartDivider). On a torus, the separator of the
-/// first level consists of two lines, because one closed line does not divide a torus. A separator
-/// across a band that closes around the torus also consists of two lines.
+/// Returns an order of elimination, found by nested dissection (George 1973). A node of the graph
+/// represents one or more rows of the matrix (SolverNode::rows). The nodes are divided by a light
+/// separator (a separator of few rows), which is eliminated last. Both sides are then divided in
+/// the same way, until a part has at most DissectionOptions::leaf_rows rows or one side of its
+/// separator would be empty. Separators are found from positions, or from the edges of the graph
+/// where positions give heavy separators (PartDivider). On a torus, the separator of the first
+/// level consists of two lines, because one closed line does not divide a torus. A separator across
+/// a band that closes around the torus also consists of two lines.
 ///
 /// The order is valid for any positions, and is the same for any number of threads. `threads` has
 /// the same meaning as in thread_count. Precondition: there is at least one node.

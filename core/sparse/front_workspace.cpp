@@ -10,7 +10,8 @@ namespace foam {
 
 namespace {
 
-// The number of topmost levels on which the two subtrees of a front share no memory.
+// The number of topmost levels on which the two subtrees of a front share no memory, so that two
+// threads can factor them at the same time (Front::may_fork).
 constexpr int kForkLevels = 4;
 static_assert(kMaxWorkers == 1 << kForkLevels);
 

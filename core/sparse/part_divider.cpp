@@ -14,6 +14,9 @@
 
 namespace foam {
 
+// Dividing a part puts each of its nodes into a zone: Low or High, the two sides, or Outside, the
+// separator. (Nodes of other parts are in Outside, too.)
+//
 // A part is halved at the median coordinate along the longer axis of its box. The nodes of one half
 // that have neighbors in the other half are a separator. In a part of many rows, the separator is
 // then refined: moved through the nodes near it (SeparatorRefinement). If the separator is heavy

@@ -16,10 +16,10 @@ namespace foam::texgen {
 class FadeOrder {
   public:
     struct Options {
-        double bubbles = 1.0;  // approximate number of bubbles in the tile
+        double bubbles = 1.0;  // approximate number of bubbles of the foam
         double spread = 0.0;   // fraction of the cross-fade after which the last bubble begins to
                                // appear, below 1; with 0, all bubbles appear at the same time
-        double aspect = 1.0;   // width of the tile divided by its height
+        double aspect = 1.0;   // width of the torus divided by its height
         std::uint64_t seed = 1;
     };
 

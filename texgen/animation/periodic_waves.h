@@ -8,8 +8,8 @@
 namespace foam::texgen {
 
 /// A plane wave on a torus, cos(2 pi (across x + up y) + phase). x and y are positions as fractions
-/// of the width and height of the torus. `across` and `up` are numbers of wavelengths; they are
-/// whole, so that the wave has no seam.
+/// of the width and height of the torus. `across` is the number of wavelengths in the width, `up`
+/// the number in the height; both are whole, so that the wave has no seam.
 struct PeriodicWave {
     int across = 0;
     int up = 0;
@@ -20,8 +20,8 @@ struct PeriodicWave {
 
 /// The options of periodic_waves.
 struct WaveOptions {
-    int count = 1;
-    double number = 1.0;     // typical number of waves along the shorter side of the torus
+    int count = 1;           // number of waves that periodic_waves returns
+    double number = 1.0;     // typical number of wavelengths in the shorter side of the torus
     double variation = 0.0;  // multiplies `number` by a random factor in 1 ± variation, per wave
     double aspect = 1.0;     // width of the torus divided by its height
     std::uint64_t seed = 1;

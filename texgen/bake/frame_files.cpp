@@ -115,7 +115,9 @@ WrittenFile FrameFiles::write_maps(std::span<const Map* const> maps, ShownLayers
     return written;
 }
 
-// Returns the picture of a file and adds a description of each map to `written`. If the file
+// Returns the picture of a file and adds a description of each map to `written`. For a file of
+// codes (integer samples, such as a PNG), also stores in `written` the extent of the numbers, if
+// the map has a key for its range, and the displacement, if the map is `height`. If the file
 // contains several maps, the channels of each map are in a layer with the name of the map.
 Picture FrameFiles::picture_of(std::span<const Map* const> maps,
                                ShownLayers& shown,
@@ -147,8 +149,9 @@ Picture FrameFiles::picture_of(std::span<const Map* const> maps,
 }
 
 // Returns the metadata of a file. Unless output.texts leaves texts out, a file of codes contains,
-// besides the texts of all files (texts_of), the name, unit, range and note of its map. In a file
-// of numbers the samples are in the unit of their map, so only the notes of its maps are added.
+// besides the texts of all files (texts_of), the name and the unit of its map, and the range and
+// the note if the map has them. In a file of numbers, such as an EXR, the samples are in the unit
+// of their map, so only the notes of its maps are added.
 ImageMetadata FrameFiles::metadata_of(std::span<const Map* const> maps) const {
     ImageMetadata metadata = metadata_;
     if (metadata.text.empty()) {

@@ -194,10 +194,10 @@ void add_compare_command(CLI::App& app, Action& action) {
     command->add_option("--tolerances", arguments->tolerances, "TOML file with limits for each map")
         ->option_text("FILE");
     command
-        ->add_option(
-            "--map",
-            arguments->options.map,
-            "Map of the images; by default the map that the layer, the manifest or the texts name")
+        ->add_option("--map",
+                     arguments->options.map,
+                     "Map of the images; by default the map that the EXR layer, the manifest or "
+                     "the metadata of the image names")
         ->option_text("MAP");
     add_frames_option(
         *command, arguments->frames, "Frames of both sequences; by default all existing frames");

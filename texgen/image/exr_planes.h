@@ -34,9 +34,9 @@ Imf::PixelType pixel_type(SampleType type);
 /// Throws std::invalid_argument with a message that ends with `why`.
 [[noreturn]] void reject_exr(const std::string& why);
 
-/// Returns the channels of a picture in alphabetical order. They refer to the samples of the
-/// picture, which must outlive them. Throws std::invalid_argument if the samples are codes of 8 or
-/// 16 bits.
+/// Returns the channels of a picture in alphabetical order. The channels refer to the samples of
+/// the picture, so the picture must outlive them. Throws std::invalid_argument if the samples are
+/// codes of 8 or 16 bits.
 std::vector<ExrChannel> exr_channels(const Picture& picture);
 
 /// All channels of one mip level in the layout that OpenEXR writes: one array per channel, with the

@@ -19,7 +19,7 @@ namespace foam::texgen {
 struct Condition {
     std::string_view key;               // the path of the other key
     std::vector<std::string> values{};  // words, or numbers as TOML writes them: "patch", "0.0"
-    bool excludes = false;              // true if all other values meet the condition
+    bool excludes = false;              // true if all values except `values` meet the condition
 
     /// Returns true if this value of the other key meets the condition.
     bool allows(std::string_view value) const;
@@ -28,7 +28,8 @@ struct Condition {
 /// Returns the key and the values of a condition as a text: foam.domain = "patch" or "torus".
 std::string text_of(const Condition& condition);
 
-/// The properties of a key that do not depend on the type of the object that the key sets.
+/// The properties of a key that do not depend on the type of the object in which the key sets a
+/// value.
 struct KeyInfo {
     std::string path;     // "foam.bubbles", or "bubbles" outside of a table
     std::string allowed;  // the allowed values: "an integer from 4 to 1000000"

@@ -54,7 +54,7 @@ struct MapOptions {
     OcclusionOptions occlusion;
     CurvatureOptions curvature;
     ThinFilmOptions thin_film;
-    MazeOptions maze;  // used by maze and maze_solution, by lit, and by reliefs of walls
+    MazeOptions maze;  // used by maze, maze_solution, lit, and ReliefFilms::Walls
     ContourOptions contour;
     CausticsOptions caustics;
 };
@@ -171,14 +171,15 @@ const Map& find_map(std::string_view name);
 /// names. Throws as find_map does.
 DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options);
 
-/// Return the range of a map (Map::full_key), or nullptr if the map has no such key.
+/// Return the option that sets the range of a map (its key is Map::full_key), or nullptr if the map
+/// has no such option.
 AutoReal* full_of(const Map& map, MapOptions& options);
 const AutoReal* full_of(const Map& map, const MapOptions& options);
 
 /// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).
 bool shows_maze(std::span<const std::string> names, const MapOptions& options);
 
-/// Returns the table of all maps in README.md, as Markdown.
+/// Returns a Markdown table of all maps, which texgen/maps/README.md contains.
 std::string describe_maps_in_markdown();
 
 }  // namespace foam::texgen

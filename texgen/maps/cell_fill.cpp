@@ -98,7 +98,8 @@ Image<float> covered_numbers_of(const Image<std::uint16_t>& steps, const Steps& 
     return image;
 }
 
-// In a cross-fade, paints the border as a film over an image of bubbles and films.
+// In a cross-fade, paints the border between the regions of the two foams as a film over an image
+// of bubbles and films. Paints nothing if the frame shows only one foam.
 void paint_border(FrameLayers& layers,
                   double film_width,
                   const Texel& film,

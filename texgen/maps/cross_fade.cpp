@@ -56,7 +56,8 @@ void mix_slopes(std::span<float> fading_out, std::span<const float> fading_in, f
     fading_out[2] = z / length;
 }
 
-// Calls mix_pixel for pixels in which both images have a weight above 0. Each other pixel gets the
+// Stores the mixture of two images in `fading_out`. `weights` are the weights of `fading_in`. Calls
+// mix_pixel for pixels in which both images have a weight above 0. Each other pixel gets the
 // unchanged samples of the image whose weight is 1.
 template <class Sample, class Mix>
 void mix_pixels(Image<Sample>& fading_out,

@@ -31,8 +31,9 @@ struct BubbleValues {
 /// are its first values.
 ///
 /// The pressure of a bubble that vanishes grows without limit. Therefore p / (1 + |p|) is averaged
-/// instead of the pressure p, which is in units of PressureUnit::Current. This average changes by
-/// at most 2 / (1 + smoothing) per frame.
+/// instead of the pressure p. Here p is divided by the film tension and multiplied by the square
+/// root of the mean area (PressureUnit::Current). The average changes by at most
+/// 2 / (1 + smoothing) per frame.
 struct RecentAverages {
     std::vector<BubbleValues> bubbles{};  // indexed by the bubble's identity;
                                           // BubbleValues::pressure is the average of p / (1 + |p|)

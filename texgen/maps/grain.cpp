@@ -13,7 +13,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMaxOctaves = 5;
-constexpr double kSmallestFeature = 2.0;  // pixels
+constexpr double kSmallestFeature = 2.0;  // pixels; octaves of smaller features are left out
 // The magnitude of gradient noise with unit gradients is at most 1/sqrt(2). This factor spreads one
 // octave to the range from -1 to 1.
 constexpr double kScale = 1.4142135623730951;
@@ -59,9 +59,10 @@ Vec2 lattice_gradient(std::int32_t x, std::uint32_t row) {
     return {across, up};
 }
 
-// Returns gradient noise with features of size 1. Each of the four lattice points around the point
-// defines a plane (a linear function), which is 0 at the lattice point and has the gradient that
-// lattice_gradient returns. Quintic polynomials blend the four planes.
+// Returns gradient noise on the lattice of the points with integer coordinates, so that its
+// features have the size 1. Each of the four lattice points around the point defines a plane (a
+// linear function), which is 0 at the lattice point and has the gradient that lattice_gradient
+// returns. Quintic polynomials blend the four planes.
 GrainValue gradient_noise(const Vec2& point, std::uint32_t seed) {
     const double left = std::floor(point.x());
     const double bottom = std::floor(point.y());

@@ -80,8 +80,8 @@ Keys<FoamShape> shape_keys() {
                 &FoamShape::kind),
             key("outline",
                 Outlines{},
-                "initial outline of a patch, scaled to an area of one per bubble; its equilibrium "
-                "has another shape",
+                "initial outline of a patch, scaled to an area of one per bubble; in equilibrium "
+                "the patch has another shape",
                 &FoamShape::outline)
                 .only_for("foam.domain", {"patch"}),
             key("outline_aspect",

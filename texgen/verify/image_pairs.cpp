@@ -113,7 +113,8 @@ std::vector<ImagePair> pairs_of_range(const std::string& a,
     return pairs;
 }
 
-// Calls add(key, presence) for each key of two maps, in increasing order.
+// Calls add(key, presence) for each key of two std::maps, in increasing order. `presence` tells
+// which of them contain the key.
 template <class Map, class Add>
 void visit_keys(const Map& a, const Map& b, const Add& add) {
     auto left = a.begin();
@@ -205,7 +206,7 @@ std::vector<ImagePair> image_pairs(const std::string& a,
     std::vector<ImagePair> pairs = pairs_of_kind(common_kind(a, b), a, b);
     if (pairs.empty()) {
         throw InputError(
-            fmt::format("cannot compare '{}' with '{}': there is no image on either side", a, b));
+            fmt::format("cannot compare '{}' with '{}': neither contains an image", a, b));
     }
     return pairs;
 }

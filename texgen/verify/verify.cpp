@@ -27,8 +27,9 @@ namespace {
 // Every file is decoded once. The hash of its pixels is compared with the hash in the manifest.
 // Then the picture is added to the MapCheck of each map in the file. A step is the mean difference
 // of the samples of two adjacent columns, rows or frames (steps.h). A MapCheck accumulates the
-// largest steps within frames, across the borders of frames and from frame to frame. After the last
-// file, the MapCheck returns the steps across seams together with the largest other steps.
+// largest steps within frames, across the borders of frames and from frame to frame. A seam is the
+// border of a frame that should tile, or the change from the last frame of a loop to the first.
+// After the last file, the MapCheck returns the steps across seams and the largest other steps.
 
 using DecodedFile = std::shared_ptr<const Picture>;
 
@@ -106,7 +107,7 @@ class MapCheck {
         }
     };
 
-    // Returns the border with the larger ratio.
+    // Returns the border whose step is larger relative to the largest other step (Seam::ratio).
     const Border& worse_border() const {
         return columns_.seam.ratio() > rows_.seam.ratio() ? columns_ : rows_;
     }
@@ -169,7 +170,7 @@ void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
     }
 }
 
-// Adds a problem for each seam of a map whose ratio is above its limit.
+// Adds a problem for each seam of a map whose Seam::ratio is above its limit.
 void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
     if (map.tile && map.tile->ratio() > kLargestTileRatio) {
         problems.push_back(
@@ -188,8 +189,8 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
     }
 }
 
-// Returns the extent of the numbers in all files of a map, or nullopt if the manifest does not
-// record it.
+// Returns the smallest and the largest number in all files of a map, and the clipped fraction.
+// Returns nullopt if the manifest does not record them.
 std::optional<NumberExtent> numbers_of(const BakedSet& set, const std::string& map) {
     std::optional<NumberExtent> numbers;
     for (const ManifestFile& file : set.files) {
@@ -234,7 +235,8 @@ VerifiedSet verify_set(const BakedSet& set,
     return found;
 }
 
-// Returns true if no later set of the list has the same preset.
+// Returns true if no later set of the list has the same preset. Sets are in the order in which they
+// were baked.
 bool is_newest(const BakedSet& set, const std::vector<const BakedSet*>& sets) {
     const auto newest = std::find_if(sets.rbegin(), sets.rend(), [&](const BakedSet* other) {
         return other->preset == set.preset;

@@ -8,8 +8,8 @@
 
 namespace foam::texgen {
 
-/// The number of subpixels per pixel (kSubpixel), and its binary logarithm. A subpixel is the unit
-/// of the rasterizer's integer coordinates.
+/// kSubpixel is the side of a pixel in subpixels, and kSubpixelBits is its binary logarithm. A
+/// subpixel is the unit of length of the rasterizer's integer coordinates.
 inline constexpr int kSubpixelBits = 10;
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
 

@@ -11,9 +11,10 @@ namespace foam::texgen {
 /// pixels. A film covers all points whose distance from its arc is less than half the width.
 ///
 /// If the width is 0, bubbles meet at their films. On a torus, the result then contains each film
-/// once, divided into monotone pieces, with a bubble on either side; in a patch it contains each
-/// film twice, once per bubble. If the width is positive, each visible part of a bubble other than
-/// the ghost bubble is bounded by one closed chain of arcs, with films on the other side.
+/// once, divided into pieces that are monotone in x and in y, with a bubble on either side; in a
+/// patch it contains each film twice, once per bubble. If the width is positive, each visible part
+/// of a bubble other than the ghost bubble is bounded by one closed chain of arcs, with films on
+/// the other side.
 ///
 /// In a patch, arcs also bound the ghost bubble and the lone bubbles. In ArcSides, the indices of
 /// lone bubbles follow the index of the ghost bubble. Some arcs that do not affect any pixel are
