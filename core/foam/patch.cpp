@@ -148,8 +148,9 @@ Foam foam_of(ClippedCells cells) {
     return foam;
 }
 
-// Spreads the target areas of all bubbles except the ghost, which is the last bubble, and scales
-// them to a mean of 1. Does nothing if the ratio is 0.
+// Replaces the target areas of all bubbles except the ghost, which is the last bubble, by areas
+// whose logarithms are evenly spaced, in the same order of sizes (spread_areas). The largest is
+// `ratio` times the smallest, and their mean is 1. Does nothing if `ratio` is 0.
 void spread_targets(Foam& foam, double ratio) {
     const std::span<double> targets(foam.target_areas.begin(), foam.network.bubble_count());
     if (ratio > 0.0) {

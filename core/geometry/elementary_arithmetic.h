@@ -68,7 +68,7 @@ inline constexpr double kRounder = 0x1.8p52;
     return {sum, (a - (sum - second)) + (b - second)};
 }
 
-/// Returns a * b exactly, unless it underflows (Dekker, with G. W. Veltkamp's splitting of each
+/// Returns a * b exactly, unless `low` underflows (Dekker, with G. W. Veltkamp's splitting of each
 /// factor into halves of 26 bits). Precondition: |a|, |b| < 2^995, and a * b does not overflow.
 [[gnu::always_inline]] inline TwoDoubles exact_product(double a, double b) {
     constexpr double kSplitter = 0x1p27 + 1.0;

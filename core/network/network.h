@@ -108,10 +108,10 @@ class Network {
     void remove(FilmId film);
     void remove(BubbleId bubble);  // precondition: the bubble is not the ghost
 
-    /// Moves the junction by whole periods: the network then represents the junction by its lattice
-    /// copy at the offset -by. This function changes only the lattice offsets of the films of the
-    /// junction. The caller must also move the position of the junction by the translation of -by;
-    /// the chords of the films are then unchanged.
+    /// Adapts the lattice offsets of the films of a junction to a move of the junction by whole
+    /// periods: subtracts `by` from the offset of each half-edge that leaves the junction. Changes
+    /// nothing else. The caller must also subtract the translation of `by` from the position of the
+    /// junction; the chords of the films are then unchanged.
     void rebase(JunctionId junction, LatticeOffset by);
 
     /// For each new id after compact(), the old id of the element. The elements of each kind keep

@@ -34,8 +34,8 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int max_weight) {
 
 // Appends the edges of one coarse node, whose fine nodes are `members`. edge_indices[k] is the
 // index of the edge that this call has appended for the neighbor k, a coarse node. Values from
-// before this call are not reset. They are recognized because they are below `begin`, the index of
-// the first edge that this call appends, or are not the index of an edge to k.
+// before this call are not reset. They are recognized because they are kNone or below `begin`, the
+// index of the first edge that this call appends.
 void append_edges(const WeightedGraph& fine,
                   std::span<const std::uint32_t> members,
                   CoarseGraph& coarse,
@@ -50,7 +50,7 @@ void append_edges(const WeightedGraph& fine,
                 continue;
             }
             std::uint32_t& index = edge_indices[other];
-            if (index < begin || index >= graph.edges.size() || graph.edges[index].to != other) {
+            if (index < begin || index == kNone) {
                 index = static_cast<std::uint32_t>(graph.edges.size());
                 graph.edges.push_back({other, 0});
             }

@@ -27,18 +27,20 @@ constexpr int kMeasuredSide = 512;  // wanted length of the longer side of reduc
 constexpr double kMargin =
     1.01;  // factor that allows for peaks between the pixels of the reduced images
 
-// A map with an automatic range, and the largest absolute value of its numbers so far.
+// A map with an automatic range, and how large its numbers have been so far.
 struct MeasuredMap {
     const Map* map = nullptr;
-    double largest = 0.0;  // largest absolute value, divided by the upper end of the range
+    // The largest absolute value, divided by the upper end of the range before it is fitted, that
+    // is, of the range that AutoReal::value gives.
+    double largest = 0.0;
 };
 
 std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
     std::vector<MeasuredMap> measured;
     for (const std::string& name : preset.image.maps) {
         const Map& map = find_map(name);
-        const AutoReal* const full = full_of(map, preset.maps);
-        if (full != nullptr && full->is_automatic) {
+        const AutoReal* const range = range_option_of(map, preset.maps);
+        if (range != nullptr && range->is_automatic) {
             measured.push_back({&map});
         }
     }
@@ -141,9 +143,9 @@ RunOutcome fit_automatic_ranges(Preset& preset,
     RunOutcome outcome = source(frames, next, measure, progress.for_source());
     if (outcome.status == RunStatus::Complete) {
         for (const MeasuredMap& one : ranges.maps()) {
-            AutoReal& full = *full_of(*one.map, preset.maps);
+            AutoReal& range = *range_option_of(*one.map, preset.maps);
             if (one.largest > 0.0) {
-                full.value = rounded_up(kMargin * one.largest * full.value);
+                range.value = rounded_up(kMargin * one.largest * range.value);
             }
         }
     }

@@ -162,7 +162,7 @@ ImageMetadata FrameFiles::metadata_of(std::span<const Map* const> maps) const {
         if (codes) {
             metadata.text.emplace_back("Map", map->name);
             metadata.text.emplace_back("Unit", map->unit);
-            if (const AutoReal* const full = full_of(*map, preset_.maps)) {
+            if (const AutoReal* const full = range_option_of(*map, preset_.maps)) {
                 metadata.text.emplace_back("Range",
                                            fmt::format("{} = {}", map->full_key, full->value));
             }

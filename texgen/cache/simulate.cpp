@@ -31,6 +31,8 @@ class CacheWriter {
         }
         if (first_pressures_.empty() && !state.record->first_pressures.empty()) {
             first_pressures_ = state.record->first_pressures;
+            // "scale" is the kind of this packed file: these pressures define the scale of all
+            // frames.
             write_packed(pressures_path(folder_),
                          {"scale", info_.simulation},
                          pack_numbers(first_pressures_));

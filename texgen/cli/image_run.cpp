@@ -65,7 +65,7 @@ void note_clipped(const BakeSummary& summary, const Preset& preset) {
                 numbers.range[1],
                 numbers.extent.smallest,
                 numbers.extent.largest,
-                full_of(*numbers.map, preset.maps)->is_automatic ? "set" : "raise",
+                range_option_of(*numbers.map, preset.maps)->is_automatic ? "set" : "raise",
                 numbers.map->full_key);
         }
     }

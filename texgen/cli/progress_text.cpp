@@ -40,13 +40,14 @@ const PhaseWords& words_of(Phase phase) {
 }
 
 std::string loop_closing_text(const RunProgress& progress) {
-    const bool has_error = progress.measure && std::isfinite(*progress.measure);
-    return fmt::format("{}: cycle {}, step {} of {}{}",
-                       words_of(progress.phase).text,
-                       progress.cycle,
-                       progress.done,
-                       progress.total,
-                       has_error ? fmt::format(", {:.0e}", *progress.measure) : "");
+    const bool has_closing_error = progress.measure && std::isfinite(*progress.measure);
+    return fmt::format(
+        "{}: cycle {}, step {} of {}{}",
+        words_of(progress.phase).text,
+        progress.cycle,
+        progress.done,
+        progress.total,
+        has_closing_error ? fmt::format(", closing error {:.0e}", *progress.measure) : "");
 }
 
 /// Returns a time in minutes and seconds, such as "0:14 left".
@@ -56,7 +57,7 @@ std::string time_left(double seconds) {
 }
 
 /// Returns a time in seconds, rounded to milliseconds.
-double in_milliseconds(double seconds) {
+double rounded_to_milliseconds(double seconds) {
     return std::round(seconds * 1000.0) / 1000.0;
 }
 
@@ -114,8 +115,9 @@ std::string progress_json(const RunProgress& progress,
         {"phase", name_of(progress.phase)},
         {"done", progress.done},
         {"total", count_or_null(progress.total)},
-        {"seconds", in_milliseconds(seconds)},
-        {"seconds_left", seconds_left ? Json(in_milliseconds(*seconds_left)) : Json(nullptr)},
+        {"seconds", rounded_to_milliseconds(seconds)},
+        {"seconds_left",
+         seconds_left ? Json(rounded_to_milliseconds(*seconds_left)) : Json(nullptr)},
         {"frame", count_or_null(progress.frame)},
         {"bubbles", count_or_null(progress.bubbles)},
         {"cycle", count_or_null(progress.cycle)},

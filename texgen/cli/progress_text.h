@@ -14,7 +14,7 @@ namespace foam::texgen {
 std::string_view name_of(Phase phase);
 
 /// Returns the progress of a phase in its own unit, for example "warm-up 40 of 60", "frame 3 of 48"
-/// or "closing the loop: cycle 3, step 12 of 48, 1e-04" (the last number is the closing error).
+/// or "closing the loop: cycle 3, step 12 of 48, closing error 1e-04".
 std::string phase_text(const RunProgress& progress);
 
 /// Returns the text of the progress bar, without a newline. Example:

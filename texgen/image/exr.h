@@ -67,7 +67,8 @@ Bytes encode_exr(std::span<const ExrChannel> channels,
 Bytes encode_exr(const Picture& picture, const ExrEncoding& encoding = {});
 
 /// Decodes an EXR of rows or tiles. Each channel becomes a ChannelGroup of the picture, in
-/// alphabetical order of the channel names. Its texts are in alphabetical order of their keywords.
+/// alphabetical order of the channel names. The texts in the metadata of the picture are in
+/// alphabetical order of their keywords.
 /// `level` is the mip level to read; 0 is the full size. Throws InputError for a malformed stream,
 /// for an image above the limits in input_limits.h, for a level that does not exist, and if the
 /// file has several parts or has deep or subsampled channels. Throws OutOfMemory if the machine has

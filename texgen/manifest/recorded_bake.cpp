@@ -104,7 +104,7 @@ RunOutcome fit_ranges(Preset& preset,
 // Changes the automatic ranges of the maps of a preset to fixed numbers.
 void make_ranges_fixed(Preset& preset) {
     for (const std::string& name : preset.image.maps) {
-        if (AutoReal* const full = full_of(find_map(name), preset.maps)) {
+        if (AutoReal* const full = range_option_of(find_map(name), preset.maps)) {
             full->is_automatic = false;
         }
     }

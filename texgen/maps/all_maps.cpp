@@ -73,11 +73,11 @@ DistanceNeeds distance_needs(std::span<const std::string> names, const MapOption
             })};
 }
 
-AutoReal* full_of(const Map& map, MapOptions& options) {
+AutoReal* range_option_of(const Map& map, MapOptions& options) {
     return find_full(map, options);
 }
 
-const AutoReal* full_of(const Map& map, const MapOptions& options) {
+const AutoReal* range_option_of(const Map& map, const MapOptions& options) {
     return find_full(map, options);
 }
 

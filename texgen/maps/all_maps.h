@@ -173,8 +173,8 @@ DistanceNeeds distance_needs(std::span<const std::string> names, const MapOption
 
 /// Return the option that sets the range of a map (its key is Map::full_key), or nullptr if the map
 /// has no such option.
-AutoReal* full_of(const Map& map, MapOptions& options);
-const AutoReal* full_of(const Map& map, const MapOptions& options);
+AutoReal* range_option_of(const Map& map, MapOptions& options);
+const AutoReal* range_option_of(const Map& map, const MapOptions& options);
 
 /// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).
 bool shows_maze(std::span<const std::string> names, const MapOptions& options);

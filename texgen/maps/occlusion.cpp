@@ -23,11 +23,11 @@ namespace foam::texgen {
 namespace {
 
 // The visible fraction of the sky is computed once per image for points of a ReliefSection. For
-// each pixel, the fraction is looked up by the distance from the nearest film. The section is
-// treated as the cross-section of an endless furrow. In a furrow the visible fraction of a uniform
-// sky is (sin a + sin b) / 2, where a and b are the angles from the normal to the horizons on both
-// sides. The horizon on one side is the steepest line from the point to a sample of the section on
-// that side, or the tangent at the point if that is steeper.
+// each pixel, the fraction is looked up by the distance from the nearest film. The nearest
+// film is treated as straight and endless, with the same section everywhere along it. The visible
+// fraction of a uniform sky is then (sin a + sin b) / 2, where a and b are the angles from the
+// normal to the horizons on both sides. The horizon on one side is the steepest line from the point
+// to a sample of the section on that side, or the tangent at the point if that is steeper.
 
 constexpr int kSteps = 128;  // samples per unit of a section
 constexpr double kFar = std::numeric_limits<double>::infinity();

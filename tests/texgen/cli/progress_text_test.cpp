@@ -21,7 +21,7 @@ TEST(ProgressText, EachPhaseHasItsOwnMeasure) {
     closing.measure = std::numeric_limits<double>::infinity();
     EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3, step 12 of 48");
     closing.measure = 1.2e-4;
-    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3, step 12 of 48, 1e-04");
+    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3, step 12 of 48, closing error 1e-04");
 }
 
 TEST(ProgressText, TheBarFillsInProportion) {
