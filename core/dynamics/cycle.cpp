@@ -167,8 +167,8 @@ double Cycle::strain_to(int position, const Domain& domain) const {
     return strain - whole_width * std::round((strain - (target - before)) / whole_width);
 }
 
-// Adds the boiling bubbles that are present at the given position but not in the foam. A bubble for
-// which there is too little gas is born at a later position.
+// Adds the boiling bubbles that should be present at the given position of the cycle (area_at) but
+// are missing in the foam. If there is too little gas for a bubble, a later step tries again.
 void Cycle::give_births(int position, Foam& foam, double first_area) const {
     for (const BoilingBubble& bubble : boiling_) {
         const auto area = area_at(bubble, position, options_.steps, first_area);

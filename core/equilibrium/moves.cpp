@@ -24,8 +24,8 @@ Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId j
     return row < 0 ? Vec2(0.0, 0.0) : Vec2(step.segment<2>(row));
 }
 
-// Returns true if the film would be shorter than `length` after the whole step, can flip or tear,
-// and would stay open afterwards.
+// Returns true if the whole step would make the film shorter than `length`, and if the film can
+// flip or tear and would then stay open, judged by the forces before the step.
 bool would_flip_after_step(const Foam& foam,
                            const Unknowns& unknowns,
                            const Eigen::VectorXd& step,

@@ -79,7 +79,7 @@ class Relaxation {
             restart();
         }
         soft_.begin(options_.stiffness);
-        // Also loads the bubbles beside these films that are not in part_.bubbles.
+        // Loads all bubbles beside the films of the part, including those that do not belong to it.
         for (const FilmId film : part_.films) {
             soft_.load(foam_.network.left(forward_side(film)));
             soft_.load(foam_.network.right(forward_side(film)));

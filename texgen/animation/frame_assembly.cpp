@@ -159,8 +159,8 @@ void FrameAssembly::emit(const Request& request) {
 }
 
 // Adds the foam that fades in. Bubbles that are in both foams (displacements_of_shared) are moved
-// to about the same positions. Each of them is replaced in one step, when its growth would be half
-// complete. All other bubbles grow.
+// to about the same positions. Each of them is replaced by the same bubble of the foam that fades
+// in, in one step, when its growth would be half complete. All other bubbles of that foam grow.
 void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame) const {
     const ShownStates& shown = request.shown;
     const double passed = shown.fade_progress;

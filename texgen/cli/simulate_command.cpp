@@ -58,11 +58,12 @@ void check_same_foam(const std::string& folder, const Preset& preset) {
             difference = error.what();
         }
     }
-    throw std::invalid_argument(fmt::format(
-        "the cache '{}' contains a different foam of the preset {}: {}; --force replaces it",
-        folder,
-        info.preset.name,
-        difference));
+    throw std::invalid_argument(
+        fmt::format("the cache '{}' contains a different foam of the preset {}: {}; --force "
+                    "replaces this cache",
+                    folder,
+                    info.preset.name,
+                    difference));
 }
 
 ExitCode run_simulate(const SimulateArguments& arguments) {

@@ -26,8 +26,8 @@ std::span<const std::string_view> kind_names() {
     return names;
 }
 
-// A kind of values (value_kinds.h): the name of a kind of event. An empty member means that the key
-// is unset.
+// Describes the values of the key `kind` (value_kinds.h): the names of the kinds of events. If the
+// string in which the value is stored is empty, the key is unset.
 struct KindNames {
     std::string allowed() const { return Words{kind_names()}.allowed(); }
     std::string schema() const { return Words{kind_names()}.schema(); }

@@ -151,9 +151,11 @@ Keys<PressureOptions> pressure_keys() {
     return {
         key("scaling",
             kScalings,
-            "how pressures become tones. range: by the fixed range low to high. percentile, rank: "
-            "among the pressures at the end of the warm-up (frames.warm_up) or, if pressures are "
-            "smoothed or flattened, among the pressures of the frame. share: by the share of the "
+            "how pressures become tones. range: by the fixed range low to high. percentile: "
+            "linearly between two percentiles of all pressures (pressure.percentile). rank: by the "
+            "rank among all pressures. Both use the pressures at the end of the warm-up "
+            "(frames.warm_up) or, if pressures are smoothed or flattened, those of the frame. "
+            "share: by the share of the "
             "area of all bubbles in which the pressure is lower",
             &Options::scaling),
         key("percentile",

@@ -23,14 +23,14 @@ struct ReliefSource {
 };
 
 /// The relief of a frame: a surface whose height varies over the foam, at the centers of pixels.
-/// Heights come from the smooth distance and slopes from its gradient, so that there are creases
-/// only along films. A grain (grain.h), which fades out towards films, is added if
-/// ReliefOptions::grain is above 0. With the profiles Ridge and Wet, where bubbles are flat, the
-/// grain is never negative: it raises the bubbles between the films. If only the walls of a maze
-/// shape the relief (ReliefFilms::Walls), there is no grain, and the distance to the nearest wall
-/// replaces the smooth distance. There are then also creases where two walls are equally near.
-/// Around a patch the relief is flat, except for the outer half of ridges and wet films. Borrows
-/// the layers.
+/// Heights come from the smooth distance (DistanceField::smooth), which has no creases within a
+/// bubble, and slopes come from its gradient. There are therefore creases only along films. A grain
+/// (grain.h), which fades out towards films, is added if ReliefOptions::grain is above 0. With the
+/// profiles Ridge and Wet, where bubbles are flat, the grain is never negative: it raises the
+/// bubbles between the films. If only the walls of a maze shape the relief (ReliefFilms::Walls),
+/// there is no grain, and the distance to the nearest wall replaces the smooth distance. There are
+/// then also creases where two walls are equally near. Around a patch the relief is flat, except
+/// for the outer half of ridges and wet films. Borrows the layers.
 class Relief {
   public:
     /// In a relief of walls, distances to the nearest wall above `reach` count as infinite. `reach`
