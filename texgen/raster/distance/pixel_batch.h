@@ -121,9 +121,11 @@ inline void PixelBatch::add_span(int column, int row, int count) {
     const float y = static_cast<float>(row) - first_y_;
     for (std::size_t begin = 0; begin < size; begin += kLanes) {
         const float first = x + static_cast<float>(static_cast<int>(begin));
+        float* const xs = x_.data() + count_ + begin;
+        float* const ys = y_.data() + count_ + begin;
         for (std::size_t k = 0; k < kLanes; ++k) {
-            x_[count_ + begin + k] = first + static_cast<float>(static_cast<int>(k));
-            y_[count_ + begin + k] = y;
+            xs[k] = first + static_cast<float>(static_cast<int>(k));
+            ys[k] = y;
         }
     }
     count_ += size;
