@@ -68,9 +68,9 @@ TEST(FittedRanges, EveryMapFitsItsNumbersWithAtMost30PercentToSpare) {
     for (const char* map : {"height", "distance", "area", "growth", "age", "motion", "curvature"}) {
         Preset preset = small_preset(map);
         ASSERT_TRUE(has_automatic_ranges(preset)) << map;
-        full_of(find_map(map), preset.maps)->value = 50.0;  // far too large or too small
+        range_option_of(find_map(map), preset.maps)->value = 50.0;  // far too large or too small
         fit(preset);
-        const AutoReal full = *full_of(find_map(map), preset.maps);
+        const AutoReal full = *range_option_of(find_map(map), preset.maps);
         const NumberExtent extent = extent_of_all_frames(preset);
         const double largest = std::max(-extent.smallest, extent.largest);
         EXPECT_TRUE(full.is_automatic) << map;
