@@ -89,10 +89,6 @@ class HeaderReader {
             {"quantity", &HeaderReader::read_quantity},
         };
         line_ = tokens_.peek().line;
-        if (tokens_.at_symbol('#')) {
-            tokens_.fail(line_,
-                         "preprocessor lines such as #define and #include are not supported");
-        }
         keyword_ = tokens_.take_word("a keyword of the top section");
         const auto rejected = rejected_keywords().find(lower(keyword_));
         if (rejected != rejected_keywords().end()) {

@@ -209,19 +209,18 @@ class MeshReader {
         if (std::exchange(mesh_.faces[body.face].has_body, true)) {
             tokens_.fail(line, fmt::format("{}: face {} already has a body", name, std::abs(face)));
         }
-        bool prescribed = false;
-        read_attributes([&](const std::string& word, int) {
+        read_attributes([&](const std::string& word, int attribute_line) {
             if (word == "volume") {
                 body.volume = take_expression(tokens_, parameters_);
-            } else if (word == "lagrange_multiplier" || word == "pressure") {
+            } else if (word == "lagrange_multiplier") {
                 body.pressure = take_expression(tokens_, parameters_);
-                prescribed = word == "pressure";
+            } else if (word == "pressure") {
+                tokens_.fail(attribute_line,
+                             fmt::format("{}: a prescribed pressure is not supported; give a "
+                                         "volume, and the pressure as lagrange_multiplier",
+                                         name));
             }
         });
-        if (prescribed && !body.volume) {
-            tokens_.fail(line,
-                         fmt::format("{}: a pressure without a volume is not supported", name));
-        }
         mesh_.bodies.push_back(body);
     }
 

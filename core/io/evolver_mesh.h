@@ -52,7 +52,7 @@ struct Body {
     std::size_t face = 0;   // index in Mesh::faces
     bool reversed = false;  // true if the file gives the number of the face with a minus sign
     std::optional<double> volume;
-    std::optional<double> pressure;  // the Lagrange multiplier or the pressure in the file
+    std::optional<double> pressure;  // the Lagrange multiplier in the file
 };
 
 /// The elements of a data file, each in the order of the file.

@@ -155,6 +155,8 @@ void TokenReader::advance() {
     } else if (at(0) == '"') {
         lex_text();
         return;
+    } else if (at(0) == '#') {
+        fail(line_, "preprocessor lines such as #define and #include are not supported");
     } else {
         next_.kind = TokenKind::Symbol;
         ++position_;

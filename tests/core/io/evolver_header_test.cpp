@@ -79,6 +79,11 @@ QUANTITY mylen INFO_ONLY  method leng)");
     EXPECT_TRUE(header.notes.empty());
 }
 
+TEST(EvolverHeader, RejectsAPreprocessorLineAfterAnIgnoredStatement) {
+    expect_rejected("STRING\ngravity_constant 0\n#define LX 3\nPERIODS\nLX 0\n0 2\nvertices",
+                    "a.fe:3: preprocessor lines such as #define and #include are not supported");
+}
+
 TEST(EvolverHeader, AnEnergyOfAllLengthsAddsToTheTension) {
     EXPECT_EQ(header_with("quantity q energy modulus 0.5 method circular_arc_length global")
                   .added_tension,
@@ -149,8 +154,6 @@ TEST(EvolverHeader, RejectsOtherTori) {
 
 TEST(EvolverHeader, RejectsUnreadableStatements) {
     expect_rejected("", "a.fe:1: expected a section 'vertices', found the end of the file");
-    expect_rejected("STRING\n#define X 3\n",
-                    "a.fe:2: preprocessor lines such as #define and #include are not supported");
     expect_rejected("STRING\n12\n", "a.fe:2: expected a keyword of the top section, found '12'");
 }
 

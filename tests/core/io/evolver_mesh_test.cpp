@@ -132,8 +132,21 @@ TEST(EvolverMesh, RejectsIncompleteElements) {
 TEST(EvolverMesh, RejectsBodiesThatAreNoBubbles) {
     expect_rejected("1 1 volume 6", "1 1 1 volume 6", "a.fe:17: body 1 has more than one face");
     expect_rejected("volume 6\n", "volume 6\n2 1\n", "a.fe:18: body 2: face 1 already has a body");
-    expect_rejected(
-        "volume 6", "pressure 6", "a.fe:17: body 1: a pressure without a volume is not supported");
+}
+
+// Evolver rejects a body with a volume and a pressure: "Body can't have fixed volume and fixed
+// pressure".
+TEST(EvolverMesh, RejectsPrescribedPressures) {
+    for (const char* attributes : {"pressure 6",
+                                   "volume 6 pressure 2",
+                                   "pressure 2 volume 6",
+                                   "volume 6 pressure 2 lagrange_multiplier 3",
+                                   "pressure 2 lagrange_multiplier 3"}) {
+        expect_rejected("volume 6",
+                        attributes,
+                        "a.fe:17: body 1: a prescribed pressure is not supported; give a volume, "
+                        "and the pressure as lagrange_multiplier");
+    }
 }
 
 TEST(EvolverMesh, RejectsBoundaries) {

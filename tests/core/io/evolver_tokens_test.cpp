@@ -103,6 +103,17 @@ TEST(EvolverTokens, AnErrorIsOneLine) {
                               "a.fe:1: expected a number, found 'a?'");
 }
 
+// Evolver allows preprocessor lines everywhere, also in the middle of a line. If they were ignored,
+// macros and included files would be missing.
+TEST(EvolverTokens, RejectsPreprocessorLines) {
+    EXPECT_EQ(tokens_of("// #define X 3\n\"#\" /* # */").size(), 1U);
+    for (const char* line : {"#define X 3", "  #include \"b.fe\"", "c #define X 3"}) {
+        test::expect_format_error(
+            [&] { tokens_of(std::string("a b\n") + line); },
+            "a.fe:2: preprocessor lines such as #define and #include are not supported");
+    }
+}
+
 TEST(EvolverTokens, RejectsUnclosedCommentsAndStrings) {
     test::expect_format_error([] { tokens_of("a\n/* b\nc"); },
                               "a.fe:2: this comment has no closing */");
