@@ -111,6 +111,9 @@ std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
         bubbles.push_back(bubble);
         centers.push_back(mean_corner(foam, bubble));
     }
+    if (bubbles.empty()) {
+        return {};
+    }
     const double share = std::round(fraction * static_cast<double>(bubbles.size()));
     const std::size_t count =
         std::clamp<std::size_t>(static_cast<std::size_t>(share), 1, bubbles.size());
@@ -142,6 +145,9 @@ std::optional<double> area_at(const BoilingBubble& bubble,
 }
 
 bool give_birth(Foam& foam, const BoilingBubble& bubble, double area) {
+    if (foam.network.junction_count() == 0) {
+        return false;
+    }
     const std::optional<JunctionId> known = junction_between_neighbors(foam, bubble);
     const JunctionId junction = known ? *known : nearest_junction(foam, bubble.last_position);
     return nucleate_at_junction(foam, junction, area, bubble.identity).has_value();

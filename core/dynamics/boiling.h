@@ -31,7 +31,8 @@ struct BoilingBubble {
 
 /// Chooses the given fraction of the bubbles of a foam, at least one bubble, so that they are far
 /// from each other. The cycle, which has `steps` steps, is divided into as many equal parts as
-/// bubbles are chosen. In each part one of the bubbles is born, at a random step.
+/// bubbles are chosen. In each part one of the bubbles is born, at a random step. Lone bubbles are
+/// not chosen; if all bubbles are lone bubbles, the result is empty.
 std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
                                                   double fraction,
                                                   int steps,
@@ -50,7 +51,7 @@ std::optional<double> area_at(const BoilingBubble& bubble,
 /// bubbles of BoilingBubble::neighbors meet. If there are several such junctions, the junction
 /// nearest to BoilingBubble::last_position is taken. If there is none, the nearest of all junctions
 /// is taken. Returns false and changes nothing if the surrounding bubbles have too little gas
-/// (nucleate_at_junction).
+/// (nucleate_at_junction), or if the foam has no junction, because all bubbles are lone bubbles.
 bool give_birth(Foam& foam, const BoilingBubble& bubble, double area);
 
 /// Records where the bubble has vanished. `translation` is the vector by which the foam has been

@@ -168,11 +168,11 @@ double Cycle::strain_to(int position, const Domain& domain) const {
 }
 
 // Adds the boiling bubbles that should be present at the given position of the cycle (area_at) but
-// are missing in the foam. If there is too little gas for a bubble, a later step tries again.
+// are missing in the foam. If a bubble cannot be born (give_birth), a later step tries again.
 void Cycle::give_births(int position, Foam& foam, double first_area) const {
     for (const BoilingBubble& bubble : boiling_) {
         const auto area = area_at(bubble, position, options_.steps, first_area);
-        if (area && !find_bubble(foam, bubble.identity)) {
+        if (area && !is_present(foam, bubble.identity)) {
             give_birth(foam, bubble, std::min(*area, first_area));
         }
     }
@@ -269,6 +269,9 @@ double closing_error(const Foam& one, const Foam& other) {
     }
     if (bubbles.size() != one.network.bubble_count()) {
         return kInfinity;
+    }
+    if (bubbles.empty()) {
+        return 0.0;
     }
     double largest = 0.0;
     for (const BubbleId bubble : one.network.bubbles()) {

@@ -144,6 +144,13 @@ std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity) {
     return std::nullopt;
 }
 
+bool is_present(const Foam& foam, BubbleIdentity identity) {
+    return find_bubble(foam, identity) ||
+           std::any_of(foam.lone_bubbles.begin(),
+                       foam.lone_bubbles.end(),
+                       [&](const LoneBubble& bubble) { return bubble.identity == identity; });
+}
+
 int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point) {
     const BubbleOutline outline = outline_of(foam, bubble);
     const Vec2& first = foam.positions[foam.network.tail(foam.network.first(bubble))];

@@ -13,6 +13,9 @@ namespace foam {
 /// for example because the bubble has vanished or is a lone bubble.
 std::optional<BubbleId> find_bubble(const Foam& foam, BubbleIdentity identity);
 
+/// Returns true if a bubble or a lone bubble has the given identity.
+bool is_present(const Foam& foam, BubbleIdentity identity);
+
 /// Returns the number of times that the outlines of a bubble and of all its lattice copies wind
 /// counter-clockwise around a point of the plane: 1 if the point is inside one of them, 0 if it is
 /// outside of all. If the bubble is inverted or overlaps its copies, other numbers are possible.

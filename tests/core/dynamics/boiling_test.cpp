@@ -6,6 +6,7 @@
 #include "core/foam/corners.h"
 #include "core/foam/locate.h"
 #include "tests/core/foams.h"
+#include "tests/core/patches.h"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,17 @@ TEST(Boiling, AtLeastOneBubbleBoils) {
     Random random(1);
     const Foam foam = test::equilibrated_foam(20, 1);
     EXPECT_EQ(choose_boiling_bubbles(foam, 0.001, kSteps, random).size(), 1U);
+}
+
+TEST(Boiling, LoneBubblesDoNotBoil) {
+    Random random(1);
+    Foam foam = test::double_bubble(1.0, 1.0);
+    TopologyCounts counts;
+    ASSERT_TRUE(collapse(foam, BubbleId{0}, counts));
+    compact(foam);
+    ASSERT_EQ(foam.lone_bubbles.size(), 1U);
+    EXPECT_TRUE(choose_boiling_bubbles(foam, 0.5, kSteps, random).empty());
+    EXPECT_FALSE(give_birth(foam, {.identity = 0}, 0.02));
 }
 
 // The life takes 43 of 48 steps, so that the bubble is absent at 6 positions, where an area would

@@ -3,6 +3,7 @@
 #include "core/dynamics/cycle.h"
 
 #include "core/foam/honeycomb.h"
+#include "core/foam/locate.h"
 #include "core/foam/patch.h"
 #include "tests/core/foams.h"
 
@@ -141,6 +142,24 @@ TEST(Cycle, APatchBoils) {
     expect_boil_closes(equilibrated_patch(), 3);
 }
 
+// In the middle of its life, the boiling bubble is removed from its raft and becomes a lone bubble.
+TEST(Cycle, ABoilingBubbleThatLeftItsRaftIsNotBornAgain) {
+    Foam foam = equilibrated_patch();
+    const CycleOptions options{.steps = kSteps, .boiling = 0.001};
+    Cycle cycle(foam, options);
+    Random random(options.seed);
+    const BoilingBubble boiling =
+        choose_boiling_bubbles(foam, options.boiling, options.steps, random).front();
+    TopologyCounts counts;
+    ASSERT_TRUE(collapse(foam, *find_bubble(foam, boiling.identity), counts));
+    compact(foam);
+    foam.lone_bubbles = {{boiling.identity, {20.0, 0.0}, 1.0}};
+    const int middle = boiling.birth + kSteps / 2;
+    ASSERT_TRUE(cycle.step_to(middle, foam, 0.0, {}).equilibrium.converged());
+    EXPECT_FALSE(find_bubble(foam, boiling.identity));
+    EXPECT_EQ(foam.lone_bubbles.size(), 1U);
+}
+
 TEST(Cycle, WithoutBoilingBubblesCalmingChangesNothing) {
     const Foam start = test::equilibrated_foam(60, 1);
     Cycle cycle(start, {.steps = kSteps, .area_amplitude = 0.35});
@@ -167,6 +186,12 @@ TEST(ClosingError, IsTheLargestDistanceOfACorner) {
     }
     EXPECT_NEAR(closing_error(one, other), 0.05 / std::sqrt(4.0 * std::numbers::inv_pi), 1e-12);
     EXPECT_EQ(closing_error(one, one), 0.0);
+}
+
+TEST(ClosingError, IsZeroIfAllBubblesAreLone) {
+    Foam foam;
+    foam.lone_bubbles = {{0, {0.0, 0.0}, 1.0}};
+    EXPECT_EQ(closing_error(foam, foam), 0.0);
 }
 
 TEST(ClosingError, IsInfiniteIfBubblesDiffer) {

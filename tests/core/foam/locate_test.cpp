@@ -35,6 +35,14 @@ TEST(Locate, FindsLiveBubblesByIdentity) {
     EXPECT_EQ(find_bubble(foam, 3), BubbleId{3});
 }
 
+TEST(Locate, ALoneBubbleIsPresent) {
+    Foam foam = equilibrated_foam(20, 1);
+    foam.lone_bubbles = {{99, {9.0, 0.0}, 1.0}};
+    EXPECT_TRUE(is_present(foam, 3));
+    EXPECT_TRUE(is_present(foam, 99));
+    EXPECT_FALSE(is_present(foam, 20));
+}
+
 TEST(Locate, HoldsItsMiddleAndAllCopiesOfIt) {
     const Foam foam = equilibrated_foam(40, 2);
     for (const BubbleId bubble : foam.network.bubbles()) {
