@@ -42,26 +42,31 @@ auto read_content(const std::filesystem::path& path,
 
 }  // namespace
 
-Cache::Cache(std::filesystem::path folder) : folder_(std::move(folder)), info_(read_info(folder_)) {
+Cache::Cache(std::filesystem::path folder)
+    : folder_(std::move(folder)), info_(read_info(folder_)) {}
+
+// Returns the pressures in pressures.foam, or an empty list if the file does not exist. The file is
+// read anew for each state: a simulation that still runs writes it after cache.json, but before the
+// first state that needs it.
+std::vector<double> Cache::first_pressures() const {
     const std::filesystem::path path = pressures_path(folder_);
-    if (is_file(path)) {
-        first_pressures_ = read_content(path, {"scale", info_.simulation}, unpack_numbers);
-    }
+    return is_file(path) ? read_content(path, {"scale", info_.simulation}, unpack_numbers)
+                         : std::vector<double>();
 }
 
 SimulatedFrame Cache::state(int number) const {
     const std::filesystem::path path = state_path(folder_, number);
     if (!is_file(path)) {
         throw InputError(fmt::format(
-            "the cache '{}' has no state {}; it was simulated for frames {}, and only these can be "
-            "drawn",
+            "the cache '{}' has no state {}; only frames {} can be drawn, and only after "
+            "'foamtex simulate' has written their states",
             folder_.string(),
             number,
             format_frame_range(info_.frames)));
     }
     SimulatedFrame found =
         read_content(path, {"state", info_.simulation}, [this](std::span<const std::byte> bytes) {
-            return unpack_state(bytes, first_pressures_);
+            return unpack_state(bytes, first_pressures());
         });
     if (found.frame->number != number) {
         throw InputError(fmt::format("cannot read '{}': the file contains state {}, not state {}",

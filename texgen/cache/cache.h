@@ -18,14 +18,13 @@ namespace foam::texgen {
 class Cache {
   public:
     /// Opens a cache. Throws InputError if cache.json is missing, malformed or of a newer version
-    /// of the file format than this program supports, or if the file with the pressures at the end
-    /// of the warm-up exists but is damaged.
+    /// of the file format than this program supports.
     explicit Cache(std::filesystem::path folder);
 
     const CacheInfo& info() const { return info_; }
 
     /// Returns the state with the given number. Its members `view` and `closing_error` are not set.
-    /// Throws InputError if its file is missing or damaged.
+    /// Throws InputError if its file or the file of pressures is missing or damaged.
     SimulatedFrame state(int number) const;
 
     /// Returns a source of frames. The frames equal, to the last bit, the frames that a simulation
@@ -36,9 +35,10 @@ class Cache {
     FrameSource frames_of(const Preset& preset) const;
 
   private:
+    std::vector<double> first_pressures() const;
+
     std::filesystem::path folder_;
     CacheInfo info_;
-    std::vector<double> first_pressures_;
 };
 
 /// Returns the estimated size, in bytes, of the states that simulate_into_cache writes for the

@@ -138,6 +138,23 @@ TEST(Cache, AStateInThePlaceOfAnotherOneIsRejected) {
               "cannot read '" + path(3).string() + "': the file contains state 1, not state 3");
 }
 
+// `render` may open a cache after `simulate` has written cache.json, but before it has written
+// pressures.foam.
+TEST(Cache, StatesAddedAfterOpeningCanBeRead) {
+    const TemporaryFolder complete;
+    const TemporaryFolder growing;
+    simulate_into_cache(all_maps_of_a_foam(), {.frames = {1}, .threads = 1}, complete.path(), {});
+    std::filesystem::copy_file(complete.path() / kCacheName, growing.path() / kCacheName);
+    const Cache cache(growing.path());
+    for (const std::filesystem::path& path :
+         {pressures_path(complete.path()), state_path(complete.path(), 1)}) {
+        std::filesystem::copy_file(path, growing.path() / path.filename());
+    }
+    const SimulatedFrame expected = Cache(complete.path()).state(1);
+    EXPECT_FALSE(expected.record->first_pressures.empty());
+    EXPECT_EQ(cache.state(1).record->first_pressures, expected.record->first_pressures);
+}
+
 TEST(Cache, DamagedPressuresAreAnInputError) {
     const TemporaryFolder folder;
     const Preset preset = all_maps_of_a_foam();

@@ -22,7 +22,8 @@ TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRejected) {
     EXPECT_EQ(error_of(folder.path(), 2), "");
     EXPECT_EQ(error_of(folder.path(), 7),
               "the cache '" + folder.path().string() +
-                  "' has no state 7; it was simulated for frames 1-2, and only these can be drawn");
+                  "' has no state 7; only frames 1-2 can be drawn, and only after 'foamtex "
+                  "simulate' has written their states");
     const std::filesystem::path path = folder.path() / "state.000002.foam";
     const std::string prefix = "cannot read '" + path.string() + "': ";
     const Bytes good = read_file(path);

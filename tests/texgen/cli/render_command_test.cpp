@@ -78,8 +78,8 @@ TEST_F(RenderCommand, MissingFrameIsOneLineAndCode4) {
     expect_rejected(
         "foam --frames 9",
         ExitCode::BadInput,
-        "the cache 'foam' has no state 9; it was simulated for frames 1-4, and only these "
-        "can be drawn");
+        "the cache 'foam' has no state 9; only frames 1-4 can be drawn, and only after 'foamtex "
+        "simulate' has written their states");
     expect_rejected(
         "none", ExitCode::BadInput, "cannot read 'none/cache.json': No such file or directory");
 }
