@@ -45,10 +45,6 @@ constexpr MeasuredMemory kOther{"", 40, 50};
 
 constexpr double kProgram = 10e6;      // bytes of the process without a foam
 constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
-// Bytes of memory per sample, if one file stores all maps: 4 for a float in the image, and 2 for a
-// half float in the encoded file. (Samples that the file stores as floats need 4 instead of 2 in
-// the encoded file; the estimate ignores this.)
-constexpr double kLayerSample = 6.0;
 // The factor by which a cross-fade, which draws two states of the foam, increases the memory of a
 // frame.
 constexpr double kCrossFade = 1.8;
@@ -65,6 +61,12 @@ double channels_of(const std::string& map) {
     return static_cast<double>(std::ranges::count(channels, ' ') + 1);
 }
 
+// Returns the bytes per sample of a file that stores all maps: 4 for a float, and 2 or 4 for the
+// same sample in the file. Colors count like numbers, although they are always half floats.
+double bytes_per_layer_sample(SampleType numbers) {
+    return numbers == SampleType::Half ? 6.0 : 8.0;
+}
+
 }  // namespace
 
 std::uint64_t estimated_foam_memory(const Preset& preset) {
@@ -78,7 +80,7 @@ std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int thr
     double shared = 0.0;
     for (const std::string& map : preset.image.maps) {
         largest = std::max(largest, bytes_per_pixel(map, is_png));
-        shared += channels_of(map) * kLayerSample;
+        shared += channels_of(map) * bytes_per_layer_sample(preset.output.exr_numbers);
     }
     const double per_pixel = (preset.loop.is_cross_faded() ? kCrossFade : 1.0) *
                              (largest + (pattern.stores_all_maps_in_one_file() ? shared : 0.0));

@@ -92,6 +92,7 @@ TEST(EstimatedMemory, IsRightWithinAFactorOfOneAndAHalf) {
         {"{map}.#.png", {"id", "film", "normal"}, 100, 1024, 4, 4},
         {"{map}.#.exr", {"height", "distance"}, 100, 1024, 1, 1},
         {"all.#.exr", {"albedo", "height", "id", "normal"}, 100, 1024, 2, 2},
+        {"all.#.exr", {"height", "distance", "curvature", "normal"}, 100, 1024, 1, 1},
         {"{map}.#.png", {"albedo"}, 10000, 64, 1, 1}};
     for (const Subject& subject : subjects) {
         const auto estimated = static_cast<double>(estimated_memory(
@@ -101,6 +102,15 @@ TEST(EstimatedMemory, IsRightWithinAFactorOfOneAndAHalf) {
         EXPECT_GT(ratio, 1.0 / 1.5) << what;
         EXPECT_LT(ratio, 1.5) << what;
     }
+}
+
+// A float in a file takes 2 bytes more than a half float; `height` has one channel, and `normal`
+// has three.
+TEST(EstimatedMemory, LayersOfFloatsNeedMoreThanHalfFloats) {
+    Preset preset = preset_of({"all.#.exr", {"height", "normal"}, 100, 1024, 1, 1});
+    const std::uint64_t floats = estimated_memory(preset, 1, 1);
+    preset.output.exr_numbers = SampleType::Half;
+    EXPECT_EQ(floats - estimated_memory(preset, 1, 1), 4U * 2U * 1024U * 1024U);
 }
 
 TEST(EstimatedMemory, GrowsWithFramesUpToTheThreads) {
