@@ -37,11 +37,11 @@ bool is_file_at(int file, const std::filesystem::path& path) {
 
 constexpr std::chrono::milliseconds kPause{5};  // between two attempts to lock the file
 
-// Locks a file; `file` is a file descriptor. Returns false if another owner holds the lock. Returns
-// true without a lock if flock fails for another reason, for example because the file system does
-// not support it.
+// Locks a file; `file` is a file descriptor. Returns false if another owner holds the lock, or if a
+// signal interrupts the call, as it may on a network file system. Returns true without a lock if
+// flock fails for another reason, for example because the file system does not support it.
 bool try_flock(int file) {
-    return flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    return flock(file, LOCK_EX | LOCK_NB) == 0 || (errno != EWOULDBLOCK && errno != EINTR);
 }
 
 }  // namespace

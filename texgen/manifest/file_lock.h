@@ -27,8 +27,8 @@ class FileLock {
     FileLock& operator=(const FileLock&) = delete;
 
   private:
-    // Opens and locks the file. Returns false if another owner holds the lock, or if the previous
-    // owner has removed the file meanwhile.
+    // Opens and locks the file. Returns false if another owner holds the lock, if the previous
+    // owner has removed the file meanwhile, or if a signal interrupts the attempt.
     bool try_lock();
 
     std::filesystem::path path_;

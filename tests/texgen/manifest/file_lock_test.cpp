@@ -6,14 +6,35 @@
 #include "texgen/image/file_io.h"
 
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <string>
 #include <thread>
 #include <vector>
+
+namespace {
+
+std::atomic<int> interruptions = 0;  // number of calls of flock that are to fail with EINTR
+
+}  // namespace
+
+// Replaces the function of the C library. On a local file system, a signal does not interrupt an
+// attempt that does not wait, so a test cannot use a signal.
+extern "C" int flock(int file, int operation) noexcept {
+    if (interruptions > 0) {
+        --interruptions;
+        errno = EINTR;
+        return -1;
+    }
+    return static_cast<int>(syscall(SYS_flock, file, operation));
+}
 
 namespace foam::texgen {
 namespace {
@@ -53,6 +74,19 @@ TEST(FileLock, ALockThatIsNeverReleasedIsAnOutputError) {
                       "' for 0 seconds; end that program, and repeat the command");
     }
     EXPECT_TRUE(std::filesystem::exists(path));
+}
+
+TEST(FileLock, AnInterruptedAttemptIsRepeated) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "a.lock";
+    {
+        const FileLock held(path);
+        interruptions = 1;
+        EXPECT_THROW(FileLock(path, std::chrono::milliseconds(20)), OutputError);
+    }
+    interruptions = 1;
+    EXPECT_NO_THROW(FileLock(path, std::chrono::seconds(10)));
+    EXPECT_EQ(interruptions, 0);
 }
 
 TEST(FileLock, AFolderThatIsMissingIsAnOutputError) {
