@@ -128,7 +128,7 @@ std::string RealsOrAuto::schema() const {
 bool RealsOrAuto::read(const Value& value, AutoReal& member) const {
     const auto* text = get<std::string>(value);
     if (text != nullptr && *text == "auto") {
-        member.is_automatic = true;
+        member = automatic;
         return true;
     }
     if (!Reals{low, high}.read(value, member.value)) {

@@ -17,7 +17,7 @@ Keys<AgeOptions> age_keys() {
                 "change of its neighbors",
                 &AgeOptions::since),
             key("full",
-                RealsOrAuto{1e-6, 1e9},
+                RealsOrAuto{1e-6, 1e9, AgeOptions().full},
                 "age that a PNG stores as its largest code, in foam time; \"auto\" fits the whole "
                 "animation",
                 &AgeOptions::full)

@@ -13,7 +13,7 @@ Keys<AreaOptions> area_keys() {
             "unit of areas: mean area of the seeded foam (seed) or of the drawn frame (current)",
             &AreaOptions::unit),
         key("full",
-            RealsOrAuto{1e-3, 1e6},
+            RealsOrAuto{1e-3, 1e6, AreaOptions().full},
             "area that a PNG stores as its largest code, in the unit area.unit; \"auto\" fits the "
             "whole animation",
             &AreaOptions::full)

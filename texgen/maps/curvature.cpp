@@ -31,7 +31,7 @@ Keys<CurvatureOptions> curvature_keys() {
                 &CurvatureOptions::radius)
                 .in(kReliefDiameters),
             key("full",
-                RealsOrAuto{1e-6, 1e6},
+                RealsOrAuto{1e-6, 1e6, CurvatureOptions().full},
                 "curvature that a PNG stores as its largest code; code 0 stands for -full; "
                 "\"auto\" fits the whole animation",
                 &CurvatureOptions::full)

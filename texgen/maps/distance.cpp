@@ -22,7 +22,7 @@ Keys<DistanceOptions> distance_keys() {
                 &DistanceOptions::kind),
             key("unit", kUnits, "foam units or pixels", &DistanceOptions::unit),
             key("full",
-                RealsOrAuto{1e-6, 1e6},
+                RealsOrAuto{1e-6, 1e6, DistanceOptions().full},
                 "distance that a PNG stores as its largest code, in the unit distance.unit; "
                 "\"auto\" fits the whole animation",
                 &DistanceOptions::full)

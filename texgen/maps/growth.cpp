@@ -27,7 +27,7 @@ std::unordered_map<BubbleIdentity, double> areas_of(const Frame& frame) {
 
 Keys<GrowthOptions> growth_keys() {
     return {key("full",
-                RealsOrAuto{1e-9, 1e6},
+                RealsOrAuto{1e-9, 1e6, GrowthOptions().full},
                 "growth rate that a PNG stores as its largest code, in square foam units per foam "
                 "time; code 0 stands for -full; \"auto\" fits the whole animation",
                 &GrowthOptions::full)

@@ -195,7 +195,7 @@ Keys<MotionOptions> motion_keys() {
                 &MotionOptions::unit),
             key("y", kDirections, "direction of positive y", &MotionOptions::y),
             key("multiplier",
-                RealsOrAuto{1e-6, 10.0},
+                RealsOrAuto{1e-6, 10.0, MotionOptions().multiplier},
                 "motion that a PNG stores as its largest code, as a fraction of the image width; "
                 "code 0 stands for -multiplier; \"auto\" fits the whole animation",
                 &MotionOptions::multiplier)

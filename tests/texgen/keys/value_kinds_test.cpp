@@ -44,15 +44,15 @@ TEST(ValueKinds, RealsTakeIntegersAndMayBeZero) {
 }
 
 TEST(ValueKinds, RealsOrAutoTakeTheWordAuto) {
-    const RealsOrAuto kind{1.0, 2.0};
+    const RealsOrAuto kind{1.0, 2.0, {1.75, true}};
     AutoReal member{1.5};
     EXPECT_EQ(kind.allowed(), "\"auto\" or a number from 1 to 2");
     EXPECT_TRUE(kind.read({std::string("auto")}, member));
-    EXPECT_EQ(member, (AutoReal{1.5, true}));
+    EXPECT_EQ(member, (AutoReal{1.75, true}));
     EXPECT_EQ(kind.write(member), Value{std::string("auto")});
     EXPECT_FALSE(kind.read({2.5}, member));
     EXPECT_FALSE(kind.read({std::string("automatic")}, member));
-    EXPECT_EQ(member, (AutoReal{1.5, true}));
+    EXPECT_EQ(member, (AutoReal{1.75, true}));
     EXPECT_TRUE(kind.read({1.25}, member));
     EXPECT_EQ(member, AutoReal{1.25});
     EXPECT_EQ(kind.write(member), Value{1.25});

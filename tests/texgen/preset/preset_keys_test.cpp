@@ -3,6 +3,7 @@
 #include "texgen/preset/preset_keys.h"
 
 #include "tests/texgen/keys/limits.h"
+#include "texgen/maps/all_maps.h"
 #include "texgen/preset/assignment.h"
 
 #include <fmt/core.h>
@@ -121,6 +122,25 @@ TEST(PresetKeys, EverySolverHasItsWord) {
         EXPECT_EQ(to_toml(*key->write(preset)), fmt::format("\"{}\"", word));
     }
     EXPECT_FALSE(accepts("foam.solver", "jacobi"));
+}
+
+// A preset may set a number, and a preset that extends it, "auto". The result must be the same as
+// if no number had been set, since both are written as the same TOML.
+TEST(PresetKeys, TheWordAutoRemovesANumber) {
+    int tested = 0;
+    for (const Map& map : all_maps()) {
+        Preset preset;
+        if (const AutoReal* const full = full_of(map, preset.maps)) {
+            const Key<Preset>* const key = find_key(map.full_key);
+            const AutoReal automatic = *full;
+            EXPECT_TRUE(key->read(read_value("2.5"), preset));
+            EXPECT_EQ(*full, AutoReal{2.5});
+            EXPECT_TRUE(key->read(read_value("auto"), preset));
+            EXPECT_EQ(*full, automatic) << map.full_key;
+            ++tested;
+        }
+    }
+    EXPECT_EQ(tested, 7);
 }
 
 TEST(PresetKeys, ARejectedValueChangesNothing) {
