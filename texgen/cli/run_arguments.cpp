@@ -115,11 +115,12 @@ Assignment maps_assignment(const std::string& maps) {
 }
 
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more) {
-    return assigned(load_preset(arguments.preset),
-                    is_preset_path(arguments.preset) ? own_assignments(arguments.preset)
-                                                     : std::vector<Assignment>(),
-                    arguments,
-                    more);
+    LoadedPreset loaded = load_with_assignments(arguments.preset);
+    return assigned(
+        std::move(loaded.preset),
+        is_preset_path(arguments.preset) ? loaded.assignments : std::vector<Assignment>(),
+        arguments,
+        more);
 }
 
 Preset changed(Preset preset, const RunArguments& arguments, const std::vector<Assignment>& more) {

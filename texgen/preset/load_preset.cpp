@@ -62,7 +62,7 @@ Document find_document(const std::string& name_or_path) {
 // Loads a preset and the presets that it extends, directly or indirectly.
 class Loader {
   public:
-    Preset load(const Document& document) {
+    LoadedPreset load(const Document& document) {
         sources_.push_back(document.source);
         std::vector<Assignment> assignments = read_assignments(document.toml, document.source);
         Preset preset = take_extended(assignments, document);
@@ -74,7 +74,7 @@ class Loader {
             preset.events.clear();
         }
         assign(preset, assignments);
-        return preset;
+        return {std::move(preset), std::move(assignments)};
     }
 
   private:
@@ -99,7 +99,7 @@ class Loader {
                    fmt::format(
                        "circular extends: {} -> {}", fmt::join(sources_, " -> "), other.source));
         }
-        return load(other);
+        return load(other).preset;
     }
 
     static Document find_extended(const std::string& name,
@@ -122,13 +122,12 @@ bool is_preset_path(std::string_view name_or_path) {
     return name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string_view::npos;
 }
 
-Preset load_preset(const std::string& name_or_path) {
+LoadedPreset load_with_assignments(const std::string& name_or_path) {
     return Loader().load(find_document(name_or_path));
 }
 
-std::vector<Assignment> own_assignments(const std::string& name_or_path) {
-    const Document document = find_document(name_or_path);
-    return read_assignments(document.toml, document.source);
+Preset load_preset(const std::string& name_or_path) {
+    return load_with_assignments(name_or_path).preset;
 }
 
 }  // namespace foam::texgen

@@ -26,9 +26,15 @@ bool is_preset_path(std::string_view name_or_path);
 /// presets extend each other in a circle.
 Preset load_preset(const std::string& name_or_path);
 
-/// Returns the assignments of the document of a preset, without those of the presets that it
-/// extends. The argument is as for load_preset. Throws PresetError for a missing, unreadable or
-/// malformed document.
-std::vector<Assignment> own_assignments(const std::string& name_or_path);
+/// A preset, and the assignments of its own document. The assignment to `extends` and those of the
+/// presets that it extends are left out.
+struct LoadedPreset {
+    Preset preset;
+    std::vector<Assignment> assignments;
+};
+
+/// Loads a preset as load_preset does. Reads its document only once, so that the preset and the
+/// assignments agree even if the file changes meanwhile.
+LoadedPreset load_with_assignments(const std::string& name_or_path);
 
 }  // namespace foam::texgen

@@ -46,8 +46,8 @@ TEST(UnusedKeys, AreThoseThatAnotherKeySwitchesOff) {
 
 TEST(UnusedKeys, NoShippedPresetSetsOne) {
     for (const ShippedPreset& shipped : shipped_presets()) {
-        const std::string name(shipped.name);
-        EXPECT_EQ(unused_keys(load_preset(name), own_assignments(name)), Lines{}) << name;
+        const LoadedPreset loaded = load_with_assignments(std::string(shipped.name));
+        EXPECT_EQ(unused_keys(loaded.preset, loaded.assignments), Lines{}) << shipped.name;
     }
 }
 

@@ -64,6 +64,17 @@ TEST(LoadPreset, AnExtensionChangesOnlyItsKeys) {
     EXPECT_EQ(preset.events.size(), 1U);
 }
 
+TEST(LoadPreset, AssignmentsAreThoseOfItsOwnDocument) {
+    const TemporaryFolder folder;
+    write_text(folder.path() / "base.toml", "[foam]\nbubbles = 50\n");
+    const auto path = folder.path() / "mine.toml";
+    write_text(path, "extends = 'base.toml'\n[foam]\nseed = 9\n");
+    const LoadedPreset loaded = load_with_assignments(path.string());
+    EXPECT_EQ(loaded.preset.seeding.bubbles, 50);
+    ASSERT_EQ(loaded.assignments.size(), 1U);
+    EXPECT_EQ(loaded.assignments.front().key, "foam.seed");
+}
+
 TEST(LoadPreset, EventsOfAnExtensionReplaceThoseOfTheBase) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "mine.toml";
