@@ -116,9 +116,9 @@ Json value_of(const std::optional<Seam>& seam) {
             {"largest_within", seam->largest_within}};
 }
 
-Json value_of(const VerifiedMap& map) {
+Json value_of(const VerifiedMap& map, int period) {
     return {{"name", map.name},
-            {"holds", map.holds()},
+            {"holds", map.holds(period)},
             {"tile", value_of(map.tile)},
             {"tile_frame", map.tile ? Json(map.tile_frame) : Json(nullptr)},
             {"loop", value_of(map.loop)},
@@ -128,7 +128,7 @@ Json value_of(const VerifiedMap& map) {
 Json value_of(const VerifiedSet& found) {
     Json maps = Json::array();
     for (const VerifiedMap& map : found.maps) {
-        maps.push_back(value_of(map));
+        maps.push_back(value_of(map, found.set.loop.period));
     }
     const BakedSet& set = found.set;
     return {{"preset", set.preset},

@@ -64,7 +64,6 @@ class MapCheck {
         if (has_all_frames) {
             loop_.across = step(*last_, *first_);
             found_.loop = loop_;
-            found_.largest_loop_ratio = largest_loop_ratio(period_);
         }
         if (const Border& border = worse_border(); border.frame > 0) {
             found_.tile = border.seam;
@@ -170,8 +169,9 @@ void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
     }
 }
 
-// Adds a problem for each seam of a map whose Seam::ratio is above its limit.
-void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
+// Adds a problem for each seam of a map whose Seam::ratio is above its limit. `period` is the
+// period of the loop.
+void note_seams(const VerifiedMap& map, int period, std::vector<std::string>& problems) {
     if (map.tile && map.tile->ratio() > kLargestTileRatio) {
         problems.push_back(
             fmt::format("{}: frame {} does not tile: the step across its border is {:.3g} times "
@@ -180,7 +180,7 @@ void note_seams(const VerifiedMap& map, std::vector<std::string>& problems) {
                         map.tile_frame,
                         map.tile->ratio()));
     }
-    if (map.loop && map.loop->ratio() > map.largest_loop_ratio) {
+    if (map.loop && map.loop->ratio() > largest_loop_ratio(period)) {
         problems.push_back(
             fmt::format("{}: does not loop: the step from its last frame to its first is {:.3g} "
                         "times the largest step between frames",
@@ -229,7 +229,7 @@ VerifiedSet verify_set(const BakedSet& set,
         if (check != checks.end()) {
             found.maps.push_back(check->second.finish());
             found.maps.back().numbers = numbers_of(set, map.name);
-            note_seams(found.maps.back(), found.problems);
+            note_seams(found.maps.back(), set.loop.period, found.problems);
         }
     }
     return found;
@@ -250,9 +250,9 @@ double largest_loop_ratio(int period) {
     return 1.1 / ieee::cos(2.0 * std::numbers::pi / period);
 }
 
-bool VerifiedMap::holds() const {
+bool VerifiedMap::holds(int period) const {
     return (!tile || tile->ratio() <= kLargestTileRatio) &&
-           (!loop || loop->ratio() <= largest_loop_ratio);
+           (!loop || loop->ratio() <= largest_loop_ratio(period));
 }
 
 bool Verification::holds() const {

@@ -39,15 +39,15 @@ struct VerifiedMap {
     std::optional<Seam> tile;
     int tile_frame = 0;  // the frame with the largest step across this seam; 0 without `tile`
     std::optional<Seam> loop;
-    double largest_loop_ratio = 0.0;  // the largest allowed ratio of `loop`; 0 without `loop`
     // The smallest and the largest number in all files of the map, and the largest fraction of the
     // samples of a file that are clipped, that is, outside of the range of the map. Clipped samples
     // do not count as a problem. nullopt if the manifest does not record these numbers.
     std::optional<NumberExtent> numbers{};
 
-    /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop` is
-    /// at most `largest_loop_ratio`. A seam that was not checked does not count.
-    bool holds() const;
+    /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop`, a
+    /// loop of `period` frames, is at most largest_loop_ratio(period). A seam that was not checked
+    /// does not count.
+    bool holds(int period) const;
 };
 
 /// The result of checking a set of images (BakedSet): the images of one preset that were baked with

@@ -224,7 +224,7 @@ TEST(Verify, FindsALoopOfFramesThatDifferInSize) {
         image = Image<std::uint8_t>(image.width() / 2, image.height(), image.channels());
     });
     const VerifiedSet found = verified(folder.path());
-    EXPECT_FALSE(found.maps.front().holds());
+    EXPECT_FALSE(found.maps.front().holds(8));
     ASSERT_EQ(found.problems.size(), 1U);
     EXPECT_EQ(found.problems[0].find("albedo: does not loop: "), 0U);
 }

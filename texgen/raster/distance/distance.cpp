@@ -59,6 +59,7 @@ void write_distance_field(const Frame& frame,
                           int threads,
                           DistanceField& field) {
     const int workers = thread_count(threads);
+    pixels_per_unit(grid, frame.domain);  // throws for a bad grid before memory is allocated
     allocate(needs, grid, field);
     std::vector<RegionPainter> painters(static_cast<std::size_t>(workers),
                                         RegionPainter(needs, field));

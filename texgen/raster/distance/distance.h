@@ -20,7 +20,8 @@ DistanceField distance_field(const Frame& frame,
                              int threads);
 
 /// Computes the same distance field as distance_field, but writes it to `field`, whose memory is
-/// reused if its images have the size of the grid. Throws the exceptions of distance_field.
+/// reused if its images have the size of the grid. Throws the exceptions of distance_field; for a
+/// bad grid, `field` is then unchanged.
 void write_distance_field(const Frame& frame,
                           const RasterGrid& grid,
                           DistanceNeeds needs,

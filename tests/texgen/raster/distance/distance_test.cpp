@@ -161,6 +161,17 @@ TEST(Distance, RejectsAnImageOfAnotherAspect) {
     EXPECT_THROW(distance_field(frame, {9, 8}, {}, 1), std::invalid_argument);
 }
 
+// The memory of a field for the rejected grid might not be available.
+TEST(Distance, ARejectedGridLeavesTheFieldUnchanged) {
+    const Frame frame = test::fitted_frame(honeycomb(2, 2), 8, 8);
+    const DistanceField field = distance_field(frame, {8, 8}, kAll, 1);
+    DistanceField used = field;
+    for (const RasterGrid& grid : {RasterGrid{9, 8}, {kLargestGridSide + 1, 1}}) {
+        EXPECT_THROW(write_distance_field(frame, grid, {}, 1, used), std::invalid_argument);
+        expect_equal(used, field);
+    }
+}
+
 // At films the smooth distance agrees with the distance. Inside a bubble its gradient changes
 // gradually, whereas the gradient of the distance jumps in the middle of the bubble.
 TEST(SmoothDistance, HasNoCreases) {
