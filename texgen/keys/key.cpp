@@ -9,13 +9,15 @@
 namespace foam::texgen {
 
 bool Condition::allows(std::string_view value) const {
-    const bool is_listed = std::find(values.begin(), values.end(), value) != values.end();
+    const bool is_listed = std::ranges::any_of(values, [&](std::string_view listed) {
+        return listed.starts_with('*') ? value.ends_with(listed.substr(1)) : value == listed;
+    });
     return is_listed != excludes;
 }
 
 std::string text_of(const Condition& condition) {
-    const bool are_numbers = condition.values.front().find_first_of("0123456789") == 0;
-    const std::string_view quote = are_numbers ? "" : "\"";
+    const bool are_words = condition.values.front().find_first_of("0123456789[") != 0;
+    const std::string_view quote = are_words ? "\"" : "";
     return fmt::format("{0} = {1}{2}{1}",
                        condition.key,
                        quote,

@@ -17,9 +17,11 @@ namespace foam::texgen {
 
 /// A condition on the value of another key, such as foam.domain = "patch".
 struct Condition {
-    std::string_view key;               // the path of the other key
-    std::vector<std::string> values{};  // words, or numbers as TOML writes them: "patch", "0.0"
-    bool excludes = false;              // true if all values except `values` meet the condition
+    std::string_view key;  // the path of the other key
+    // The values of the other key, as TOML writes them, but words without quotes: "patch", "0.0",
+    // "[]". "*.exr" stands for all words with this ending.
+    std::vector<std::string> values{};
+    bool excludes = false;  // true if all values except `values` meet the condition
 
     /// Returns true if this value of the other key meets the condition.
     bool allows(std::string_view value) const;

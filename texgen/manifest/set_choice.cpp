@@ -3,9 +3,13 @@
 #include "texgen/manifest/set_choice.h"
 
 #include "texgen/image/file_io.h"
+#include "texgen/keys/nearest.h"
 #include "texgen/manifest/manifest_file.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
 
 namespace foam::texgen {
 
@@ -40,6 +44,16 @@ std::string words_of(const SetChoice& choice) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
+// Returns the end of a message about an unknown preset: the preset of the manifest with the most
+// similar name. Returns an empty text if the manifest has the preset, or none that is similar.
+std::string similar_preset(const Manifest& manifest, const std::string& preset) {
+    std::vector<std::string_view> presets;
+    for (const BakedSet& set : manifest.sets) {
+        presets.emplace_back(set.preset);
+    }
+    return std::ranges::find(presets, preset) == presets.end() ? did_you_mean(preset, presets) : "";
+}
+
 }  // namespace
 
 std::string name_of(const BakedSet& set) {
@@ -68,10 +82,11 @@ const BakedSet& newest_set(const Manifest& manifest,
         for (const BakedSet& set : manifest.sets) {
             names.push_back(name_of(set));
         }
-        throw InputError(fmt::format("'{}' has no images of {}; must be one of: {}",
+        throw InputError(fmt::format("'{}' has no images of {}; must be one of: {}{}",
                                      manifest_path(path).string(),
                                      words_of(choice),
-                                     fmt::join(names, ", ")));
+                                     fmt::join(names, ", "),
+                                     similar_preset(manifest, choice.preset)));
     }
     return *selected.back();
 }

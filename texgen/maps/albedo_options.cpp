@@ -19,6 +19,7 @@ Key<AlbedoOptions> colormap_key() {
                                       "color map of the bubbles; replaces albedo.colors that were "
                                       "set before",
                                       &AlbedoOptions::colormap);
+    colormap.use = Condition{"albedo.colors", {"[]"}};
     colormap.read = [read = colormap.read](const Value& value, AlbedoOptions& options) {
         if (!read(value, options)) {
             return false;
@@ -53,7 +54,8 @@ Keys<AlbedoOptions> bubble_keys() {
         key("color_mix",
             kColorMixes,
             "blend interpolates between albedo.colors; pick uses only these colors themselves",
-            &Options::color_mix),
+            &Options::color_mix)
+            .unused_with("albedo.colors", {"[]"}),
         key("variation",
             kFractions,
             "largest random change of brightness of a bubble, as a fraction; constant for its life",
@@ -127,7 +129,8 @@ Keys<AlbedoOptions> film_keys() {
         key("film_unit",
             kWidthUnits,
             "unit of film_width: pixels, or diameters of a mean bubble of the seeded foam",
-            &Options::film_unit),
+            &Options::film_unit)
+            .unused_with("albedo.film_width", {"0.0"}),
         key("film_profile",
             kFilmProfiles,
             "even: films of constant width; wet: films that are wider where they meet, which gives "

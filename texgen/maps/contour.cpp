@@ -26,7 +26,8 @@ Keys<ContourOptions> contour_keys() {
                 "full width of lines, in diameters of a mean bubble of the seeded foam",
                 &Options::width)
                 .in("mean bubble diameters of the seeded foam"),
-            key("line_color", Colors{}, "sRGB color of lines", &Options::line_color),
+            key("line_color", Colors{}, "sRGB color of lines", &Options::line_color)
+                .unused_with("contour.width", {"0.0"}),
             key("ground_color", Colors{}, "sRGB color of bubbles", &Options::ground_color)};
 }
 

@@ -39,7 +39,8 @@ Keys<MazeOptions> maze_keys() {
             "short that their opening would leave almost no gap are opened last",
             &Options::wall_width)
             .in("mean bubble diameters of the seeded foam"),
-        key("wall_color", Colors{}, "sRGB color of walls", &Options::wall_color),
+        key("wall_color", Colors{}, "sRGB color of walls", &Options::wall_color)
+            .unused_with("maze.wall_width", {"0.0"}),
         key("passage_color", Colors{}, "sRGB color of passages", &Options::passage_color),
         key("solution_width",
             Reals{0.0, 10.0},
@@ -47,7 +48,8 @@ Keys<MazeOptions> maze_keys() {
             "foam",
             &Options::solution_width)
             .in("mean bubble diameters of the seeded foam"),
-        key("solution_color", Colors{}, "sRGB color of the solution", &Options::solution_color)};
+        key("solution_color", Colors{}, "sRGB color of the solution", &Options::solution_color)
+            .unused_with("maze.solution_width", {"0.0"})};
 }
 
 MazeRule maze_rule(const MazeOptions& options) {

@@ -25,15 +25,53 @@ std::string value_of(std::string_view path, const Preset& preset) {
     return word != nullptr ? *word : to_toml(*value);
 }
 
-// Returns an unmet condition of a key, because of which the key has no effect. Returns nullptr if
-// all conditions are met.
+// Returns an unmet condition because of which a key has no effect, or nullptr if all conditions are
+// met. If the key is used with certain values of another key, and that key has no effect itself,
+// the condition is the condition of that key.
 const Condition* unmet(const KeyInfo& key, const Preset& preset) {
-    for (const std::optional<Condition>* condition : {&key.condition, &key.use}) {
-        if (condition->has_value() && !is_met(**condition, preset)) {
-            return &**condition;
-        }
+    if (key.condition && !is_met(*key.condition, preset)) {
+        return &*key.condition;
     }
-    return nullptr;
+    if (!key.use) {
+        return nullptr;
+    }
+    const Key<Preset>& other = *find_key(key.use->key);
+    const Condition* const unmet_by_other =
+        other.use && !is_met(*other.use, preset) ? &*other.use : nullptr;
+    return unmet_by_other != nullptr || is_met(*key.use, preset) ? unmet_by_other : &*key.use;
+}
+
+// Returns the present value of a key as a text, such as "lit.windows = 0".
+std::string present_value(std::string_view path, const Preset& preset) {
+    return text_of({path, {value_of(path, preset)}});
+}
+
+// Returns the values of other keys because of which dynamics.kappa has no effect, or an empty text
+// if it has one. Gas diffuses during the warm-up, and in the time steps of loops that let it
+// diffuse. A constant of 0 is not reported, because it agrees with the absence of diffusion.
+std::string cause_of_no_diffusion(const Preset& preset) {
+    if (preset.frames.warm_up > 0.0 || preset.coarsening.kappa == 0.0) {
+        return {};
+    }
+    if (preset.loop.returns_to_start()) {
+        return fmt::format("{} and {}",
+                           present_value("loop.kind", preset),
+                           present_value("frames.warm_up", preset));
+    }
+    return preset.frames.time_step > 0.0 ? ""
+                                         : fmt::format("{} and {}",
+                                                       present_value("frames.time_step", preset),
+                                                       present_value("frames.warm_up", preset));
+}
+
+// Returns the values of other keys because of which a key has no effect, or an empty text if it has
+// one.
+std::string cause_of_no_effect(const KeyInfo& key, const Preset& preset) {
+    if (key.path == "dynamics.kappa") {
+        return cause_of_no_diffusion(preset);
+    }
+    const Condition* const condition = unmet(key, preset);
+    return condition != nullptr ? present_value(condition->key, preset) : "";
 }
 
 }  // namespace
@@ -47,12 +85,11 @@ std::vector<std::string> unused_keys(const Preset& preset,
     std::vector<std::string> lines;
     for (const Assignment& assignment : assignments) {
         const Key<Preset>* const key = find_key(assignment.key);
-        const Condition* const condition = key != nullptr ? unmet(*key, preset) : nullptr;
-        if (condition == nullptr) {
+        const std::string cause = key != nullptr ? cause_of_no_effect(*key, preset) : "";
+        if (cause.empty()) {
             continue;
         }
-        const Condition present{condition->key, {value_of(condition->key, preset)}};
-        std::string line = fmt::format("{} has no effect with {}", key->path, text_of(present));
+        std::string line = fmt::format("{} has no effect with {}", key->path, cause);
         if (std::find(lines.begin(), lines.end(), line) == lines.end()) {
             lines.push_back(std::move(line));
         }

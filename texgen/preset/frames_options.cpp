@@ -24,12 +24,14 @@ Keys<FramesOptions> frames_keys() {
             "foam time from frame 1 to frame 2; every later step is frames.step_growth times as "
             "long as the step before it",
             &Options::time_step)
-            .in("foam time"),
+            .in("foam time")
+            .unused_with("loop.kind", {"drift"}),
         key("step_growth",
             Reals{0.1, 10.0},
             "factor from each time step to the next; values above 1 compensate for a foam "
             "that slows down",
-            &Options::step_growth),
+            &Options::step_growth)
+            .used_with("loop.kind", {"none", "flow", "pingpong"}),
         key("warm_up",
             kTimes,
             "foam time that is simulated before frame 1 (the warm-up); with frames.first = "

@@ -32,7 +32,8 @@ Keys<OutputOptions> file_keys() {
                 kCompressions,
                 "compression of PNG files; small takes ten times as long and makes files a tenth "
                 "smaller",
-                &OutputOptions::png_compression)};
+                &OutputOptions::png_compression)
+                .used_with("output.pattern", {"*.png"})};
 }
 
 Keys<OutputOptions> exr_keys() {
@@ -48,20 +49,24 @@ Keys<OutputOptions> exr_keys() {
     return {key("exr_compression",
                 kCompressions,
                 "compression of EXR files; all choices are lossless",
-                &OutputOptions::exr_compression),
+                &OutputOptions::exr_compression)
+                .used_with("output.pattern", {"*.exr"}),
             key("exr_level",
                 Integers{1, 9},
                 "compression level of zip and zips; 1 is fastest, 9 is smallest",
-                &OutputOptions::exr_level),
+                &OutputOptions::exr_level)
+                .used_with("output.exr_compression", {"zip", "zips"}),
             key("exr_numbers",
                 kNumbers,
                 "type of numbers in EXR files; half has 11 bits of precision and a largest number "
                 "of 65504",
-                &OutputOptions::exr_numbers),
+                &OutputOptions::exr_numbers)
+                .used_with("output.pattern", {"*.exr"}),
             key("exr_layout",
                 kLayouts,
                 "layout of EXR files: rows, or tiles of 64 x 64 pixels with mip levels",
-                &OutputOptions::exr_layout)};
+                &OutputOptions::exr_layout)
+                .used_with("output.pattern", {"*.exr"})};
 }
 
 }  // namespace

@@ -27,18 +27,6 @@ namespace {
 constexpr int kLargestAspect = 16;  // longer side of an image divided by the shorter side
 constexpr std::string_view kEventTable = "event";
 
-// Returns the names of all tables, in the order of preset_keys.
-std::vector<std::string_view> preset_tables() {
-    std::vector<std::string_view> tables;
-    for (const KeyInfo& key : preset_keys()) {
-        if (tables.empty() || tables.back() != key.table()) {
-            tables.push_back(key.table());
-        }
-    }
-    tables.push_back(kEventTable);
-    return tables;
-}
-
 // Returns the path that was probably meant by an unknown path. This is the path of a key with the
 // same name in another table or, if there is none, the most similar path. Returns an empty view if
 // no path is similar.
@@ -192,6 +180,17 @@ std::string to_toml(const Preset& preset) {
         toml += fmt::format("{} = {}\n", key.name(), to_toml(value_in(key, preset)));
     }
     return toml + events_to_toml(preset);
+}
+
+std::vector<std::string_view> preset_tables() {
+    std::vector<std::string_view> tables;
+    for (const KeyInfo& key : preset_keys()) {
+        if (tables.empty() || tables.back() != key.table()) {
+            tables.push_back(key.table());
+        }
+    }
+    tables.push_back(kEventTable);
+    return tables;
 }
 
 std::string describe_keys() {

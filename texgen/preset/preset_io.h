@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -24,6 +25,9 @@ Preset parse_preset(std::string_view toml, const std::string& name, const std::s
 /// Returns the preset as TOML: every key of its tables, even if the key has its default value, and
 /// the events. parse_preset restores an equal preset from the text, except for Preset::name.
 std::string to_toml(const Preset& preset);
+
+/// Returns the names of all tables, in the order of preset_keys. The last one is "event".
+std::vector<std::string_view> preset_tables();
 
 /// Returns the reference text of all keys, including the keys of events. It gives the default, the
 /// meaning and the allowed values of each key.

@@ -65,7 +65,8 @@ Keys<SolverOptions> solver_keys() {
 Keys<CoarseningOptions> coarsening_keys() {
     return {key("kappa",
                 Reals{0.0, 1000.0},
-                "diffusion constant: dA/dt = (2 pi / 3) surface_tension kappa (sides - 6)",
+                "diffusion constant: dA/dt = (2 pi / 3) surface_tension kappa (sides - 6); in the "
+                "loops breathe, shear, boil and drift, gas diffuses only during frames.warm_up",
                 &CoarseningOptions::kappa)
                 .in("square foam units per foam time, for a surface tension of 1")};
 }

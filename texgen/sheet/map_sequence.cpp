@@ -2,14 +2,18 @@
 
 #include "texgen/sheet/map_sequence.h"
 
+#include "texgen/bake/frame_range.h"
 #include "texgen/image/file_io.h"
+#include "texgen/keys/nearest.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -22,14 +26,24 @@ const ManifestMap& baked_map(const BakedSet& set, std::string_view name) {
     if (map != nullptr && map->samples) {
         return *map;
     }
-    std::string existing;
+    std::vector<std::string_view> existing;
     for (const ManifestMap& other : set.maps) {
         if (other.samples) {
-            existing += (existing.empty() ? "" : ", ") + other.name;
+            existing.emplace_back(other.name);
         }
     }
-    throw std::invalid_argument(fmt::format(
-        "map '{}' was not baked; baked maps: {}", name, existing.empty() ? "none" : existing));
+    throw std::invalid_argument(
+        fmt::format("map '{}' was not baked; baked maps: {}{}",
+                    name,
+                    existing.empty() ? "none" : fmt::format("{}", fmt::join(existing, ", ")),
+                    did_you_mean(name, existing)));
+}
+
+// Returns the frames for which the set has a file of the map.
+std::vector<int> existing_frames(const BakedSet& set, std::string_view map) {
+    std::vector<int> existing = set.frames();
+    std::erase_if(existing, [&](int frame) { return set.find_file(map, frame) == nullptr; });
+    return existing;
 }
 
 MapFile file_of(const BakedSet& set,
@@ -39,11 +53,15 @@ MapFile file_of(const BakedSet& set,
     const ManifestFile* const file = set.find_file(map, frame);
     const FrameStatistics* const statistics = set.find_frame(frame);
     if (file == nullptr || statistics == nullptr) {
-        throw InputError(fmt::format("frame {} of map '{}' of preset '{}' was not baked into '{}'",
-                                     frame,
-                                     map,
-                                     set.preset,
-                                     folder.string()));
+        const std::vector<int> existing = existing_frames(set, map);
+        throw InputError(fmt::format(
+            "frame {} of map '{}' of preset '{}' was not baked into '{}', or another bake has "
+            "replaced it; existing frames: {}",
+            frame,
+            map,
+            set.preset,
+            folder.string(),
+            existing.empty() ? "none" : format_frame_range(existing)));
     }
     return {folder / file->path, frame, statistics->tiles, file->maps.size() > 1};
 }

@@ -57,6 +57,9 @@ TEST(Key, AConditionListsTheValuesOfAnotherKey) {
     EXPECT_EQ(color.condition->key, "room.kind");
     EXPECT_TRUE(color.condition->allows("club"));
     EXPECT_FALSE(color.condition->allows("office"));
+    const Condition files{"room.plan", {"*.png"}};
+    EXPECT_TRUE(files.allows("plan.png"));
+    EXPECT_FALSE(files.allows("plan.exr"));
 }
 
 TEST(Key, AConditionMayExcludeValues) {

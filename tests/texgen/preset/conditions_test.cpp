@@ -41,7 +41,39 @@ TEST(UnusedKeys, AreThoseThatAnotherKeySwitchesOff) {
               Lines{"albedo.shade_width has no effect with albedo.shade = 0.0"});
     EXPECT_EQ(unused({"foam.outline=disc"}),
               Lines{"foam.outline has no effect with foam.domain = \"torus\""});
+    EXPECT_EQ(unused({"albedo.color_mix=pick", "albedo.colormap=magma"}),
+              Lines{"albedo.color_mix has no effect with albedo.colors = []"});
+    EXPECT_EQ(unused({"albedo.colormap=magma", "albedo.colors=[\"#ff0000\"]"}),
+              Lines{"albedo.colormap has no effect with albedo.colors = [\"#ff0000\"]"});
+    EXPECT_EQ(unused({"loop.kind=drift", "loop.drift=[0, 1]", "frames.time_step=1"}),
+              Lines{"frames.time_step has no effect with loop.kind = \"drift\""});
+    EXPECT_EQ(unused({"loop.kind=breathe", "frames.step_growth=1.1"}),
+              Lines{"frames.step_growth has no effect with loop.kind = \"breathe\""});
     EXPECT_EQ(unused({"relief.angle=30", "lit.windows=2", "lit.window_size=9"}), Lines{});
+}
+
+TEST(UnusedKeys, IncludeTheDiffusionConstantIfNoGasDiffuses) {
+    EXPECT_EQ(
+        unused({"loop.kind=breathe", "dynamics.kappa=2"}),
+        Lines{"dynamics.kappa has no effect with loop.kind = \"breathe\" and frames.warm_up = "
+              "0.0"});
+    EXPECT_EQ(unused({"frames.time_step=0", "dynamics.kappa=2"}),
+              Lines{"dynamics.kappa has no effect with frames.time_step = 0.0 and frames.warm_up = "
+                    "0.0"});
+    EXPECT_EQ(unused({"loop.kind=breathe", "frames.warm_up=9", "dynamics.kappa=2"}), Lines{});
+    EXPECT_EQ(unused({"frames.time_step=1", "dynamics.kappa=2"}), Lines{});
+    EXPECT_EQ(unused({"loop.kind=breathe", "dynamics.kappa=0"}), Lines{});
+}
+
+// exr_level depends on exr_compression, which depends on the suffix of the files.
+TEST(UnusedKeys, IncludeThoseOfAnotherFileFormat) {
+    EXPECT_EQ(unused({"output.pattern=a.####.png", "output.exr_level=9"}),
+              Lines{"output.exr_level has no effect with output.pattern = \"a.####.png\""});
+    EXPECT_EQ(unused({"output.pattern=a.####.exr", "output.png_compression=small"}),
+              Lines{"output.png_compression has no effect with output.pattern = \"a.####.exr\""});
+    EXPECT_EQ(unused({"output.pattern=a.exr", "output.exr_compression=piz", "output.exr_level=9"}),
+              Lines{"output.exr_level has no effect with output.exr_compression = \"piz\""});
+    EXPECT_EQ(unused({"output.pattern=a.####.exr", "output.exr_level=9"}), Lines{});
 }
 
 TEST(UnusedKeys, NoShippedPresetSetsOne) {
@@ -74,6 +106,10 @@ TEST(Conditions, AreDescribed) {
               "    only with foam.domain = \"patch\"\n");
     EXPECT_EQ(describe_conditions(*find_key("relief.width")),
               "    no effect unless relief.profile = \"ridge\" or \"wet\"\n");
+    EXPECT_EQ(describe_conditions(*find_key("output.exr_numbers")),
+              "    no effect unless output.pattern = \"*.exr\"\n");
+    EXPECT_EQ(describe_conditions(*find_key("albedo.color_mix")),
+              "    no effect with albedo.colors = []\n");
     EXPECT_EQ(describe_conditions(*find_key("lit.window_size")),
               "    no effect with lit.windows = 0\n");
 }

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace foam::texgen {
@@ -25,15 +27,35 @@ TEST(MapSequence, HasAFileForEachFrame) {
     EXPECT_THROW(map_sequence(set, "out", "egg", std::vector{1}), std::invalid_argument);
 }
 
-// The map "film" was requested, but none of its files was written.
-TEST(MapSequence, RejectsAMapWithoutFilesAndNamesTheOthers) {
+// Returns the message about a map that has no files.
+std::string error_of(std::string_view map) {
     const BakedSet set = small_manifest().sets[1];
     try {
-        map_sequence(set, "out", "film", std::vector{7});
-        FAIL();
+        map_sequence(set, "out", map, std::vector{7});
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "map 'film' was not baked; baked maps: height");
+        return error.what();
     }
+    return "";
+}
+
+// Frame 2 of the set belongs to another bake.
+TEST(MapSequence, RejectsAFrameWithoutAFileAndNamesTheOthers) {
+    const BakedSet set = small_set("a", {1, 2, 3}, {1, 3});
+    try {
+        map_sequence(set, "out", "height", std::vector{2});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "frame 2 of map 'height' of preset 'a' was not baked into 'out', or another "
+                     "bake has replaced it; existing frames: 1,3");
+    }
+}
+
+// The map "film" was requested, but none of its files was written.
+TEST(MapSequence, RejectsAMapWithoutFilesAndNamesTheOthers) {
+    EXPECT_EQ(error_of("film"), "map 'film' was not baked; baked maps: height");
+    EXPECT_EQ(error_of("hieght"),
+              "map 'hieght' was not baked; baked maps: height; did you mean 'height'?");
 }
 
 TEST(MapSequence, FramesWithACommonStepKeepTheirSpeed) {
