@@ -153,7 +153,8 @@ class BashScript {
         for (const ArgumentGrammar& positional : command.positionals) {
             const Values values = values_of(positional, words_);
             words.insert(words.end(), values.words.begin(), values.words.end());
-            takes_files = takes_files || positional.names.front() != "NAME";
+            takes_files = takes_files || values.kind == ValueKind::Path ||
+                          positional.names.front() == "PRESET";
         }
         words_of_paths_ += fmt::format(
             "        \"{0}\")\n"

@@ -6,6 +6,7 @@
 #include "texgen/cli/grammar.h"
 #include "texgen/cli/standard_output.h"
 #include "texgen/maps/all_maps.h"
+#include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_keys.h"
 #include "texgen/preset/shipped_presets.h"
 
@@ -13,6 +14,8 @@
 #include <fmt/core.h>
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -34,6 +37,8 @@ CompletionWords completion_words() {
             words.values_of_keys[key.path].assign(key.words.begin(), key.words.end());
         }
     }
+    const std::vector<std::string_view> tables = preset_tables();
+    words.tables.assign(tables.begin(), tables.end());
     return words;
 }
 

@@ -28,7 +28,7 @@ Values values_of(const ArgumentGrammar& argument, const CompletionWords& words) 
     if (name == "--maps") {
         return {ValueKind::List, words.maps};
     }
-    if (name == "--map") {
+    if (name == "--map" || name == "MAP") {
         return {ValueKind::Words, words.maps};
     }
     if (name == "--set") {
@@ -36,6 +36,9 @@ Values values_of(const ArgumentGrammar& argument, const CompletionWords& words) 
     }
     if (name == "PRESET" || name == "NAME") {
         return {ValueKind::Words, words.presets};
+    }
+    if (name == "TABLE") {
+        return {ValueKind::Words, words.tables};
     }
     if (argument.value.find('|') != std::string::npos) {
         return {ValueKind::Words, split(argument.value, '|')};

@@ -23,8 +23,8 @@ struct Values {
     std::vector<std::string> words{};  // empty for paths
 };
 
-/// Returns the values that completion offers for an argument. For a positional argument other than
-/// NAME, the completion scripts also offer files, even if the kind of the result is not Path.
+/// Returns the values that completion offers for an argument. For the positional argument PRESET,
+/// the completion scripts also offer files, although the kind of the result is Words.
 Values values_of(const ArgumentGrammar& argument, const CompletionWords& words);
 
 /// Returns the words, separated by spaces.

@@ -17,11 +17,13 @@
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
+#include "texgen/maps/normal.h"
 #include "texgen/stats/files.h"
 #include "texgen/stats/record.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -68,6 +70,15 @@ void note_clipped(const BakeSummary& summary, const Preset& preset) {
                 range_option_of(*numbers.map, preset.maps)->is_automatic ? "set" : "raise",
                 numbers.map->full_key);
         }
+    }
+}
+
+/// Prints a note if --normal-y is given, but no map depends on it.
+void note_unused_normal_y(const ImageArguments& arguments, const Preset& preset) {
+    if (arguments.normal_y &&
+        std::ranges::find(preset.image.maps, kNormalMap.name) == preset.image.maps.end()) {
+        print_stderr(
+            "foamtex: note: --normal-y has no effect, because the map normal is not drawn");
     }
 }
 
@@ -137,6 +148,7 @@ ExitCode run_images(const Preset& preset,
     const Verbosity verbosity = progress.verbosity;
     const std::uint64_t memory = estimated_memory(preset, options.frames.size(), options.threads);
     if (verbosity != Verbosity::Quiet) {
+        note_unused_normal_y(arguments, preset);
         warn_of_full_disk(estimated_size(preset, options.frames), manifest_folder(preset));
         warn_of_little_memory(memory);
     }

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <span>
+#include <string>
 
 namespace foam::texgen {
 
@@ -23,14 +25,20 @@ with an alpha channel for a patch. All other maps are data; around a patch, thei
 except that normals point to the viewer, occlusion is 1 and signed distances are negative.
 The options of maps are keys of the preset: foamtex presets keys)";
 
-ExitCode list_maps() {
+/// Returns the map with the given name, or all maps if the name is empty. Throws
+/// std::invalid_argument for an unknown name.
+std::span<const Map> maps_of(const std::string& name) {
+    return name.empty() ? all_maps() : std::span(&find_map(name), 1);
+}
+
+ExitCode list_maps(std::span<const Map> listed) {
     std::size_t name_width = 0;
     std::size_t unit_width = 0;
-    for (const Map& map : all_maps()) {
+    for (const Map& map : listed) {
         name_width = std::max(name_width, map.name.size());
         unit_width = std::max(unit_width, map.unit.size());
     }
-    for (const Map& map : all_maps()) {
+    for (const Map& map : listed) {
         print_stdout("{:<{}}  {:<5}  {:>2} bit  {:<{}}  {}\n",
                      map.name,
                      name_width,
@@ -48,9 +56,9 @@ ExitCode print_markdown() {
     return ExitCode::Success;
 }
 
-ExitCode print_maps_as_json() {
+ExitCode print_maps_as_json(std::span<const Map> listed) {
     Json maps = Json::array();
-    for (const Map& map : all_maps()) {
+    for (const Map& map : listed) {
         maps.push_back({{"name", map.name},
                         {"meaning", map.meaning},
                         {"unit", map.unit},
@@ -68,13 +76,22 @@ ExitCode print_maps_as_json() {
 void add_maps_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "maps", "List the maps: name, channels, bits in a PNG, unit and range, meaning");
+    const auto name = std::make_shared<std::string>();
+    CLI::Option* const map =
+        command->add_option("MAP", *name, "List only this map")->option_text(" ");
     const auto markdown = std::make_shared<bool>(false);
-    command->add_flag("--markdown", *markdown, "Print a table in Markdown")->option_text(" ");
+    command->add_flag("--markdown", *markdown, "Print a table of all maps in Markdown")
+        ->option_text(" ")
+        ->excludes(map);
     command->footer(fmt::format(kNotes, format_names()));
     const auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "Print one JSON object with all maps")->option_text(" ");
-    command->callback([&action, markdown, json] {
-        action = *json ? print_maps_as_json : *markdown ? print_markdown : list_maps;
+    command->add_flag("--json", *json, "Print one JSON object")->option_text(" ");
+    command->callback([&action, name, markdown, json] {
+        action = [name, markdown, json] {
+            return *json       ? print_maps_as_json(maps_of(*name))
+                   : *markdown ? print_markdown()
+                               : list_maps(maps_of(*name));
+        };
     });
 }
 

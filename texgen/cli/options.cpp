@@ -2,7 +2,13 @@
 
 #include "texgen/cli/options.h"
 
+#include "texgen/keys/nearest.h"
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
 
 namespace foam::texgen {
 
@@ -15,6 +21,19 @@ constexpr const char* kRangeExamples =
 
 }  // namespace
 
+void allow_only(CLI::Option& option, const std::vector<std::string>& words) {
+    option.option_text(fmt::format("{}", fmt::join(words, "|")));
+    option.check([words](const std::string& value) {
+        const std::vector<std::string_view> candidates(words.begin(), words.end());
+        return std::ranges::find(words, value) != words.end()
+                   ? ""
+                   : fmt::format("'{}' must be one of {}{}",
+                                 value,
+                                 fmt::join(words, ", "),
+                                 did_you_mean(value, candidates));
+    });
+}
+
 void add_json_option(CLI::App& command, bool& json) {
     command.add_flag("--json", json, "Print the results as one JSON object")->option_text(" ");
 }
@@ -24,10 +43,10 @@ CLI::Option* add_quiet_option(CLI::App& command, bool& quiet, const char* meanin
 }
 
 CLI::Option* add_progress_option(CLI::App& command, std::string& progress) {
-    return command
-        .add_option("--progress", progress, "Progress on stderr: auto, or one JSON line per second")
-        ->check(CLI::IsMember({"auto", kJsonProgress}))
-        ->option_text("auto|json");
+    CLI::Option* const option = command.add_option(
+        "--progress", progress, "Progress on stderr: auto, or one JSON line per second");
+    allow_only(*option, {"auto", kJsonProgress});
+    return option;
 }
 
 ProgressOptions progress_options(bool quiet, const std::string& progress) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library spells it so
 class App;
@@ -17,6 +18,10 @@ class Option;
 }  // namespace CLI
 
 namespace foam::texgen {
+
+/// Allows only the given words as values of an option, and shows them in the help. The error
+/// message for any other value suggests the most similar word.
+void allow_only(CLI::Option& option, const std::vector<std::string>& words);
 
 /// Adds --json, with which the command prints one JSON object (json_report.h).
 void add_json_option(CLI::App& command, bool& json);

@@ -23,8 +23,11 @@ class PhaseClock {
     /// Takes a report that was made at the given time. Precondition: times do not decrease.
     News add(const RunProgress& progress, Clock::time_point now);
 
+    /// Moves on to the given time without a report. Precondition: times do not decrease.
+    void advance(Clock::time_point now) { now_ = now; }
+
     /// Returns the wall time, in seconds, from the first report of the present phase to the latest
-    /// report. A cycle of a loop counts as a phase of its own.
+    /// time. A cycle of a loop counts as a phase of its own.
     double seconds_in_phase() const;
 
     /// Returns the seconds per unit of the present phase. Let report A be the first report of the
@@ -48,7 +51,7 @@ class PhaseClock {
     };
 
     std::optional<RunProgress> latest_;
-    Clock::time_point now_{};  // time of the latest report
+    Clock::time_point now_{};  // time of the latest report or of the latest call of advance
     // The marks of the present phase: report A, report B and the latest report with further units
     // (see seconds_per_unit).
     std::vector<Mark> marks_;

@@ -182,6 +182,10 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
         }
         return summary.outcome;
     }();
+    if (!arguments.run.quiet) {
+        warn_of_missing_bubbles(preset, outcome);
+        note_late_events(preset, options.frames);
+    }
     print(arguments, shown, json_report(outcome));
     return outcome.status == RunStatus::Complete ? ExitCode::Success : report_failure(outcome);
 }
@@ -199,15 +203,15 @@ void add_choices(CLI::App& command, PreviewArguments& arguments) {
                     arguments.maps,
                     "Maps, separated by commas (default for a preset: its first map; for a folder: "
                     "its first map of colors or, if it has none, its first map of numbers)");
-    command
-        .add_option("--as",
-                    arguments.kinds,
-                    "Kinds of previews, separated by commas (default: contact,loop, and tiling if "
-                    "the first frame tiles)")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(CLI::IsMember(std::vector<std::string>(kPreviewNames.begin(), kPreviewNames.end())))
-        ->option_text("contact|tiling|loop|mp4|gif");
+    CLI::Option* const kinds =
+        command
+            .add_option("--as",
+                        arguments.kinds,
+                        "Kinds of previews, separated by commas (default: contact,loop, and tiling "
+                        "if the first frame tiles)")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+    allow_only(*kinds, {kPreviewNames.begin(), kPreviewNames.end()});
     command
         .add_option("--width",
                     arguments.animation_size,

@@ -5,11 +5,11 @@
 #include "core/io/format_error.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/cli/command.h"
+#include "texgen/cli/command_line_error.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/memory.h"
-#include "texgen/keys/nearest.h"
 #include "texgen/preset/assignment.h"
 
 #include <CLI/CLI.hpp>
@@ -68,35 +68,6 @@ ExitCode code_of(const Interrupted& error) {
     return static_cast<ExitCode>(kSignals + error.signal());
 }
 
-/// Returns the names of the subcommands of a command.
-std::vector<std::string> subcommand_names(const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const CLI::App* subcommand :
-         command.get_subcommands([](const CLI::App*) { return true; })) {
-        names.push_back(subcommand->get_name());
-    }
-    return names;
-}
-
-/// Returns a message that describes the error in the command line. If an unknown word is given
-/// instead of a subcommand, and the name of a subcommand is similar, the message suggests it.
-std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
-    const CLI::App* command = &app;
-    while (!command->get_subcommands().empty()) {
-        command = command->get_subcommands().front();
-    }
-    const std::vector<std::string> names = subcommand_names(*command);
-    const std::vector<std::string> words = command->remaining();
-    if (names.empty() || words.empty() || words.front().starts_with('-')) {
-        return error.what();
-    }
-    const std::vector<std::string_view> candidates(names.begin(), names.end());
-    return fmt::format("{} has no command '{}'{}",
-                       command->get_name(),
-                       words.front(),
-                       did_you_mean(words.front(), candidates));
-}
-
 /// Reports an exception of the parser and returns the exit code. CLI11 also throws an exception for
 /// --help and --version; the code of this exception is 0.
 ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
@@ -104,7 +75,7 @@ ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
         app.exit(error);
         return ExitCode::Success;
     }
-    return report(message_of(app, error) + " (see foamtex --help)", ExitCode::BadRequest);
+    return report(command_line_error(app, error), ExitCode::BadRequest);
 }
 
 /// Flushes stdout. Returns the given exit code, or OutputFailed if output was lost, for example on

@@ -12,13 +12,15 @@
 
 #include <cstdlib>
 #include <string>
+#include <system_error>
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr double kBarInterval = 0.1;   // seconds between two drawings of the bar
-constexpr double kLineInterval = 1.0;  // seconds between two lines
+constexpr double kBarInterval = 0.1;           // seconds between two drawings of the bar
+constexpr double kLineInterval = 1.0;          // seconds between two lines
+constexpr std::chrono::seconds kHeartbeat{1};  // time after which the latest report is repeated
 // A run is long if its rest takes at least kLongRun. A note reports this once the speed of a phase
 // has been measured for kMeasured.
 constexpr double kLongRun = 60.0;  // seconds
@@ -41,9 +43,21 @@ std::size_t terminal_columns() {
 ProgressReporter::ProgressReporter(const ProgressOptions& options)
     : options_(options), style_(style_of(options)), has_color_(wants_color()) {
     handle_stop_signals();
+    if (style_ != Style::Bar && style_ != Style::JsonLines) {
+        return;
+    }
+    try {
+        heartbeat_ = std::jthread([this](const std::stop_token& stop) { beat(stop); });
+    } catch (const std::system_error&) {
+        // Without another thread, long steps are silent.
+    }
 }
 
 ProgressReporter::~ProgressReporter() {
+    heartbeat_.request_stop();
+    if (heartbeat_.joinable()) {
+        heartbeat_.join();
+    }
     if (is_pending_ && style_ != Style::Lines) {
         print();
     }
@@ -57,7 +71,7 @@ ProgressReporter::Style ProgressReporter::style_of(const ProgressOptions& option
         return Style::Nothing;
     }
     if (options.json) {
-        return Style::Json;
+        return Style::JsonLines;
     }
     if (options.verbosity == Verbosity::Verbose) {
         return Style::Lines;
@@ -69,7 +83,22 @@ ProgressCallback ProgressReporter::callback() {
     return [this](const RunProgress& progress) { take(progress); };
 }
 
+void ProgressReporter::beat(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+        const auto due = (has_printed_ ? last_print_ : PhaseClock::Clock::now()) + kHeartbeat;
+        wake_.wait_until(lock, stop, due, [] { return false; });
+        const auto now = PhaseClock::Clock::now();
+        if (!stop.stop_requested() && has_printed_ && now >= last_print_ + kHeartbeat) {
+            now_ = now;
+            clock_.advance(now);
+            print();
+        }
+    }
+}
+
 void ProgressReporter::take(const RunProgress& progress) {
+    const std::lock_guard lock(mutex_);
     now_ = PhaseClock::Clock::now();
     const PhaseClock::News news = clock_.add(progress, now_);
     latest_ = progress;
@@ -88,7 +117,7 @@ bool ProgressReporter::is_due(PhaseClock::News news) const {
     switch (style_) {
         case Style::Bar:
             return !has_printed_ || passed >= kBarInterval;
-        case Style::Json:
+        case Style::JsonLines:
             return !has_printed_ || passed >= kLineInterval;
         case Style::Lines:
             if (latest_.phase == Phase::Frames) {
@@ -106,14 +135,15 @@ bool ProgressReporter::is_due(PhaseClock::News news) const {
 void ProgressReporter::print() {
     const double seconds = seconds_since(begin_);
     if (style_ == Style::Bar) {
-        const std::string bar = progress_bar(latest_, clock_.seconds_left());
+        const std::string bar =
+            progress_bar(latest_, {clock_.seconds_in_phase(), clock_.seconds_left()});
         write_stderr_without_waiting(fmt::format("\r\033[K{}{}{}",
                                                  has_color_ ? "\033[36m" : "",
                                                  bar.substr(0, terminal_columns() - 1),
                                                  has_color_ ? "\033[0m" : ""));
     } else if (style_ == Style::Lines) {
         write_stderr_without_waiting(progress_line(latest_, seconds) + "\n");
-    } else if (style_ == Style::Json) {
+    } else if (style_ == Style::JsonLines) {
         write_stderr_without_waiting(progress_json(latest_, seconds, clock_.seconds_left()) + "\n");
     }
     last_print_ = now_;

@@ -5,6 +5,11 @@
 #include "texgen/animation/progress.h"
 #include "texgen/cli/phase_clock.h"
 
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
 namespace foam::texgen {
 
 /// The level of detail with which a run reports its progress on stderr.
@@ -24,13 +29,17 @@ struct ProgressOptions {
 /// Reports the progress of one run on stderr, in one of four styles:
 ///
 /// - JSON lines (progress_json), if ProgressOptions::json is true: the first and the last report of
-///   the run, and otherwise at most one line per second.
+///   the run, and otherwise one line per second.
 /// - lines, for Verbosity::Verbose: in the phase Frames one per frame; in every other phase one at
 ///   its start, one at the end of each cycle of a loop, one at its end, and otherwise at most one
 ///   per second.
 /// - a bar, for Verbosity::Normal if stderr is a terminal. It is in color only if the environment
 ///   variable NO_COLOR is unset or empty.
 /// - nothing, in all other cases, and always for Verbosity::Quiet.
+///
+/// In the styles JSON lines and bar, a thread repeats the latest report, with the present times, if
+/// no other has followed for a second. Long steps, such as the first equilibrium of a large foam,
+/// are therefore not silent.
 ///
 /// With Verbosity::Normal and without JSON, a note tells the user that the rest of the run takes a
 /// minute or more, as soon as this can be estimated from the first units, such as frames, of a
@@ -53,15 +62,18 @@ class ProgressReporter {
     ProgressCallback callback();
 
   private:
-    enum class Style { Nothing, Bar, Lines, Json };
+    enum class Style { Nothing, Bar, Lines, JsonLines };
 
     static Style style_of(const ProgressOptions& options);
+    void beat(const std::stop_token& stop);  // runs in the thread that repeats reports
     void take(const RunProgress& progress);
     bool is_due(PhaseClock::News news) const;
     void print();
     void note_long_run();
     double seconds_since(PhaseClock::Clock::time_point begin) const;
 
+    std::mutex mutex_;  // protects all members below that are not constant, except heartbeat_
+    std::condition_variable_any wake_;
     ProgressOptions options_;
     Style style_;
     bool has_color_;
@@ -73,6 +85,7 @@ class ProgressReporter {
     bool has_printed_ = false;
     bool is_pending_ = false;  // true if there has been news since the last report that was printed
     bool has_noted_ = false;
+    std::jthread heartbeat_;  // the last member, because its thread uses the others
 };
 
 }  // namespace foam::texgen

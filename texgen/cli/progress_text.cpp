@@ -50,10 +50,22 @@ std::string loop_closing_text(const RunProgress& progress) {
         has_closing_error ? fmt::format(", closing error {:.0e}", *progress.measure) : "");
 }
 
-/// Returns a time in minutes and seconds, such as "0:14 left".
-std::string time_left(double seconds) {
+/// Returns a time in minutes and seconds, such as "0:14".
+std::string minutes_and_seconds(double seconds) {
     const auto rounded = static_cast<long>(std::ceil(seconds));
-    return fmt::format("{}:{:02} left", rounded / 60, rounded % 60);
+    return fmt::format("{}:{:02}", rounded / 60, rounded % 60);
+}
+
+/// Returns the last part of the text of a bar: the time left or, if it is unknown and nothing else
+/// shows that the run advances, the time that the phase has taken so far.
+std::string time_text(const RunProgress& progress, const PhaseTimes& times) {
+    if (times.left) {
+        return fmt::format("  {} left", minutes_and_seconds(*times.left));
+    }
+    const bool shows_passed = progress.done == 0 && progress.phase != Phase::LoopClosing;
+    return shows_passed && times.passed >= 1.0
+               ? fmt::format("  {} so far", minutes_and_seconds(std::floor(times.passed)))
+               : "";
 }
 
 /// Returns a time in seconds, rounded to milliseconds.
@@ -81,7 +93,7 @@ std::string phase_text(const RunProgress& progress) {
     return fmt::format("{} {} of {}", words_of(progress.phase).text, progress.done, progress.total);
 }
 
-std::string progress_bar(const RunProgress& progress, const std::optional<double>& seconds_left) {
+std::string progress_bar(const RunProgress& progress, const PhaseTimes& times) {
     const double share =
         progress.total > 0 ? static_cast<double>(progress.done) / progress.total : 0.0;
     const int filled = std::clamp(static_cast<int>(kBarWidth * share), 0, kBarWidth);
@@ -93,7 +105,7 @@ std::string progress_bar(const RunProgress& progress, const std::optional<double
                        std::string(kBarWidth - hashes, '-'),
                        phase_text(progress),
                        shows_bubbles ? fmt::format("  {} bubbles", progress.bubbles) : "",
-                       seconds_left ? "  " + time_left(*seconds_left) : "");
+                       time_text(progress, times));
 }
 
 std::string progress_line(const RunProgress& progress, double seconds) {

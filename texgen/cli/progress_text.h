@@ -17,10 +17,17 @@ std::string_view name_of(Phase phase);
 /// or "closing the loop: cycle 3, step 12 of 48, closing error 1e-04".
 std::string phase_text(const RunProgress& progress);
 
-/// Returns the text of the progress bar, without a newline. Example:
-/// "[######------------------] frame 12 of 48  583 bubbles  0:14 left". `seconds_left` is the time
-/// until the end of the phase, if it is known.
-std::string progress_bar(const RunProgress& progress, const std::optional<double>& seconds_left);
+/// The times of the present phase, in seconds.
+struct PhaseTimes {
+    double passed = 0.0;              // since the phase began
+    std::optional<double> left = {};  // until the phase ends, if it is known
+};
+
+/// Returns the text of the progress bar, without a newline. Examples:
+/// "[######------------------] frame 12 of 48  583 bubbles  0:14 left" and, for a phase that takes
+/// at least a second and has no units or no unit that is done,
+/// "[------------------------] finding the first equilibrium  0:12 so far".
+std::string progress_bar(const RunProgress& progress, const PhaseTimes& times);
 
 /// Returns the line that reports a frame, or the progress of another phase. It ends with the wall
 /// time since the run began, in seconds. Example:

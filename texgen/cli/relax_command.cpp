@@ -7,11 +7,13 @@
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
+#include "texgen/image/file_io.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -100,6 +102,7 @@ void print_failure(const LoadedFoam& loaded, const std::string& in) {
 ExitCode run_relax(const RelaxArguments& arguments) {
     check_foam_name(arguments.in);
     check_foam_name(arguments.out);
+    check_writable(std::filesystem::path(arguments.out).parent_path());
     LoadedFoam loaded = load_foam(arguments.in);
     const RelaxReport report = relax_loaded(loaded.foam, arguments.threads);
     const bool converged = report.summary.converged();

@@ -3,14 +3,18 @@
 #include "texgen/cli/run_arguments.h"
 
 #include "texgen/bake/frame_range.h"
+#include "texgen/cache/cache_files.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/preset/conditions.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_io.h"
+#include "texgen/preset/shipped_presets.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -78,6 +82,19 @@ Preset assigned(Preset preset,
     return preset;
 }
 
+/// Throws PresetError if a cache is given in place of a preset. The message says which commands
+/// accept a cache. A shipped preset may have the same name as a cache.
+void check_is_no_cache(const std::string& preset) {
+    const auto shipped = shipped_presets();
+    if (is_cache(preset) &&
+        std::ranges::find(shipped, preset, &ShippedPreset::name) == shipped.end()) {
+        throw PresetError(fmt::format(
+            "'{0}' has simulated states, but is not a preset; 'foamtex render {0}' draws images of "
+            "them, and 'foamtex stats {0}' measures them",
+            preset));
+    }
+}
+
 }  // namespace
 
 void add_preset_options(CLI::App& command, RunArguments& arguments) {
@@ -115,6 +132,7 @@ Assignment maps_assignment(const std::string& maps) {
 }
 
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more) {
+    check_is_no_cache(arguments.preset);
     LoadedPreset loaded = load_with_assignments(arguments.preset);
     return assigned(
         std::move(loaded.preset),

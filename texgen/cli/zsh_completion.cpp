@@ -120,7 +120,7 @@ class ZshScript {
         return fmt::format(
             " \\\n        ':{}:{}'",
             zsh_escaped(name),
-            zsh_action(values_of(positional, words_), name != "NAME", key_function_));
+            zsh_action(values_of(positional, words_), name == "PRESET", key_function_));
     }
 
     static std::string dispatch(const CommandGrammar& command,

@@ -34,6 +34,9 @@ TEST(BashCompletion, OffersCommandsOptionsAndValues) {
     EXPECT_EQ(offered("foamtex bake --normal-y ''"), "gl dx\n");
     EXPECT_EQ(offered("foamtex bake sea_f"), "sea_foam\n");
     EXPECT_EQ(offered("foamtex presets show lab"), "labyrinth\n");
+    EXPECT_EQ(offered("foamtex presets keys lo"), "loop\n");
+    EXPECT_EQ(offered("foamtex maps maz"), "maze maze_solution\n");
+    EXPECT_EQ(offered("foamtex maps compl"), "\n");  // no file
     EXPECT_EQ(offered("foamtex bake --set foam.bub"), "foam.bubbles=\n");
 }
 

@@ -178,16 +178,16 @@ TEST_F(CompareCommand, ABadCommandLineIsCode64) {
         EXPECT_EQ(bad.out, "") << arguments;
         EXPECT_EQ(bad.err, "foamtex: " + line + "\n");
     };
-    expect_bad("a.0001.png", "B is required (see foamtex --help)");
+    expect_bad("a.0001.png", "B is required (see foamtex compare --help)");
     expect_bad("a.0001.png b.0001.png --bogus",
-               "The following argument was not expected: --bogus (see foamtex --help)");
+               "compare has no option '--bogus' (see foamtex compare --help)");
     for (const char* wrong : {"nan", "-1", "inf", "x"}) {
         expect_bad(std::string("a.0001.png b.0001.png --fail ") + wrong,
                    std::string("--fail: '") + wrong +
-                       "' must be a number from 0 to 1e+300 (see foamtex --help)");
+                       "' must be a number from 0 to 1e+300 (see foamtex compare --help)");
     }
     expect_bad("a.0001.png b.0001.png --fail-percent 101",
-               "--fail-percent: '101' must be a number from 0 to 100 (see foamtex --help)");
+               "--fail-percent: '101' must be a number from 0 to 100 (see foamtex compare --help)");
     EXPECT_EQ(compare("--help").code, 0);
 }
 

@@ -13,7 +13,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 TEST(CompletionValues, FollowFromTheArgument) {
-    const CompletionWords words{{"sea_foam"}, {"albedo"}, {"foam.seed"}};
+    const CompletionWords words{{"sea_foam"}, {"albedo"}, {"foam.seed"}, {}, {"foam"}};
     const auto values = [&](const char* name, const char* value) {
         return values_of({{name}, value, ""}, words);
     };
@@ -21,6 +21,8 @@ TEST(CompletionValues, FollowFromTheArgument) {
     EXPECT_EQ(values("--maps", "A,B").words, Words{"albedo"});
     EXPECT_EQ(values("--map", "MAP").kind, ValueKind::Words);
     EXPECT_EQ(values("--map", "MAP").words, Words{"albedo"});
+    EXPECT_EQ(values("MAP", "").words, Words{"albedo"});
+    EXPECT_EQ(values("TABLE", "").words, Words{"foam"});
     EXPECT_EQ(values("--set", "KEY=VALUE").kind, ValueKind::Key);
     EXPECT_EQ(values("--set", "KEY=VALUE").words, Words{"foam.seed"});
     EXPECT_EQ(values("PRESET", "").words, Words{"sea_foam"});

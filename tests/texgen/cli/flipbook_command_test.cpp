@@ -75,7 +75,8 @@ TEST(FlipbookCommand, ABadRequestIsOneLine) {
     const Outcome frame = run_program("flipbook out --frames 3-4", folder);
     EXPECT_EQ(frame.code, static_cast<int>(ExitCode::BadInput));
     EXPECT_EQ(frame.err,
-              "foamtex: frame 4 of map 'lit' of preset 'sea_foam' was not baked into 'out'\n");
+              "foamtex: frame 4 of map 'lit' of preset 'sea_foam' was not baked into 'out', or "
+              "another bake has replaced it; existing frames: 1-3\n");
     const Outcome strip = run_program("flipbook out --strip --gutter 2", folder);
     EXPECT_EQ(strip.code, static_cast<int>(ExitCode::BadRequest));
 }

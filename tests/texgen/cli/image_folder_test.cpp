@@ -100,6 +100,13 @@ TEST(ImageFolder, WrongFoldersGetAHint) {
                   "foamtex: '.' has no manifest.json: foamtex has baked no images into this "
                   "folder\n");
     }
+    for (const std::string command : {"bake foam", "simulate foam --cache other"}) {
+        const Outcome cache = run_program(command, folder);
+        EXPECT_EQ(cache.code, static_cast<int>(ExitCode::BadRequest));
+        EXPECT_EQ(cache.err,
+                  "foamtex: 'foam' has simulated states, but is not a preset; 'foamtex render "
+                  "foam' draws images of them, and 'foamtex stats foam' measures them\n");
+    }
     EXPECT_EQ(run_program("flipbook lava", folder).err,
               "foamtex: 'lava' is a preset, not a folder of images; 'foamtex bake lava' draws its "
               "images into the folder 'out'\n");

@@ -28,6 +28,17 @@ TEST(MapsCommand, ListsEveryMap) {
     EXPECT_EQ(run_program("maps --markdown").out, describe_maps_in_markdown());
 }
 
+TEST(MapsCommand, ListsOneMap) {
+    const Outcome one = run_program("maps albedo");
+    EXPECT_EQ(one.code, 0) << one.err;
+    EXPECT_TRUE(one.out.starts_with("albedo  R G B ")) << one.out;
+    EXPECT_EQ(std::count(one.out.begin(), one.out.end(), '\n'), 1);
+    const Json maps = Json::parse(run_program("maps normal --json").out)["maps"];
+    ASSERT_EQ(maps.size(), 1U);
+    EXPECT_EQ(maps[0]["name"], "normal");
+    EXPECT_EQ(run_program("maps albedo --markdown").code, static_cast<int>(ExitCode::BadRequest));
+}
+
 TEST(MapsCommand, PrintsJson) {
     const Json maps = Json::parse(run_program("maps --json").out)["maps"];
     ASSERT_EQ(maps.size(), all_maps().size());

@@ -35,6 +35,22 @@ TEST(Options, ReadTheirValues) {
     EXPECT_THROW(app.parse("--threads 1025"), CLI::ParseError);
 }
 
+TEST(Options, AllowOnlyWords) {
+    CLI::App app;
+    std::string shell;
+    CLI::Option* const option = app.add_option("--shell", shell);
+    allow_only(*option, {"bash", "zsh"});
+    EXPECT_EQ(option->get_option_text(), "bash|zsh");
+    app.parse("--shell zsh");
+    EXPECT_EQ(shell, "zsh");
+    try {
+        app.parse("--shell bsh");
+        FAIL();
+    } catch (const CLI::ParseError& error) {
+        EXPECT_STREQ(error.what(), "--shell: 'bsh' must be one of bash, zsh; did you mean 'bash'?");
+    }
+}
+
 TEST(Options, ProgressIsAutomaticOrJson) {
     CLI::App app;
     std::string progress;

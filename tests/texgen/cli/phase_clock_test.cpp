@@ -52,6 +52,9 @@ TEST(PhaseClock, TheTimeLeftRunsDownWhileNothingIsDone) {
     clock.add(frames_done(2), at(2.0));
     EXPECT_EQ(clock.add(frames_done(2), at(4.5)), PhaseClock::News::Nothing);
     EXPECT_NEAR(clock.seconds_left().value(), 10.0 - 2.5, 1e-6);
+    clock.advance(at(7.0));  // without a report
+    EXPECT_NEAR(clock.seconds_left().value(), 10.0 - 5.0, 1e-6);
+    EXPECT_NEAR(clock.seconds_in_phase(), 7.0, 1e-6);
     clock.add(frames_done(2), at(50.0));
     EXPECT_EQ(clock.seconds_left(), 0.0);
 }

@@ -37,19 +37,20 @@ TEST(Program, PrintsItsVersionAndLicenses) {
 
 TEST(Program, ABadCommandLineIsOneLineAndCode2) {
     expect_rejected("", "A subcommand is required (see foamtex --help)");
-    expect_rejected("bake", "PRESET is required (see foamtex --help)");
+    expect_rejected("bake", "PRESET is required (see foamtex bake --help)");
     expect_rejected("bake sea_foam --bogus",
-                    "The following argument was not expected: --bogus (see foamtex --help)");
+                    "bake has no option '--bogus' (see foamtex bake --help)");
     expect_rejected("bake sea_foam --threads -1",
-                    "--threads: Value -1 not in range 0 to 1024 (see foamtex --help)");
-    expect_rejected("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex --help)");
+                    "--threads: Value -1 not in range 0 to 1024 (see foamtex bake --help)");
+    expect_rejected("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex bake --help)");
 }
 
 TEST(Program, AnUnknownCommandIsComparedWithThoseThatExist) {
     expect_rejected("bak sea_foam",
                     "foamtex has no command 'bak'; did you mean 'bake'? (see foamtex --help)");
-    expect_rejected("presets keyz",
-                    "presets has no command 'keyz'; did you mean 'keys'? (see foamtex --help)");
+    expect_rejected(
+        "presets keyz",
+        "presets has no command 'keyz'; did you mean 'keys'? (see foamtex presets --help)");
     expect_rejected("xyzzy", "foamtex has no command 'xyzzy' (see foamtex --help)");
 }
 

@@ -114,6 +114,27 @@ TEST(Progress, JsonHasALinePerSecond) {
     }
 }
 
+// The only report is repeated at 1 s and 2 s.
+TEST(Progress, ALongStepIsNotSilent) {
+    const auto wait = [](const ProgressOptions& options) {
+        ProgressReporter reporter(options);
+        reporter.callback()({.phase = Phase::Equilibrium});
+        std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+    };
+    testing::internal::CaptureStderr();
+    wait({.json = true});
+    const std::vector<std::string> lines = lines_of(testing::internal::GetCapturedStderr());
+    ASSERT_GE(lines.size(), 2U);
+    const nlohmann::json last = nlohmann::json::parse(lines.back());
+    EXPECT_EQ(last["phase"], "equilibrium");
+    EXPECT_GE(last["seconds"], 0.999);
+    testing::internal::CaptureStderr();
+    wait({});
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_NE(shown_on_terminal([&] { wait({}); }).find("equilibrium  0:01 so far"),
+              std::string::npos);
+}
+
 TEST(Progress, VerboseHasALinePerFrameAndPerCycle) {
     const auto closing = [](int cycle, int done) {
         return RunProgress{.phase = Phase::LoopClosing, .done = done, .total = 2, .cycle = cycle};
@@ -217,9 +238,9 @@ TEST(Progress, EveryLongCommandHasJsonLines) {
         EXPECT_LE(reports.front()["seconds"], reports.back()["seconds"]) << command;
     }
     expect_rejected("bake sea_foam --progress json -q",
-                    "--quiet excludes --progress (see foamtex --help)");
+                    "--quiet excludes --progress (see foamtex bake --help)");
     expect_rejected("bake sea_foam --progress json -v",
-                    "--verbose excludes --progress (see foamtex --help)");
+                    "--verbose excludes --progress (see foamtex bake --help)");
 }
 
 }  // namespace

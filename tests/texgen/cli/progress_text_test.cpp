@@ -26,15 +26,26 @@ TEST(ProgressText, EachPhaseHasItsOwnMeasure) {
 
 TEST(ProgressText, TheBarFillsInProportion) {
     const RunProgress quarter{.done = 12, .total = 48, .frame = 12, .bubbles = 583};
-    EXPECT_EQ(progress_bar(quarter, 14.2),
+    EXPECT_EQ(progress_bar(quarter, {.left = 14.2}),
               "[######------------------] frame 12 of 48  583 bubbles  0:15 left");
     const RunProgress last{.done = 48, .total = 48, .frame = 48, .bubbles = 9};
-    EXPECT_EQ(progress_bar(last, 0.0),
+    EXPECT_EQ(progress_bar(last, {.left = 0.0}),
               "[########################] frame 48 of 48  9 bubbles  0:00 left");
-    EXPECT_EQ(progress_bar({.total = 100, .bubbles = 7}, std::nullopt),
+    EXPECT_EQ(progress_bar({.total = 100, .bubbles = 7}, {}),
               "[------------------------] frame 0 of 100  7 bubbles");
-    EXPECT_EQ(progress_bar({.phase = Phase::Equilibrium, .bubbles = 7}, std::nullopt),
+    EXPECT_EQ(progress_bar({.phase = Phase::Equilibrium, .bubbles = 7}, {}),
               "[------------------------] finding the first equilibrium  7 bubbles");
+}
+
+TEST(ProgressText, TheBarHasTheTimeSoFarUntilAUnitIsDone) {
+    EXPECT_EQ(progress_bar({.phase = Phase::Equilibrium}, {.passed = 72.9}),
+              "[------------------------] finding the first equilibrium  1:12 so far");
+    EXPECT_EQ(progress_bar({.total = 9}, {.passed = 2.0}),
+              "[------------------------] frame 0 of 9  0:02 so far");
+    EXPECT_EQ(progress_bar({.total = 9}, {.passed = 0.9}),
+              "[------------------------] frame 0 of 9");
+    EXPECT_EQ(progress_bar({.done = 3, .total = 9}, {.passed = 2.0}),
+              "[########----------------] frame 3 of 9");
 }
 
 // A bar that wraps cannot be drawn over.
@@ -45,10 +56,10 @@ TEST(ProgressText, TheLongestBarsFitATerminalOf80Columns) {
                               .measure = 1e-10,
                               .cycle = 100,
                               .bubbles = 10000};
-    EXPECT_LT(progress_bar(closing, std::nullopt).size(), 80U);
+    EXPECT_LT(progress_bar(closing, {}).size(), 80U);
     const RunProgress ranges{
         .phase = Phase::Ranges, .done = 100, .total = 960, .frame = 100, .bubbles = 10000};
-    EXPECT_LT(progress_bar(ranges, 750.0).size(), 80U);
+    EXPECT_LT(progress_bar(ranges, {.left = 750.0}).size(), 80U);
 }
 
 TEST(ProgressText, TheLineHasTheErrorsOfTheFrame) {
@@ -65,7 +76,7 @@ TEST(ProgressText, TheLineHasTheErrorsOfTheFrame) {
 }
 
 TEST(ProgressText, JsonHasNullForWhatIsUnknown) {
-    EXPECT_EQ(progress_json({.phase = Phase::Equilibrium, .bubbles = 9}, 0.12345, std::nullopt),
+    EXPECT_EQ(progress_json({.phase = Phase::Equilibrium, .bubbles = 9}, 0.12345, {}),
               R"({"phase":"equilibrium","done":0,"total":null,"seconds":0.123,)"
               R"("seconds_left":null,"frame":null,"bubbles":9,"cycle":null,"measure":null})");
     EXPECT_EQ(progress_json({.phase = Phase::LoopClosing,

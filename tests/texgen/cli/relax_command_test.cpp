@@ -105,6 +105,13 @@ TEST(RelaxCommand, AMissingFileIsCode4) {
     EXPECT_EQ(outcome.err, "foamtex: cannot read 'none.fe': No such file or directory\n");
 }
 
+// The output is checked first, because the solver may take long.
+TEST(RelaxCommand, FindsAnOutputThatCannotBeWrittenBeforeItReads) {
+    const Outcome outcome = run_program("relax none.fe -o /dev/null/out.fe");
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::OutputFailed));
+    EXPECT_EQ(outcome.err, "foamtex: cannot write into '/dev/null': Not a directory\n");
+}
+
 TEST(RelaxCommand, UnknownExtensionsAreCode2) {
     for (const char* arguments : {"relax in.txt -o out.fe", "relax in.fe -o in.txt"}) {
         const Outcome outcome = run_program(arguments);
@@ -112,7 +119,8 @@ TEST(RelaxCommand, UnknownExtensionsAreCode2) {
         EXPECT_EQ(outcome.err,
                   "foamtex: 'in.txt': the name of a foam file must end in .fe, .dmp or .json\n");
     }
-    EXPECT_EQ(run_program("relax in.fe").err, "foamtex: --out is required (see foamtex --help)\n");
+    EXPECT_EQ(run_program("relax in.fe").err,
+              "foamtex: --out is required (see foamtex relax --help)\n");
 }
 
 // Each bubble of this torus is its own neighbor, so it cannot become as small as its target area.

@@ -72,6 +72,22 @@ TEST(Report, WarnsOfEventsThatFindNoBubble) {
     EXPECT_EQ(before.err.find("warning"), std::string::npos) << before.err;
 }
 
+TEST(Report, NotesEventsAfterTheLastFrame) {
+    const TemporaryFolder folder;
+    const std::string preset = (folder.path() / "a.toml").string();
+    constexpr std::string_view kToml =
+        "[foam]\nbubbles = 12\n[loop]\nkind = \"none\"\n[frames]\ncount = 2\n[[event]]\n"
+        "kind = \"collapse\"\nframe = 3\nsides = 6\n";
+    write_file(preset, std::as_bytes(std::span(kToml)));
+    const std::string note =
+        "foamtex: note: events of 'a' begin after the last frame, 2: event[1] at frame 3\n";
+    for (const std::string command : {"bake", "stats", "preview", "simulate --cache cache"}) {
+        const std::string run = command + " --threads 1 --size 16 " + preset;
+        EXPECT_EQ(run_program(run, folder).err, note) << command;
+        EXPECT_EQ(run_program(run + " -q", folder).err, "") << command;
+    }
+}
+
 // The warning comes before the work, which fails here because the loop does not close.
 TEST(Report, ABakeWarnsBeforeItBegins) {
     const std::string bake =

@@ -55,5 +55,15 @@ TEST(RunArguments, AKeyWithoutEffectIsNoted) {
     EXPECT_EQ(run_program(bake + "30 --set relief.profile=dome").err.find(note), std::string::npos);
 }
 
+TEST(RunArguments, TheOptionForNormalsIsNotedWithoutNormals) {
+    const std::string bake =
+        "bake sea_foam --set foam.bubbles=16 --set loop.kind=none --frames 1 --size 8 --out "
+        "'{map}.png' --normal-y dx --maps ";
+    EXPECT_EQ(run_program(bake + "id,normal_gl").err,
+              "foamtex: note: --normal-y has no effect, because the map normal is not drawn\n");
+    EXPECT_EQ(run_program(bake + "id,normal").err, "");
+    EXPECT_EQ(run_program(bake + "id -q").err, "");
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -44,7 +44,7 @@ TEST(SimulateCommand, FindsAnOutputThatCannotBeWrittenBeforeItSimulates) {
 }
 
 TEST(SimulateCommand, NeedsAFolder) {
-    expect_rejected(kSmall, "--cache is required (see foamtex --help)");
+    expect_rejected(kSmall, "--cache is required (see foamtex simulate --help)");
 }
 
 }  // namespace
