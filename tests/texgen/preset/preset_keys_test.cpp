@@ -130,7 +130,7 @@ TEST(PresetKeys, TheWordAutoRemovesANumber) {
     int tested = 0;
     for (const Map& map : all_maps()) {
         Preset preset;
-        if (const AutoReal* const full = full_of(map, preset.maps)) {
+        if (const AutoReal* const full = range_option_of(map, preset.maps)) {
             const Key<Preset>* const key = find_key(map.full_key);
             const AutoReal automatic = *full;
             EXPECT_TRUE(key->read(read_value("2.5"), preset));
