@@ -2,15 +2,28 @@
 
 #include "core/parallel/start_threads.h"
 
+#include <cstddef>
+#include <memory>
 #include <new>
 #include <system_error>
 
 namespace foam {
 
+namespace {
+
+// The stacks of threads may use up the address space of a process. This number of bytes is kept
+// free for all other memory.
+constexpr std::size_t kReserve = std::size_t{1} << 27;
+
+}  // namespace
+
 bool start_up_to(std::size_t count,
                  std::vector<std::jthread>& threads,
                  const std::function<std::jthread()>& start) {
     try {
+        const auto reserve = std::make_unique_for_overwrite<std::byte[]>(kReserve);
+        // A volatile variable, so that the compiler does not leave out the unused memory.
+        [[maybe_unused]] const std::byte* volatile used = reserve.get();
         threads.reserve(count);
         while (threads.size() < count) {
             threads.push_back(start());

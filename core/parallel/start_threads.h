@@ -12,7 +12,8 @@ namespace foam {
 /// Adds threads to `threads` until it has at least `count` elements. `start` starts one thread. If
 /// `start` throws std::system_error or std::bad_alloc, because the system allows no further thread
 /// or has no memory for it, this function starts no further thread and keeps those that it has
-/// started. Returns true if `threads` has at least `count` elements in the end.
+/// started. 128 MiB of address space are left free for other memory. Returns true if `threads` has
+/// at least `count` elements in the end.
 bool start_up_to(std::size_t count,
                  std::vector<std::jthread>& threads,
                  const std::function<std::jthread()>& start);

@@ -115,6 +115,7 @@ ExitCode parse_and_run(int argc, char** argv, std::string& command) {
 
 ExitCode run_program(int argc, char** argv) {
     open_missing_streams();
+    save_address_space();
     std::string command;
     const auto fail = [&command](const std::string& message, ExitCode code) {
         return report(message, code_for_command(code, command));

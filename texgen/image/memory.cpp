@@ -3,6 +3,7 @@
 #include "texgen/image/memory.h"
 
 #include <fmt/core.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -88,6 +89,15 @@ std::uint64_t group_memory() {
 
 std::uint64_t available_memory() {
     return std::min({machine_memory(), address_space_left(), group_memory()});
+}
+
+void save_address_space() {
+#ifdef M_ARENA_MAX
+    constexpr int kArenas = 2;  // parts of the heap, each for some of the threads
+    if (address_space_left() != kUnlimited) {
+        mallopt(M_ARENA_MAX, kArenas);
+    }
+#endif
 }
 
 void require_memory(std::uint64_t bytes, const std::string& what) {

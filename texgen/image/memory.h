@@ -20,6 +20,11 @@ class OutOfMemory : public std::runtime_error {
 /// std::uint64_t if there is no such limit or if the number is not known.
 std::uint64_t available_memory();
 
+/// If the address space of this process is limited (ulimit -v), prevents the GNU C library from
+/// reserving 64 MiB of it for every thread. Other C libraries do not do that. Call this function
+/// before threads are started.
+void save_address_space();
+
 /// Throws OutOfMemory if fewer than `bytes` bytes are available (available_memory). The message
 /// begins with `what`, such as "an image of 10 x 10 pixels".
 void require_memory(std::uint64_t bytes, const std::string& what);
