@@ -41,13 +41,12 @@ const PhaseWords& words_of(Phase phase) {
 
 std::string loop_closing_text(const RunProgress& progress) {
     const bool has_closing_error = progress.measure && std::isfinite(*progress.measure);
-    return fmt::format(
-        "{}: cycle {}, step {} of {}{}",
-        words_of(progress.phase).text,
-        progress.cycle,
-        progress.done,
-        progress.total,
-        has_closing_error ? fmt::format(", closing error {:.0e}", *progress.measure) : "");
+    return fmt::format("{}: cycle {} ({}/{}){}",
+                       words_of(progress.phase).text,
+                       progress.cycle,
+                       progress.done,
+                       progress.total,
+                       has_closing_error ? fmt::format(", error {:.0e}", *progress.measure) : "");
 }
 
 /// Returns a time in minutes and seconds, such as "0:14".

@@ -14,7 +14,8 @@ namespace foam::texgen {
 std::string_view name_of(Phase phase);
 
 /// Returns the progress of a phase in its own unit, for example "warm-up 40 of 60", "frame 3 of 48"
-/// or "closing the loop: cycle 3, step 12 of 48, closing error 1e-04".
+/// or "closing the loop: cycle 3 (12/48), error 1e-04" (steps done, steps of a cycle, the closing
+/// error).
 std::string phase_text(const RunProgress& progress);
 
 /// The times of the present phase, in seconds.

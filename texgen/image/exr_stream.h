@@ -24,7 +24,7 @@ class ExrOutput : public Imf::OStream {
     void write(const char data[], int count) override {
         const auto end = at_ + static_cast<std::size_t>(count);
         bytes_.resize(std::max(bytes_.size(), end));
-        std::copy_n(reinterpret_cast<const std::byte*>(data), count, &bytes_[at_]);
+        std::copy_n(reinterpret_cast<const std::byte*>(data), count, bytes_.data() + at_);
         at_ = end;
     }
     std::uint64_t tellp() override { return at_; }

@@ -17,11 +17,11 @@ TEST(ProgressText, EachPhaseHasItsOwnMeasure) {
     EXPECT_EQ(phase_text({.phase = Phase::Ranges, .done = 3, .total = 48}),
               "ranges: frame 3 of 48");
     RunProgress closing{.phase = Phase::LoopClosing, .done = 12, .total = 48, .cycle = 3};
-    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3, step 12 of 48");
+    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3 (12/48)");
     closing.measure = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3, step 12 of 48");
+    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3 (12/48)");
     closing.measure = 1.2e-4;
-    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3, step 12 of 48, closing error 1e-04");
+    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3 (12/48), error 1e-04");
 }
 
 TEST(ProgressText, TheBarFillsInProportion) {

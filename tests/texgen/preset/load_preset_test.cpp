@@ -71,8 +71,10 @@ TEST(LoadPreset, AssignmentsAreThoseOfItsOwnDocument) {
     write_text(path, "extends = 'base.toml'\n[foam]\nseed = 9\n");
     const LoadedPreset loaded = load_with_assignments(path.string());
     EXPECT_EQ(loaded.preset.seeding.bubbles, 50);
-    ASSERT_EQ(loaded.assignments.size(), 1U);
-    EXPECT_EQ(loaded.assignments.front().key, "foam.seed");
+    // The first assignment is that of the table itself.
+    ASSERT_EQ(loaded.assignments.size(), 2U);
+    EXPECT_EQ(loaded.assignments.front().key, "foam");
+    EXPECT_EQ(loaded.assignments.back().key, "foam.seed");
 }
 
 TEST(LoadPreset, EventsOfAnExtensionReplaceThoseOfTheBase) {
