@@ -57,7 +57,7 @@ TEST(BakeCommand, QuietPrintsNothingAndVerboseALinePerFrame) {
     const Outcome verbose = run_program(small + " -v");
     EXPECT_EQ(verbose.out, "a.png\n");
     EXPECT_EQ(verbose.err.find("placing the bubbles, "), 0U) << verbose.err;
-    EXPECT_NE(verbose.err.find("\nclosing the loop: cycle 1, step 48 of 48, "), std::string::npos);
+    EXPECT_NE(verbose.err.find("\nclosing the loop: cycle 1 (48/48), "), std::string::npos);
     EXPECT_NE(verbose.err.find("\nframe 1: 16 bubbles, "), std::string::npos) << verbose.err;
     EXPECT_EQ(verbose.err.find("\nframe 2: "), std::string::npos);
 }

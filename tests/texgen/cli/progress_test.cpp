@@ -151,9 +151,9 @@ TEST(Progress, VerboseHasALinePerFrameAndPerCycle) {
                                                               frames_done(1, 2),
                                                               frames_done(2, 2)}));
     ASSERT_EQ(lines.size(), 5U);
-    EXPECT_EQ(lines[0].find("closing the loop: cycle 1, step 0 of 2, "), 0U);
-    EXPECT_EQ(lines[1].find("closing the loop: cycle 1, step 2 of 2, "), 0U);
-    EXPECT_EQ(lines[2].find("closing the loop: cycle 2, step 2 of 2, "), 0U);
+    EXPECT_EQ(lines[0].find("closing the loop: cycle 1 (0/2), "), 0U);
+    EXPECT_EQ(lines[1].find("closing the loop: cycle 1 (2/2), "), 0U);
+    EXPECT_EQ(lines[2].find("closing the loop: cycle 2 (2/2), "), 0U);
     EXPECT_EQ(lines[3].find("frame 1: 9 bubbles, "), 0U);
     EXPECT_EQ(lines[4].find("frame 2: 9 bubbles, "), 0U);
 }
