@@ -31,8 +31,8 @@ struct ProgressOptions {
 /// - JSON lines (progress_json), if ProgressOptions::json is true: the first and the last report of
 ///   the run, and otherwise one line per second.
 /// - lines, for Verbosity::Verbose: in the phase Frames one per frame; in every other phase one at
-///   its start, one at the end of each cycle of a loop, one at its end, and otherwise at most one
-///   per second.
+///   its start, one when its last unit is reported (in a loop, at the end of each cycle), and
+///   otherwise at most one per second.
 /// - a bar, for Verbosity::Normal if stderr is a terminal. It is in color only if the environment
 ///   variable NO_COLOR is unset or empty.
 /// - nothing, in all other cases, and always for Verbosity::Quiet.

@@ -95,9 +95,10 @@ bool is_existing(const std::filesystem::path& path);
 std::filesystem::path nearest_existing(const std::filesystem::path& folder);
 
 /// Throws OutputError if files cannot be written into a folder, or if the folder does not exist and
-/// cannot be created, for example because its path is too long. Creates an empty folder and removes
-/// it again, so that a long computation can check its output first. An empty path means the working
-/// directory.
+/// cannot be created, for example because its path is too long. A long computation can call this
+/// function first. To test the folder, the function creates an empty folder with a temporary name
+/// in it, or in the nearest existing folder above it, and removes it again; `folder` itself is not
+/// created. An empty path means the working directory.
 void check_writable(const std::filesystem::path& folder);
 
 /// Creates a folder and its parent folders if they do not exist. Does nothing for an empty path,

@@ -128,7 +128,8 @@ void collect_node(const toml::node& node,
 std::size_t end_of_text(std::string_view toml, std::size_t begin) {
     std::size_t k = begin + 1;
     while (k < toml.size() && toml[k] != '\n' && toml[k] != toml[begin]) {
-        k += toml[begin] == '"' && toml[k] == '\\' ? 2U : 1U;
+        const bool is_escape = toml[begin] == '"' && toml[k] == '\\';
+        k += is_escape && k + 1 < toml.size() && toml[k + 1] != '\n' ? 2U : 1U;
     }
     return k < toml.size() && toml[k] == toml[begin] ? k : k - 1;
 }

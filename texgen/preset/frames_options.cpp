@@ -40,9 +40,10 @@ Keys<FramesOptions> frames_keys() {
             .in("foam time"),
         key("smoothing",
             Reals{0.0, 1000.0},
-            "number of frames by which colors and tones lag behind the foam: they show averages of "
-            "pressures, areas and numbers of sides over about this many frames, so that colors do "
-            "not jump where bubbles vanish; 0 shows present values",
+            "number of frames by which the colors of bubbles in albedo, and the maps pressure and "
+            "contour, lag behind the foam: they use averages of pressures, areas and numbers of "
+            "sides over about this many frames, so that they do not jump where bubbles vanish; 0 "
+            "uses present values",
             &Options::smoothing)
             .in("frames")};
 }

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::string_view kMapKeyword = "Map";  // keyword of the PNG text that names the map
 
-// Returns the map that the texts of a picture name; empty if they name none.
+// Returns the name of the map that is stored in the texts of a picture, or an empty text if there
+// is none.
 std::string map_in_texts(const Picture& picture) {
     for (const auto& [keyword, text] : picture.metadata.text) {
         if (keyword == kMapKeyword) {

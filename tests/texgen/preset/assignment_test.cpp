@@ -43,6 +43,7 @@ TEST(Assignment, KeysHaveALimitedNumberOfParts) {
     const std::string reason = "malformed TOML: a key must have at most 32 parts";
     EXPECT_EQ(failure("b = \"x.y\" # z.\n" + long_key + " = 1"), "a.toml:2: " + reason);
     EXPECT_EQ(failure("[" + long_key + "]\nb = 1"), "a.toml:1: " + reason);
+    EXPECT_EQ(failure("c = \"\"\"x\\\ny\"\"\"\n" + long_key + " = 1"), "a.toml:3: " + reason);
     EXPECT_EQ(read_value("{" + long_key + " = 1}").data.index(), Value{std::string()}.data.index());
     const std::string dots(100, '.');
     EXPECT_EQ(flat(read_assignments("a = \"" + dots + "\\\"" + dots + "\" # " + dots, "f")),

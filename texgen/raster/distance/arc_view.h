@@ -11,10 +11,10 @@
 
 namespace foam::texgen {
 
-/// Evaluates the functions of arcs (ArcFunctions and FilmFunctions) at one point. PixelBatch uses
-/// the results to compute the distances between the arcs and the pixels near this point. Also
-/// computes lower bounds of the distances between the arcs and the point itself. Positions and
-/// distances are in pixels.
+/// Computes the functions of arcs (ArcFunctions and FilmFunctions), each by its value, slope and
+/// curvature at one point. PixelBatch uses them to compute the distances between the arcs and the
+/// pixels near this point. Also computes lower bounds of the distances between the arcs and the
+/// point itself. Positions and distances are in pixels.
 class ArcView {
   public:
     /// Computes the functions and bounds of all arcs at a point. The other members refer to this
@@ -30,7 +30,7 @@ class ArcView {
     bool is_within(std::size_t k, double horizon) const {
         return blocks_[k / kLanes].lower_bound[k % kLanes] <= horizon;
     }
-    /// Return the functions of the arc k as functions of a position relative to the point.
+    /// Return the functions of the arc k. Their argument is a position relative to the point.
     ArcFunctions arc_functions(std::size_t k) const;
     FilmFunctions film_functions(std::size_t k) const;
 
