@@ -108,6 +108,7 @@ std::string cause_of(const std::vector<const CLI::App*>& commands, const CLI::Pa
 std::string command_line_error(const CLI::App& program, const CLI::ParseError& error) {
     const std::vector<const CLI::App*> commands = selected_commands(program);
     std::vector<std::string> path;
+    path.reserve(commands.size());
     for (const CLI::App* command : commands) {
         path.push_back(command->get_name());
     }
