@@ -12,9 +12,9 @@ namespace {
 // with the line at the coordinate `at`. Coordinates are of type Real.
 template <class Real, class Crossing>
 inline void find_of(const CrossingSolver<Real> arc,
-                    ArcCrossings query,
+                    const ArcCrossings& query,
                     const Crossing& crossing,
-                    std::int32_t* to) {
+                    std::int32_t* __restrict to) {
     for (std::size_t from = 0; from < query.count; from += ArcCrossings::kLanes) {
         const std::int32_t first = query.first + static_cast<std::int32_t>(from) * query.step;
         for (std::size_t k = 0; k < ArcCrossings::kLanes; ++k) {
