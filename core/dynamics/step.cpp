@@ -14,7 +14,10 @@
 
 // The time step is quasi-static (paper section 4.1): each substep changes target areas and topology
 // and then finds the equilibrium anew. Three limits bound the length of a substep: the fraction of
-// its area that a bubble may lose by diffusion (E6), the imposed change of areas, and the strain. A
+// its area that a bubble may lose by diffusion (E6), the imposed change of areas, and the strain.
+// Small bubbles set no limit, since otherwise the last part of the life of each bubble would need
+// substeps of its own. Until the network changes, growth rates on a torus are constant (von
+// Neumann's law), so a long substep errs only in the moments at which bubbles vanish. A
 // substep works on a copy of the foam. If it finds no equilibrium, the copy is dropped and a
 // substep of half the length is tried.
 
@@ -22,33 +25,43 @@ namespace foam {
 
 namespace {
 
-// A bubble whose target area is at most this many T2 areas may lose all its area in one substep.
-constexpr double kVanishingAreas = 4.0;
+// A bubble whose target area is at most this fraction of the mean may lose all its area in one
+// substep.
+constexpr double kVanishingFraction = 0.25;
 // The imposed change of areas never limits a substep to less than this fraction of the step. This
 // bounds the number of substeps if the change is impossible, for example if every bubble of a
 // torus is to shrink.
 constexpr double kMinSubstepFraction = 0.01;
 constexpr double kLargestStrain = 0.05;  // largest strain of one substep
 
-// Returns the longest time in which a bubble loses at most the fraction `largest_loss` of its area;
-// infinity if the bubble does not shrink or is about to vanish (kVanishingAreas). `rate` is the
-// growth rate of the area.
-double safe_time(double area, double rate, const StepOptions& options) {
-    const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
-    return rate < 0.0 && area > vanishing ? options.largest_loss * area / -rate
-                                          : std::numeric_limits<double>::infinity();
-}
-
-// Returns the longest time that is safe for every bubble.
-double safe_time(const Foam& foam, const StepOptions& options) {
-    double time = std::numeric_limits<double>::infinity();
+// Returns the largest target area of the bubbles that may lose all their area in one substep.
+double vanishing_area(const Foam& foam) {
+    double total = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
-        const double rate = growth_rate(foam, bubble, options.coarsening);
-        time = std::min(time, safe_time(foam.target_areas[bubble], rate, options));
+        total += foam.target_areas[bubble];
     }
     for (const LoneBubble& bubble : foam.lone_bubbles) {
-        const double rate = lone_growth_rate(foam, options.coarsening);
-        time = std::min(time, safe_time(bubble.target_area, rate, options));
+        total += bubble.target_area;
+    }
+    const std::size_t count = foam.network.bubble_count() + foam.lone_bubbles.size();
+    return kVanishingFraction * total / static_cast<double>(std::max(count, std::size_t{1}));
+}
+
+// Returns the longest time that is safe for every bubble: in this time, no bubble above the
+// vanishing area loses more than the fraction `largest_loss` of its area.
+double safe_time(const Foam& foam, const StepOptions& options) {
+    const double vanishing = vanishing_area(foam);
+    double time = std::numeric_limits<double>::infinity();
+    const auto limit_by = [&](double area, double growth_rate) {
+        if (growth_rate < 0.0 && area > vanishing) {
+            time = std::min(time, options.largest_loss * area / -growth_rate);
+        }
+    };
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        limit_by(foam.target_areas[bubble], growth_rate(foam, bubble, options.coarsening));
+    }
+    for (const LoneBubble& bubble : foam.lone_bubbles) {
+        limit_by(bubble.target_area, lone_growth_rate(foam, options.coarsening));
     }
     return time;
 }
@@ -182,9 +195,8 @@ double safe_fraction(const Foam& foam,
                      const StateChange& change,
                      double left,
                      const StepOptions& options) {
-    const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     const double areas =
-        left * max_fraction_of_change(foam, change, options.largest_loss, vanishing);
+        left * max_fraction_of_change(foam, change, options.largest_loss, vanishing_area(foam));
     const double strained = change.strain == 0.0 ? left : kLargestStrain / std::abs(change.strain);
     const double fraction = std::min({left, strained, std::max(areas, kMinSubstepFraction)});
     return time > 0.0 ? std::min(fraction, safe_time(foam, options) / time) : fraction;

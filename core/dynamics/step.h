@@ -28,9 +28,9 @@ struct StepSummary {
 
 /// Advances a foam in equilibrium by the given time: diffusion (E6), T2 (E8), T1 (E7) and
 /// equilibrium. The step is divided into substeps, so that no bubble loses more than the fraction
-/// `largest_loss` of its area by diffusion in one substep. Only a bubble that is about to vanish,
-/// because its target area is at most four times the T2 area, may lose all of its area. The rafts
-/// of a patch stay where they are (restore_rafts.h). A substep that finds no equilibrium is
+/// `largest_loss` of its area by diffusion in one substep. Only a bubble whose target area is at
+/// most a quarter of the mean may lose all of its area. The rafts of a patch stay where they are
+/// (restore_rafts.h). A substep that finds no equilibrium is
 /// halved and tried again. If it still fails after `max_halvings` halvings, the step ends: the
 /// summary is not converged, and the foam is left in the last equilibrium that was reached. If the
 /// time is 0, no substep is made and the summary is not converged. Every substep removes all dead
