@@ -28,6 +28,12 @@ namespace foam {
 
 namespace {
 
+// Defects around which regions are solved before the first step of the whole foam: only large ones,
+// because after a time step every target area has changed, and every bubble has an error.
+constexpr DefectOptions kFirstDefects{.force = 0.05, .area = 0.15};
+// Defects around which regions are solved in every round: what remains after a step of the whole
+// foam is small except near T1s. Lower thresholds would make more T1s necessary.
+constexpr DefectOptions kLaterDefects{.force = 0.02, .area = 0.05};
 // A step of the whole foam with a new factor is slow if it leaves more than this share of the norm
 // of the residual. Defect regions are then assumed to limit the progress.
 constexpr double kSlowRatio = 0.1;
@@ -93,13 +99,13 @@ void relax_all(Work& work, bool restarts, Progress& progress) {
     progress.needs_restart = true;  // the factor belongs to the state before
 }
 
-// Solves the defect regions on their own and returns their number. Does nothing and returns 0 if
-// regions are no longer solved on their own.
-std::size_t solve_regions(Work& work, Progress& progress) {
+// Solves the regions around defects on their own and returns their number. Does nothing and returns
+// 0 if regions are no longer solved on their own.
+std::size_t solve_regions(Work& work, const DefectOptions& defects, Progress& progress) {
     if (!progress.solves_regions) {
         return 0;
     }
-    const LocalSummary local = solve_defect_regions(work.foam, work.options, work.local);
+    const LocalSummary local = solve_defect_regions(work.foam, defects, work.options, work.local);
     count_t1(local.t1, progress);
     return local.regions;
 }
@@ -127,9 +133,10 @@ Progress initial_phase(Work& work) {
     // Newton's method must not start from a tangled foam, in which bubbles overlap or are inverted,
     // because it would request arbitrary T1s at the tangled junctions.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {
-        relax_all(work, true, progress);
+        relax_all(work, true, progress);  // leaves errors of about the same size everywhere
+    } else {
+        solve_regions(work, kFirstDefects, progress);
     }
-    solve_regions(work, progress);
     return progress;
 }
 
@@ -190,7 +197,7 @@ Progress next_round(Work& work, Progress progress) {
     const NewtonSummary newton_summary = solve_whole(work, progress);
     respond(work, newton_summary, progress);
     if (!progress.is_at_rest) {
-        const std::size_t regions = solve_regions(work, progress);
+        const std::size_t regions = solve_regions(work, kLaterDefects, progress);
         // If the step was slow without any defect region, progress is slow everywhere, and stopping
         // again would not help.
         progress.stops_if_slow = newton_summary.status != NewtonStatus::Slow || regions > 0;

@@ -69,11 +69,12 @@ int solve_region(Foam& foam,
 }  // namespace
 
 LocalSummary solve_defect_regions(Foam& foam,
+                                  const DefectOptions& defects,
                                   const EquilibriumOptions& options,
                                   RegionBuffers& buffers) {
     const Unknowns all = all_unknowns(foam.network);
     const std::vector<DefectRegion> regions =
-        find_defect_regions(foam, all, residual(foam, all, options.threads), {});
+        find_defect_regions(foam, all, residual(foam, all, options.threads), defects);
     LocalSummary summary{.regions = regions.size()};
     for (const DefectRegion& region : regions) {
         summary.t1 += solve_region(foam, region, options.thresholds, buffers);

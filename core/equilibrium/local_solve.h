@@ -27,12 +27,13 @@ struct LocalSummary {
     int t1 = 0;               // number of T1s
 };
 
-/// Runs Newton's method on each defect region of the foam, with everything else held fixed, and
-/// applies the T1s that the method requests. A region in which the method stalls or reaches its
-/// limit of iterations is relaxed once, because an unsolved region would also stall Newton's method
-/// on the whole foam. The tolerance is loose, since the surroundings of a region move later. Does
-/// nothing if find_defect_regions finds no region.
+/// Runs Newton's method on each region around defects (find_defect_regions), with everything else
+/// held fixed, and applies the T1s that the method requests. A region in which the method stalls or
+/// reaches its limit of iterations is relaxed once, because an unsolved region would also stall
+/// Newton's method on the whole foam. The tolerance is loose, since the surroundings of a region
+/// move later. Does nothing if find_defect_regions finds no region.
 LocalSummary solve_defect_regions(Foam& foam,
+                                  const DefectOptions& defects,
                                   const EquilibriumOptions& options,
                                   RegionBuffers& buffers);
 

@@ -56,7 +56,7 @@ TEST(LocalSolve, LeavesAFoamInEquilibriumAsItIs) {
     Foam foam = test::equilibrated_foam(60, 2);
     const Foam before = foam;
     RegionBuffers buffers(foam);
-    const LocalSummary summary = solve_defect_regions(foam, {}, buffers);
+    const LocalSummary summary = solve_defect_regions(foam, {}, {}, buffers);
     EXPECT_EQ(summary.regions, 0U);
     EXPECT_EQ(summary.t1, 0);
     EXPECT_TRUE(test::are_same(foam, before));
@@ -70,7 +70,7 @@ TEST(LocalSolve, BringsARegionToEquilibriumWithAllElseHeld) {
     const Unknowns part = unknowns_around(foam.network, with_neighbors(foam.network, kBubble));
     ASSERT_GE(norms_of(foam, part).area, 0.3);
     RegionBuffers buffers(foam);
-    const LocalSummary summary = solve_defect_regions(foam, {.threads = 1}, buffers);
+    const LocalSummary summary = solve_defect_regions(foam, {}, {.threads = 1}, buffers);
     EXPECT_EQ(summary.regions, 1U);
     EXPECT_EQ(summary.t1, 0);
     const ResidualNorms after = norms_of(foam, part);
