@@ -21,22 +21,16 @@ namespace foam {
 
 namespace {
 
-// Points closer than these distances, in foam units, are merged: kSamePoint for points on the
-// outline, kSameCorner for corners of the diagram. kSamePoint is larger because Boost.Geometry
-// rounds intersections to a grid, and the grids of neighboring cells differ. The spacing of a grid
-// is 1e-7 of the size of the polygons: 1e-5 for the outline of 10,000 bubbles.
-constexpr double kSamePoint = 3e-5;
-constexpr double kSameCorner = 1e-9;
+constexpr double kSamePoint = 1e-9;  // points closer than this distance, in foam units, are merged
 constexpr double kSliverArea = 0.1;  // cells below this fraction of the mean area are merged
 
 using Cell = PolygonMesh::Cell;
 using Side = std::pair<std::uint32_t, std::uint32_t>;
 
-// A set of points. A point closer than the tolerance to a point of the set is merged with it.
+// A set of points. A point closer than kSamePoint to a point of the set is merged with it.
 class PointSet {
   public:
-    PointSet(std::vector<Vec2>& points, double tolerance)
-        : points_(points), tolerance_(tolerance) {}
+    explicit PointSet(std::vector<Vec2>& points) : points_(points) {}
 
     // Returns the index of the point that the given point is merged with. If there is none, adds
     // the given point and returns its index.
@@ -46,7 +40,7 @@ class PointSet {
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
                 const auto [begin, end] = boxes_.equal_range({x + dx, y + dy});
                 const auto near = std::find_if(begin, end, [&](const auto& entry) {
-                    return (points_[entry.second] - point).norm() < tolerance_;
+                    return (points_[entry.second] - point).norm() < kSamePoint;
                 });
                 if (near != end) {
                     return near->second;
@@ -62,37 +56,21 @@ class PointSet {
   private:
     using Box = std::pair<std::int64_t, std::int64_t>;
 
-    Box box_of(const Vec2& point) const {
-        return {std::llround(point.x() / tolerance_), std::llround(point.y() / tolerance_)};
+    static Box box_of(const Vec2& point) {
+        return {std::llround(point.x() / kSamePoint), std::llround(point.y() / kSamePoint)};
     }
 
     std::vector<Vec2>& points_;
-    double tolerance_;
-    // A box may have several points, because its diagonal is longer than the tolerance.
+    // A box may have several points, because its diagonal is longer than kSamePoint.
     std::multimap<Box, std::uint32_t> boxes_;
 };
 
-// The points of the mesh. Corners of the diagram agree between cells up to rounding and use a fine
-// tolerance; all other points, at which the outline cuts the cells or has a corner, need a coarse
-// tolerance. If all points used the coarse tolerance, every second diagram of 10,000 cells would
-// lose a short side.
-struct MeshPoints {
-    explicit MeshPoints(std::vector<Vec2>& points)
-        : corners(points, kSameCorner), cuts(points, kSamePoint) {}
-
-    PointSet corners;
-    PointSet cuts;
-};
-
-// Converts a ring, a part of a clipped cell, to a cell of the mesh. `corners` are the corners of
-// the cell before clipping. May return fewer than three points, because points are merged.
-Cell cell_of_ring(const std::vector<Vec2>& ring,
-                  const std::vector<Vec2>& corners,
-                  MeshPoints& points) {
+// Converts a ring, a part of a clipped cell, to a cell of the mesh. May return fewer than three
+// points, because points are merged.
+Cell cell_of_ring(const std::vector<Vec2>& ring, PointSet& points) {
     Cell cell;
     for (const Vec2& point : ring) {
-        const bool is_corner = std::find(corners.begin(), corners.end(), point) != corners.end();
-        const std::uint32_t index = (is_corner ? points.corners : points.cuts).find_or_add(point);
+        const std::uint32_t index = points.find_or_add(point);
         if (cell.empty() || (cell.back() != index && cell.front() != index)) {
             cell.push_back(index);
         }
@@ -221,7 +199,7 @@ double polygon_area(const PolygonMesh& mesh, const Cell& cell) {
 ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
     ClippedCells clipped_cells;
     PolygonMesh& mesh = clipped_cells.mesh;
-    MeshPoints points(mesh.points);
+    PointSet points(mesh.points);
     for (const std::vector<CellCorner>& corners : diagram) {
         std::vector<Vec2> ring;
         ring.reserve(corners.size());
@@ -231,7 +209,7 @@ ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
         Vec2 center = cell_centroid(corners);
         double largest = 0.0;
         for (const std::vector<Vec2>& part : clipped(outline, ring)) {
-            const Cell cell = cell_of_ring(part, ring, points);
+            const Cell cell = cell_of_ring(part, points);
             if (cell.size() < 3) {
                 continue;
             }

@@ -7,8 +7,8 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
-#include <boost/numeric/conversion/cast.hpp>
 
+#include <algorithm>
 #include <numbers>
 #include <stdexcept>
 
@@ -22,6 +22,9 @@ using Point = bg::model::d2::point_xy<double>;
 using Polygon = bg::model::polygon<Point, false, true>;  // counter-clockwise, closed
 
 constexpr int kCornersOfDisc = 360;
+// Smallest area of an outline from outside, as a fraction of the square of its size. A million
+// bubbles in a row need a millionth.
+constexpr double kLeastAreaShare = 1e-9;
 
 Polygon::ring_type ring_of(const std::vector<Vec2>& corners) {
     Polygon::ring_type ring;
@@ -82,16 +85,25 @@ std::string reason_of(bg::validity_failure_type failure) {
     }
 }
 
+// Returns the longer side of the bounding box.
+double size_of(const Polygon& polygon) {
+    bg::model::box<Point> box;
+    bg::envelope(polygon, box);
+    return std::max(box.max_corner().x() - box.min_corner().x(),
+                    box.max_corner().y() - box.min_corner().y());
+}
+
 void check_validity(const Polygon& polygon) {
     bg::validity_failure_type failure = bg::no_failure;
-    bool valid = false;
-    try {
-        valid = bg::is_valid(polygon, failure);
-    } catch (const boost::numeric::bad_numeric_cast&) {
-        throw std::invalid_argument("the coordinates are too large, or differ too much in size");
-    }
-    if (!valid) {
+    if (!bg::is_valid(polygon, failure)) {
         throw std::invalid_argument(reason_of(failure));
+    }
+    const double size = size_of(polygon);
+    // Negated, because the square of the size may overflow.
+    if (!(bg::area(polygon) / size >= kLeastAreaShare * size)) {
+        throw std::invalid_argument(
+            "the polygon is too narrow: its area is less than a billionth of the square of its "
+            "length");
     }
 }
 

@@ -9,7 +9,7 @@
 namespace foam {
 namespace {
 
-constexpr double kClipping = 1e-6;  // the clipping library rounds to a grid
+constexpr double kClipping = 1e-14;  // rounding errors
 
 std::vector<CellCorner> rectangle_cell(double left, double bottom, double right, double top) {
     return {{{left, bottom}, 0, {}},
@@ -38,10 +38,10 @@ TEST(ClipCells, CutsCellsThatShareABorder) {
 }
 
 // A triangle with a corner just left of the common border of two cells. One of its sides crosses
-// the border 3.4e-5 away from this corner. That is more than the tolerance of 3e-5, but both points
+// the border 1.1e-9 away from this corner. That is more than the tolerance of 1e-9, but both points
 // are within a square of this side. The cells share the two points on their border.
 TEST(ClipCells, KeepsTwoPointsThatAreJustFartherApartThanTheTolerance) {
-    constexpr double kBorder = 1.2e-5;
+    constexpr double kBorder = 4e-10;
     const Outline triangle{{{-kBorder, -kBorder}, {0.5, 0.5}, {-0.5, 0.5}}, {}};
     const std::vector<CellCorner> left = rectangle_cell(-1, -1, kBorder, 1);
     const std::vector<CellCorner> right = rectangle_cell(kBorder, -1, 1, 1);
@@ -50,6 +50,23 @@ TEST(ClipCells, KeepsTwoPointsThatAreJustFartherApartThanTheTolerance) {
         ASSERT_EQ(clipped.mesh.cells.size(), 2U);
         EXPECT_EQ(clipped.mesh.points.size(), 5U);
         EXPECT_EQ(clipped.mesh.cells[0].size() + clipped.mesh.cells[1].size(), 7U);
+    }
+}
+
+// The two cells on both sides of each border compute the same cut with the outline, also if it is
+// long and crosses the borders at a small angle.
+TEST(ClipCells, MergesTheCutsOfNeighbors) {
+    CellDiagram diagram;
+    for (int column = 0; column < 300; ++column) {
+        diagram.push_back(rectangle_cell(column, 0, column + 1, 1));
+        diagram.push_back(rectangle_cell(column, 1, column + 1, 2));
+    }
+    const Outline triangle{{{0.3, 0.1}, {299.7, 1.1}, {0.4, 1.7}}, {}};
+    const PolygonMesh mesh = clip_cells(triangle, diagram).mesh;
+    for (std::size_t a = 0; a < mesh.points.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            EXPECT_GT((mesh.points[a] - mesh.points[b]).norm(), 1e-3);
+        }
     }
 }
 

@@ -42,8 +42,9 @@ TEST(Outline, SaysWhatIsWrongWithAPolygon) {
     EXPECT_EQ(fault_of("POLYGON((0 0, 1 0))"), "a ring has fewer than three corners");
     EXPECT_EQ(fault_of("POLYGON((0 0, 4 0, 4 4, 0 4), (5 5, 6 5, 6 6))"),
               "a hole is outside of the polygon");
-    EXPECT_EQ(fault_of("POLYGON((0 0, 1 2, 0 66666666666666666666666666666666666666666))"),
-              "the coordinates are too large, or differ too much in size");
+    EXPECT_EQ(
+        fault_of("POLYGON((0 0, 1 2, 0 66666666666666666666666666666666666666666))"),
+        "the polygon is too narrow: its area is less than a billionth of the square of its length");
     EXPECT_EQ(fault_of("POLYGON((0 0, 1 0, 1 1))"), "none");
 }
 

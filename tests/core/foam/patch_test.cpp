@@ -114,16 +114,25 @@ TEST(SeedPatch, RejectsOptionsOutOfRange) {
     EXPECT_THROW(seed_patch({{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}}, {}}, {}), std::invalid_argument);
 }
 
-// Of two cells of a sliver, one has no corner of three sides.
+// If the cuts of neighboring cells with the outline differed, no draw of so many bubbles would give
+// a valid foam.
+TEST(SeedPatch, GivesAValidFoamOfManyBubbles) {
+    const Foam foam = seed_patch(disc_outline(), options_for(30000, 1));
+    EXPECT_GT(foam.network.bubble_count(), 29000U);
+    EXPECT_TRUE(test::is_valid(foam.network));
+}
+
+// Some of ten thousand sites are at the same point of the grid of the Voronoi diagram.
 TEST(SeedPatch, RejectsAnOutlineThatIsTooNarrow) {
+    const Outline row = outline_from_wkt("POLYGON((0 0, 1 0, 1 0.000000002, 0 0.000000002))");
     try {
-        seed_patch(outline_from_wkt("POLYGON((0 0, 1 0, 2 0.00001))"), options_for(2, 1));
+        seed_patch(row, options_for(10000, 1));
         FAIL();
     } catch (const std::runtime_error& error) {
         EXPECT_STREQ(error.what(),
-                     "no valid patch of 2 bubbles fits into this outline: it is too narrow, or has "
-                     "parts too small for a bubble; use more bubbles or a wider outline (polygon "
-                     "mesh: a cell has no corner that joins three edges)");
+                     "no valid patch of 10000 bubbles fits into this outline: it is too narrow, or "
+                     "has parts too small for a bubble; use more bubbles or a wider outline (two "
+                     "random sites are at the same point of the grid; try another seed)");
     }
 }
 

@@ -47,16 +47,17 @@ TEST(Seed, APatchHasTheShapeOfItsOutlineAndAreaOneABubble) {
     EXPECT_NEAR(reach.y(), 2.2, 0.6);
 }
 
-// The outline is so narrow that no draw of two sites gives a valid foam.
+// The outline is so narrow that some of ten thousand sites are at the same point of the grid of the
+// Voronoi diagram.
 TEST(Seed, AnOutlineThatHoldsNoFoamIsABadRequest) {
     Preset preset = preset_of(FoamKind::Patch);
-    preset.seeding.bubbles = 2;
-    preset.shape.outline = "POLYGON((0 0, 1 0, 2 0.00001))";
+    preset.seeding.bubbles = 10000;
+    preset.shape.outline = "POLYGON((0 0, 1 0, 1 0.000000002, 0 0.000000002))";
     try {
         seeded_foam(preset);
         FAIL();
     } catch (const std::invalid_argument& error) {
-        EXPECT_EQ(std::string(error.what()).find("foam.outline: cannot seed 2 bubbles"), 0U);
+        EXPECT_EQ(std::string(error.what()).find("foam.outline: cannot seed 10000 bubbles"), 0U);
     }
 }
 

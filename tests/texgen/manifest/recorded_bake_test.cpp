@@ -211,7 +211,7 @@ TEST(RecordedBake, ARejectedBakeWritesNothing) {
         std::invalid_argument);
     Preset preset = small_preset(folder.path() / kPattern);
     preset.shape.kind = FoamKind::Patch;
-    preset.shape.outline = "POLYGON((0 0, 1 0, 1 0.0001, 0 0.0001))";
+    preset.shape.outline = "POLYGON((0 0, 1 0, 1 0.0000000001, 0 0.0000000001))";
     EXPECT_THROW(bake_recorded(preset, {.frames = {1}, .threads = 1}, {}), std::exception);
     EXPECT_TRUE(folder.files().empty());
 }
