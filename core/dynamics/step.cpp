@@ -25,16 +25,20 @@ namespace foam {
 
 namespace {
 
-// A bubble whose target area is at most this fraction of the mean may lose all its area in one
-// substep.
+// A bubble whose target area is at most this fraction of the mean may lose all its area by
+// diffusion in one substep.
 constexpr double kVanishingFraction = 0.25;
+// A driven bubble may lose all its target area in one substep if it is at most this many T2 areas.
+// With larger jumps, boiling loops (cycle.h) have twice as many T1s and take longer to close.
+constexpr double kVanishingAreas = 4.0;
 // The imposed change of areas never limits a substep to less than this fraction of the step. This
 // bounds the number of substeps if the change is impossible, for example if every bubble of a
 // torus is to shrink.
 constexpr double kMinSubstepFraction = 0.01;
 constexpr double kLargestStrain = 0.05;  // largest strain of one substep
 
-// Returns the largest target area of the bubbles that may lose all their area in one substep.
+// Returns the largest target area of the bubbles that may lose all their area by diffusion in one
+// substep.
 double vanishing_area(const Foam& foam) {
     double total = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -195,8 +199,9 @@ double safe_fraction(const Foam& foam,
                      const StateChange& change,
                      double left,
                      const StepOptions& options) {
+    const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     const double areas =
-        left * max_fraction_of_change(foam, change, options.largest_loss, vanishing_area(foam));
+        left * max_fraction_of_change(foam, change, options.largest_loss, vanishing);
     const double strained = change.strain == 0.0 ? left : kLargestStrain / std::abs(change.strain);
     const double fraction = std::min({left, strained, std::max(areas, kMinSubstepFraction)});
     return time > 0.0 ? std::min(fraction, safe_time(foam, options) / time) : fraction;
