@@ -124,8 +124,8 @@ BubbleId largest_neighbor(const Foam& foam, BubbleId bubble) {
     return largest;
 }
 
-// Raises the target area of a bubble that cannot vanish to at least `min_area`, at the cost of its
-// largest neighbor.
+// If the target area of a bubble that cannot vanish is below `min_area`, raises it to `min_area`.
+// The gas comes from the bubble's largest neighbor.
 void keep_alive(Foam& foam, BubbleId bubble, double min_area) {
     const double deficit = min_area - foam.target_areas[bubble];
     if (deficit > 0.0) {

@@ -142,7 +142,8 @@ Progress initial_phase(Work& work) {
 
 NewtonSummary solve_whole(Work& work, Progress& progress) {
     if (progress.needs_restart) {
-        work.whole.start(work.foam, all_unknowns(work.foam.network), work.options.threads);
+        // After the first start, only T1s change the network.
+        work.whole.start(work.foam, all_unknowns(work.foam.network), work.options.threads, true);
         progress.needs_restart = false;
     }
     const bool stops_if_slow = progress.solves_regions && progress.stops_if_slow;

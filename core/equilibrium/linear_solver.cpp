@@ -57,18 +57,20 @@ std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns)
 void LinearSolver::start(const Foam& foam,
                          const Unknowns& unknowns,
                          Precision precision,
-                         int threads) {
+                         int threads,
+                         bool keeps_order) {
     nodes_ = solver_nodes(foam, unknowns);
     domain_ = foam.domain;
     precision_ = precision;
     threads_ = thread_count(threads);
+    keeps_order_ = keeps_order;
     analyzed_ = false;
 }
 
 bool LinearSolver::factor(const Eigen::SparseMatrix<double>& matrix) {
     const auto factor_with = [&](auto& factors) {
         if (!analyzed_) {
-            const LdltOptions options{.max_bytes = max_bytes(matrix)};
+            const LdltOptions options{.max_bytes = max_bytes(matrix), .keeps_order = keeps_order_};
             if (factors.analyze(matrix, nodes_, domain_, options, threads_) ==
                 LdltAnalysis::TooLarge) {
                 return false;

@@ -32,8 +32,14 @@ class LinearSolver {
   public:
     /// Prepares the solver for some unknowns of a foam. The preparation stays valid when the foam
     /// moves, as long as its network does not change, because positions only guide the order of
-    /// elimination. `threads` has the same meaning as in parallel_for.
-    void start(const Foam& foam, const Unknowns& unknowns, Precision precision, int threads = 0);
+    /// elimination. `threads` has the same meaning as in parallel_for. If `keeps_order` is true,
+    /// the order of elimination of the last start with this precision is repaired
+    /// (LdltOptions::keeps_order); this suits the same unknowns after a few T1s.
+    void start(const Foam& foam,
+               const Unknowns& unknowns,
+               Precision precision,
+               int threads = 0,
+               bool keeps_order = false);
 
     /// Factors a matrix. Returns false if a pivot is zero or not finite, or if the factor would
     /// take too much memory; no factor is available then. Precondition: `start` has been called,
@@ -50,6 +56,7 @@ class LinearSolver {
     Domain domain_;
     Precision precision_ = Precision::Double;
     int threads_ = 1;
+    bool keeps_order_ = false;
     bool analyzed_ = false;
     SparseLdlt<float> single_;
     SparseLdlt<double> double_;

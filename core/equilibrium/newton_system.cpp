@@ -36,9 +36,10 @@ void remove_mean(Eigen::VectorXd& rows, std::size_t junction_count) {
 
 }  // namespace
 
-void NewtonSystem::start(const Foam& foam, Unknowns unknowns, int threads) {
+void NewtonSystem::start(const Foam& foam, Unknowns unknowns, int threads, bool keeps_order) {
     unknowns_ = std::move(unknowns);
     threads_ = threads;
+    keeps_order_ = keeps_order;
     is_whole_ = unknowns_.bubbles.size() == foam.network.bubble_count();
     hessian_.emplace(foam.network, unknowns_);
     start_solver(foam, unknowns_.size() < kFewUnknowns ? Precision::Double : Precision::Single);
@@ -46,7 +47,7 @@ void NewtonSystem::start(const Foam& foam, Unknowns unknowns, int threads) {
 
 void NewtonSystem::start_solver(const Foam& foam, Precision precision) {
     precision_ = precision;
-    solver_.start(foam, unknowns_, precision, threads_);
+    solver_.start(foam, unknowns_, precision, threads_, keeps_order_);
     has_factor_ = false;
 }
 

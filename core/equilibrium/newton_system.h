@@ -23,8 +23,9 @@ class NewtonSystem {
 
     /// Prepares the system for the given unknowns of a foam. Afterwards no factor is available.
     /// Must be called before all other functions, and again whenever the network has changed.
-    /// `threads` has the same meaning as in parallel_for.
-    void start(const Foam& foam, Unknowns unknowns, int threads);
+    /// `threads` has the same meaning as in parallel_for. `keeps_order` has the same meaning as in
+    /// LinearSolver::start.
+    void start(const Foam& foam, Unknowns unknowns, int threads, bool keeps_order = false);
 
     const Unknowns& unknowns() const { return unknowns_; }
     int threads() const { return threads_; }
@@ -57,6 +58,7 @@ class NewtonSystem {
     LinearSolver solver_;
     Precision precision_ = Precision::Double;
     int threads_ = 1;
+    bool keeps_order_ = false;
     bool is_whole_ = false;  // no bubble is held
     bool has_factor_ = false;
 };

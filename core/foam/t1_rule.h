@@ -14,11 +14,11 @@ namespace foam {
 /// or whether the hole beside the film closes, and performs the change. The functions that change
 /// the network are in core/network (t1.h, split.h, t2.h) and rafts.h. The first case that applies
 /// is decisive:
-/// - A film that can tear (can_tear) tears in two cases. Either it is shorter than its T1 distance
-///   (t1_distance_at) and would stay open afterwards (flipped_pulls_apart). Or it has collapsed
-///   (collapsed_length), and the pull of its neighboring films across it exceeds their pull along
-///   it minus the tension of the film. Such a film never flips, because the flipped film would have
-///   the ghost on both sides.
+/// - A film that can tear (can_tear) tears or stays as it is. It never flips, because the flipped
+///   film would have the ghost on both sides. It tears in two cases. Either it is shorter than its
+///   T1 distance (t1_distance_at), and its neighboring films would pull its two sides apart
+///   (flipped_pulls_apart). Or it has collapsed (collapsed_length), and the pull of its neighboring
+///   films across it exceeds their pull along it minus the tension of the film.
 /// - If an outer film is at a small hole (is_small_hole with the T1 distance of the thresholds),
 ///   the hole closes, if it can.
 /// - If an outer film of any length is at a hole in which bubbles overlap (is_overlapping_hole),
@@ -45,7 +45,8 @@ std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thre
 double t1_distance_at(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Returns the chord length below which the film counts as collapsed to a point where four films
-/// meet: 5 % of the T1 distance of the armed film (t1_distance_at), even if the film is disarmed.
+/// meet: 5 % of the T1 distance that the film has when it is armed (t1_distance_at), even if it is
+/// disarmed.
 double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds& thresholds);
 
 /// Returns true if the film would stay open after a flip. At each end of the flipped film, two
@@ -74,7 +75,7 @@ bool can_tear(const Network& network, FilmId film);
 bool can_change(const Network& network, FilmId film);
 
 /// Arms each of the given films that is disarmed (Foam::t1_armed) and has grown: its chord is
-/// longer than twice the T1 distance of the armed film (t1_distance_at).
+/// longer than twice the T1 distance that the film has when it is armed (t1_distance_at).
 void rearm_grown_films(Foam& foam,
                        std::span<const FilmId> films,
                        const TopologyThresholds& thresholds);

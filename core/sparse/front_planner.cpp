@@ -183,7 +183,15 @@ std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pa
                                      std::size_t limit,
                                      int threads) {
     const NodeGraph graph = node_graph(lower_pattern, nodes);
-    const Dissection dissection = dissect(graph, nodes, domain, options, threads);
+    return plan_fronts(
+        lower_pattern, nodes, graph, dissect(graph, nodes, domain, options, threads), limit);
+}
+
+std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
+                                     std::span<const SolverNode> nodes,
+                                     const NodeGraph& graph,
+                                     const Dissection& dissection,
+                                     std::size_t limit) {
     std::optional<FrontPlan> plan = FrontBuilder(graph, dissection, nodes).run(limit);
     if (!plan) {
         return std::nullopt;

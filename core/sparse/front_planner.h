@@ -26,4 +26,12 @@ std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pa
                                      std::size_t limit,
                                      int threads = 1);
 
+/// Plans the factorization in the order of a given dissection of the graph of the matrix
+/// (node_graph). Preconditions and result as above.
+std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
+                                     std::span<const SolverNode> nodes,
+                                     const NodeGraph& graph,
+                                     const Dissection& dissection,
+                                     std::size_t limit);
+
 }  // namespace foam

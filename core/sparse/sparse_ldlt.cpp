@@ -3,6 +3,7 @@
 #include "core/sparse/sparse_ldlt.h"
 
 #include "core/parallel/parallel_for.h"
+#include "core/sparse/dissection_repair.h"
 #include "core/sparse/front_factor.h"
 #include "core/sparse/front_planner.h"
 #include "core/sparse/front_solve.h"
@@ -17,6 +18,14 @@
 namespace foam {
 
 namespace {
+
+// Largest size of a factor in a repaired order, relative to the size in the order before repairs.
+constexpr double kLargestGrowth = 1.1;
+
+bool is_too_large(const FrontPlan& plan, std::size_t size_before_repairs) {
+    return static_cast<double>(plan.panels_size) >
+           kLargestGrowth * static_cast<double>(size_before_repairs);
+}
 
 // Returns the number of threads that factor and solve a system: 1 for a small system, otherwise
 // thread_count(threads), but at most kMaxWorkers.
@@ -33,19 +42,31 @@ LdltAnalysis SparseLdlt<Real>::analyze(const Eigen::SparseMatrix<double>& lower_
                                        const Domain& domain,
                                        const LdltOptions& options,
                                        int threads) {
-    std::optional<FrontPlan> plan = plan_fronts(lower_pattern,
-                                                nodes,
-                                                domain,
-                                                options.dissection,
-                                                options.max_bytes / sizeof(Real),
-                                                threads);
-    if (!plan) {
+    const NodeGraph graph = node_graph(lower_pattern, nodes);
+    std::optional<FrontPlan> new_plan;
+    if (options.keeps_order && repair(dissection_, graph)) {
+        new_plan = plan(lower_pattern, nodes, graph, options);
+    }
+    if (!new_plan || is_too_large(*new_plan, new_size_)) {
+        dissection_ = dissect(graph, nodes, domain, options.dissection, threads);
+        new_plan = plan(lower_pattern, nodes, graph, options);
+        new_size_ = new_plan ? new_plan->panels_size : 0;
+    }
+    if (!new_plan) {
         return LdltAnalysis::TooLarge;
     }
-    plan_ = std::move(*plan);
+    plan_ = std::move(*new_plan);
     factor_.resize(plan_.panels_size);
     workspace_.resize(plan_.workspace_size);
     return LdltAnalysis::Planned;
+}
+
+template <class Real>
+std::optional<FrontPlan> SparseLdlt<Real>::plan(const Eigen::SparseMatrix<double>& lower_pattern,
+                                                std::span<const SolverNode> nodes,
+                                                const NodeGraph& graph,
+                                                const LdltOptions& options) const {
+    return plan_fronts(lower_pattern, nodes, graph, dissection_, options.max_bytes / sizeof(Real));
 }
 
 template <class Real>

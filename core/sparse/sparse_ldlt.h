@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct LdltOptions {
     DissectionOptions dissection{};
     // Largest memory for the factor and the update matrices of fronts, in bytes.
     std::size_t max_bytes = std::size_t{1} << 32U;
+    // If true, the order of elimination of the last call of `analyze` is repaired
+    // (dissection_repair.h) instead of computed anew. This is much faster if only a few edges of
+    // the graph of nodes have changed. The order is computed anew if the number of nodes has
+    // changed, or if the factor would be more than a tenth larger than with the last new order.
+    bool keeps_order = false;
 };
 
 /// The result of SparseLdlt::analyze.
@@ -68,6 +74,14 @@ class SparseLdlt {
     std::size_t positive_pivots() const;
 
   private:
+    // Plans in the order of `dissection_`.
+    std::optional<FrontPlan> plan(const Eigen::SparseMatrix<double>& lower_pattern,
+                                  std::span<const SolverNode> nodes,
+                                  const NodeGraph& graph,
+                                  const LdltOptions& options) const;
+
+    Dissection dissection_;
+    std::size_t new_size_ = 0;  // number of entries of the factor when the order was last computed
     FrontPlan plan_;
     std::vector<Real> factor_;     // D and L, sorted by front
     std::vector<Real> workspace_;  // update matrices until they are added to the parent fronts

@@ -61,8 +61,9 @@ double channels_of(const std::string& map) {
     return static_cast<double>(std::ranges::count(channels, ' ') + 1);
 }
 
-// Returns the bytes per sample of a file that stores all maps: 4 for a float, and 2 or 4 for the
-// same sample in the file. Colors count like numbers, although they are always half floats.
+// Returns the memory, in bytes, for each sample of a file that stores all maps: 4 for the sample as
+// a float, and 2 or 4 for its copy in the type of the file. Colors count like numbers, although the
+// file always stores them as half floats.
 double bytes_per_layer_sample(SampleType numbers) {
     return numbers == SampleType::Half ? 6.0 : 8.0;
 }

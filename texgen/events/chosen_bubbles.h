@@ -19,8 +19,10 @@ struct ChosenBubble {
 /// Returns up to `count` of the bubbles that an event chooses, or all bubbles of the foam if
 /// `count` is 0. An event may call this function several times, to choose some of its bubbles in
 /// each call. `first_index` is the sum of `count` over the earlier calls. If the event has a list
-/// of identities, the call begins at this index of the list. If it has a list of numbers of sides,
-/// the call begins at this index modulo the length of the list. Bubbles that do not exist are left
+/// of identities, the call chooses the bubbles from this index of the list on. If it has a list of
+/// numbers of sides, the numbers take turns, beginning at this index modulo the length of the list;
+/// each chooses the smallest bubble of this number of sides that the call has not chosen yet.
+/// Bubbles that do not exist are left
 /// out, so that the result may be shorter or empty.
 std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
                                          const EventContext& context,

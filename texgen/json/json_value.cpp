@@ -16,7 +16,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest allowed number of arrays and objects around a value; in manifests it is 6. Functions
+// The largest allowed number of arrays and objects around a value. Manifests need only 6. Functions
 // of nlohmann-json are recursive and use stack memory in proportion to this number.
 constexpr int kDeepest = 16;
 

@@ -12,7 +12,7 @@ namespace foam::texgen {
 inline constexpr MapTraits kCurvatureMap = {
     .name = "curvature",
     .meaning = "curvature of the relief: above 0 on crests, below 0 in furrows",
-    .unit = "per bubble diameter; PNG: 0.5 stands for 0, 1 for curvature.full",
+    .unit = "per bubble diameter; in a PNG, 0.5 stands for 0, and 1 stands for curvature.full",
     .channels = "Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,

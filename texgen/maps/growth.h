@@ -11,7 +11,7 @@ namespace foam::texgen {
 inline constexpr MapTraits kGrowthMap = {
     .name = "growth",
     .meaning = "growth rate of bubbles, to the next frame",
-    .unit = "area per foam time; PNG: 0.5 stands for 0, 1 for growth.full",
+    .unit = "area per foam time; in a PNG, 0.5 stands for 0, and 1 stands for growth.full",
     .channels = "Y",
     .png_bits = 16,
     .needs_next = true,

@@ -42,8 +42,8 @@ struct MazeOptions {
 Keys<MazeOptions> maze_keys();
 
 /// Returns the rule by which the maps build their maze. MazeRule::narrow is one and a half times
-/// the width of walls, in foam units: a shorter film leaves almost no gap between the walls at its
-/// ends.
+/// the width of walls, in foam units: if a shorter film is opened, almost no gap is left between
+/// the walls at its two ends.
 MazeRule maze_rule(const MazeOptions& options);
 
 /// Returns the fraction of every pixel that walls cover, in one channel.
@@ -54,8 +54,9 @@ Image<float> maze_wall_coverage(FrameLayers& layers, const MazeOptions& options)
 ColorPixels draw_maze(FrameLayers& layers, const MazeOptions& options);
 
 /// Draws the maze and its solution: a smooth line through the middles of the films that the
-/// solution passes. On a torus the line begins and ends in the middle of a bubble. On a patch it
-/// begins and ends in the middles of two outer films, the entrance and the exit.
+/// solution passes. On a torus the line leads from the middle of one bubble to the middle of
+/// another. On a patch it begins and ends in the middles of two outer films, the entrance and the
+/// exit.
 ColorPixels draw_maze_solution(FrameLayers& layers, const MazeOptions& options);
 
 }  // namespace foam::texgen

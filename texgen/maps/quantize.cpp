@@ -45,7 +45,7 @@ std::uint8_t opacity_code(std::uint32_t opacity) {
 template <class Code>
 Image<Code> number_codes(const NumberPixels& numbers) {
     constexpr double kLargest = std::numeric_limits<Code>::max();
-    constexpr double kHalf = 0.5;  // added before truncation, which rounds positive numbers
+    constexpr double kHalf = 0.5;  // rounds positive numbers if it is added before truncation
     const double scale = kLargest / (numbers.high - numbers.low);
     const auto code_of = [&](float number) {
         const double code = (static_cast<double>(number) - numbers.low) * scale;

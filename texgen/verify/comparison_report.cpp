@@ -179,7 +179,7 @@ std::string to_json(std::span<const ComparedImage> images) {
     }
     const Json report{{"status", json_value_of(worst_verdict(images))},
                       {"images", std::move(list)}};
-    // A file name need not be UTF-8, but JSON must be.
+    // A file name need not be UTF-8, but JSON must be; json_text replaces invalid bytes.
     return json_text(report) + "\n";
 }
 

@@ -7,6 +7,8 @@
 #include "core/equilibrium/relaxation.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/seeding.h"
+#include "core/foam/t1_rule.h"
+#include "core/network/t1.h"
 #include "core/parallel/parallel_for.h"
 #include "tests/support/sample_foams.h"
 
@@ -170,6 +172,32 @@ TEST(SparseLdlt, TakesUpANewPattern) {
         ASSERT_TRUE(solver.factor(other.matrix, 1));
         expect_solves(solver, other);
     }
+}
+
+// A few T1s change few couplings. The order of elimination is kept.
+TEST(SparseLdlt, KeepsTheOrderAfterAFewT1s) {
+    Foam foam = relaxed_foam(800);
+    SparseLdlt<double> solver = factored(system_of(foam, 0.1));
+    const std::size_t before = solver.nonzeros();
+    for (const std::size_t film : {100U, 500U, 900U, 1300U}) {
+        ASSERT_TRUE(can_flip(foam.network, id_at<FilmId>(film)));
+        flip_film(foam, id_at<FilmId>(film));
+    }
+    const System flipped = system_of(foam, 0.1);
+    ASSERT_EQ(solver.analyze(flipped.matrix, flipped.nodes, flipped.domain, {.keeps_order = true}),
+              LdltAnalysis::Planned);
+    ASSERT_TRUE(solver.factor(flipped.matrix, 1));
+    expect_solves(solver, flipped);
+    EXPECT_GE(solver.nonzeros(), before);
+    EXPECT_LT(static_cast<double>(solver.nonzeros()), 1.1 * static_cast<double>(before));
+}
+
+// In another foam of the same number of bubbles, almost every node has other neighbors.
+TEST(SparseLdlt, DropsTheOrderIfItDoesNotFit) {
+    SparseLdlt<double> solver = factored(system_of(relaxed_foam(300), 0.1));
+    const System other = system_of(relaxed_foam(300, 1.0, 2), 0.1);
+    solver.analyze(other.matrix, other.nodes, other.domain, {.keeps_order = true});
+    EXPECT_EQ(solver.nonzeros(), factored(other).nonzeros());
 }
 
 TEST(SparseLdlt, ReportsASingularMatrix) {

@@ -24,8 +24,8 @@ namespace {
 // arc then adds, on its right, the difference of the values on its two sides.
 
 constexpr int kRowsPerBand = 64;  // see README.md
-// The number of arcs by which prefetching is ahead of processing: arcs that are sorted by tile are
-// not contiguous in memory.
+// Each arc is prefetched this many arcs before it is processed. The arcs of a band are visited by
+// columns (arc_bands.h), an order in which they are not contiguous in memory.
 constexpr std::size_t kPrefetchDistance = 6;
 
 // Throws std::invalid_argument if the arguments of fill_cells do not match.
