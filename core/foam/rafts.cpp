@@ -43,12 +43,13 @@ struct JoinedFilm {
 };
 
 // Returns the bubble on the left of h as a lone bubble, a circle that is tangent to the film of h
-// at the tail of h.
+// at the tail of h. A bubble that has lost all its gas is a point; it vanishes at once.
 LoneBubble as_lone(const Foam& foam, HalfEdgeId h) {
     const BubbleId bubble = foam.network.left(h);
     LoneBubble lone{foam.identities[bubble], Vec2::Zero(), foam.target_areas[bubble]};
+    const double radius = lone.target_area > 0.0 ? lone_radius(lone) : 0.0;
     lone.center = foam.positions[foam.network.tail(h)] +
-                  lone_radius(lone) * turned_left(tangent_at_tail(film_arc(foam, h)));
+                  radius * turned_left(tangent_at_tail(film_arc(foam, h)));
     return lone;
 }
 

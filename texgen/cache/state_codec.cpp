@@ -10,7 +10,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 // An encoded state consists of its frame (frame_codec.h), its effort (FrameEffort) and its record
@@ -31,17 +30,6 @@ double take_number(ByteReader& reader, const char* what) {
     const auto number = reader.take<double>();
     if (!is_plausible(number)) {
         throw BadContent(fmt::format("{} has an impossible value, {}", what, number));
-    }
-    return number;
-}
-
-/// Reads a coordinate of a topology event. It may be NaN, because some topology events of a patch
-/// have no position.
-double take_coordinate(ByteReader& reader) {
-    const auto number = reader.take<double>();
-    if (!std::isnan(number) && !is_plausible(number)) {
-        throw BadContent(
-            fmt::format("the position of an event has an impossible value, {}", number));
     }
     return number;
 }
@@ -106,8 +94,8 @@ std::vector<RecordedEvent> read_events(ByteReader& reader) {
     for (RecordedEvent& event : events) {
         event.kind = read_event_kind(reader);
         event.frame = reader.take<std::int32_t>();
-        event.position.x() = take_coordinate(reader);
-        event.position.y() = take_coordinate(reader);
+        event.position.x() = take_number(reader, "the position of an event");
+        event.position.y() = take_number(reader, "the position of an event");
     }
     return events;
 }

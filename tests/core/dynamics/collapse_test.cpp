@@ -199,6 +199,20 @@ TEST(CollapseDue, RemovesNeighborsWhoseGasIsUsedUp) {
     }
 }
 
+// Both bubbles of a raft of two have lost more gas than they had. After the first has vanished, the
+// second is a lone bubble without an area; its T2 has a position, too.
+TEST(CollapseDue, RemovesARaftOfTwoWithoutGas) {
+    Foam foam = test::double_bubble(1.0, 1.0);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        foam.target_areas[bubble] = -0.01;
+    }
+    EXPECT_EQ(collapse_due(foam, {}).t2, 2);
+    EXPECT_EQ(foam.network.bubble_count() + foam.lone_bubbles.size(), 0U);
+    for (const TopologyEvent& event : foam.events) {
+        EXPECT_TRUE(event.position.allFinite());
+    }
+}
+
 TEST(CollapseDue, KeepsAFoamWithoutDueBubbles) {
     Foam foam = honeycomb(4, 4);
     const Foam before = foam;
