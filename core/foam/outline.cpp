@@ -87,8 +87,7 @@ std::string reason_of(bg::validity_failure_type failure) {
 
 // Returns the longer side of the bounding box.
 double size_of(const Polygon& polygon) {
-    bg::model::box<Point> box;
-    bg::envelope(polygon, box);
+    const auto box = bg::return_envelope<bg::model::box<Point>>(polygon);
     return std::max(box.max_corner().x() - box.min_corner().x(),
                     box.max_corner().y() - box.min_corner().y());
 }
