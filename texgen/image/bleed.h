@@ -16,9 +16,10 @@ namespace foam::texgen {
 /// The color of a transparent pixel is a mean weighted by opacity. If any of the eight neighbors of
 /// the pixel has an opacity above 0, the color is the mean of the neighbors. At the edge of the
 /// foam, interpolation between pixels then uses no other colors than those of nearby pixels of the
-/// foam. If all eight neighbors are transparent, the color is the mean of a square of 2, 4, 8, ... pixels per side that one texel
-/// of a mip map covers. Among the squares that contain the pixel, the smallest one with an opacity
-/// above 0 is used. If the whole image is transparent, all pixels get the color `fallback`.
+/// foam. If all eight neighbors are transparent, the color is the mean of a square of 2, 4, 8, ...
+/// pixels per side that one texel of a mip map covers. Among the squares that contain the pixel,
+/// the smallest one with an opacity above 0 is used. If the whole image is transparent, all pixels
+/// get the color `fallback`.
 void bleed_colors(ImageView<std::uint16_t> image, const std::array<std::uint16_t, 3>& fallback);
 
 }  // namespace foam::texgen
