@@ -178,17 +178,6 @@ void link_borders(FrontPlan& plan) {
 
 std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
                                      std::span<const SolverNode> nodes,
-                                     const Domain& domain,
-                                     const DissectionOptions& options,
-                                     std::size_t limit,
-                                     int threads) {
-    const NodeGraph graph = node_graph(lower_pattern, nodes);
-    return plan_fronts(
-        lower_pattern, nodes, graph, dissect(graph, nodes, domain, options, threads), limit);
-}
-
-std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
-                                     std::span<const SolverNode> nodes,
                                      const NodeGraph& graph,
                                      const Dissection& dissection,
                                      std::size_t limit) {

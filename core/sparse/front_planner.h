@@ -13,21 +13,12 @@
 
 namespace foam {
 
-/// Plans the factorization of matrices whose lower triangle has the given pattern. The first node
-/// has the first rows of the matrix, the second node has the next rows, and so on. Returns
-/// std::nullopt if the factor and the update matrices of fronts would take more than `limit`
-/// floating-point numbers. The plan is the same for any number of threads. `threads` has the same
-/// meaning as in thread_count. Precondition: the pattern is compressed, and the entries of each
-/// column are sorted by row.
-std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
-                                     std::span<const SolverNode> nodes,
-                                     const Domain& domain,
-                                     const DissectionOptions& options,
-                                     std::size_t limit,
-                                     int threads = 1);
-
-/// Plans the factorization in the order of a given dissection of the graph of the matrix
-/// (node_graph). Preconditions and result as above.
+/// Plans the factorization of matrices whose lower triangle has the given pattern, in the order of
+/// a dissection. The first node has the first rows of the matrix, the second node has the next
+/// rows, and so on. Returns std::nullopt if the factor and the update matrices of fronts would take
+/// more than `limit` floating-point numbers. Preconditions: the pattern is compressed, and the
+/// entries of each column are sorted by row; `graph` is the graph of the pattern (node_graph), and
+/// `dissection` is a dissection of this graph.
 std::optional<FrontPlan> plan_fronts(const Eigen::SparseMatrix<double>& lower_pattern,
                                      std::span<const SolverNode> nodes,
                                      const NodeGraph& graph,

@@ -43,13 +43,17 @@ LdltAnalysis SparseLdlt<Real>::analyze(const Eigen::SparseMatrix<double>& lower_
                                        const LdltOptions& options,
                                        int threads) {
     const NodeGraph graph = node_graph(lower_pattern, nodes);
+    const auto plan = [&] {
+        return plan_fronts(
+            lower_pattern, nodes, graph, dissection_, options.max_bytes / sizeof(Real));
+    };
     std::optional<FrontPlan> new_plan;
     if (options.keeps_order && repair(dissection_, graph)) {
-        new_plan = plan(lower_pattern, nodes, graph, options);
+        new_plan = plan();
     }
     if (!new_plan || is_too_large(*new_plan, new_size_)) {
         dissection_ = dissect(graph, nodes, domain, options.dissection, threads);
-        new_plan = plan(lower_pattern, nodes, graph, options);
+        new_plan = plan();
         new_size_ = new_plan ? new_plan->panels_size : 0;
     }
     if (!new_plan) {
@@ -59,14 +63,6 @@ LdltAnalysis SparseLdlt<Real>::analyze(const Eigen::SparseMatrix<double>& lower_
     factor_.resize(plan_.panels_size);
     workspace_.resize(plan_.workspace_size);
     return LdltAnalysis::Planned;
-}
-
-template <class Real>
-std::optional<FrontPlan> SparseLdlt<Real>::plan(const Eigen::SparseMatrix<double>& lower_pattern,
-                                                std::span<const SolverNode> nodes,
-                                                const NodeGraph& graph,
-                                                const LdltOptions& options) const {
-    return plan_fronts(lower_pattern, nodes, graph, dissection_, options.max_bytes / sizeof(Real));
 }
 
 template <class Real>

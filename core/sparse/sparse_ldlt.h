@@ -8,7 +8,6 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -74,14 +73,8 @@ class SparseLdlt {
     std::size_t positive_pivots() const;
 
   private:
-    // Plans in the order of `dissection_`.
-    std::optional<FrontPlan> plan(const Eigen::SparseMatrix<double>& lower_pattern,
-                                  std::span<const SolverNode> nodes,
-                                  const NodeGraph& graph,
-                                  const LdltOptions& options) const;
-
     Dissection dissection_;
-    std::size_t new_size_ = 0;  // number of entries of the factor when the order was last computed
+    std::size_t new_size_ = 0;  // size of the factor when the order was last computed anew
     FrontPlan plan_;
     std::vector<Real> factor_;     // D and L, sorted by front
     std::vector<Real> workspace_;  // update matrices until they are added to the parent fronts

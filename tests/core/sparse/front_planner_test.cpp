@@ -79,7 +79,7 @@ TEST(FrontPlanner, FrontsHoldAllRowsOfTheirColumns) {
 TEST(FrontPlanner, RejectsAPlanAboveTheLimit) {
     const test::PointSystem complete = test::complete_system(60);
     const auto plan = [&](std::size_t limit) {
-        return plan_fronts(complete.matrix, complete.nodes, complete.domain, {}, limit);
+        return test::plan_within(complete.matrix, complete.nodes, complete.domain, limit);
     };
     EXPECT_FALSE(plan(3599).has_value());
     ASSERT_TRUE(plan(3600).has_value());
@@ -93,8 +93,8 @@ TEST(FrontPlanner, CountsTheWorkspaceTowardsTheLimit) {
     const FrontPlan unlimited = test::plan_of(grid);
     const std::size_t size = unlimited.panels_size + unlimited.workspace_size;
     ASSERT_GT(unlimited.workspace_size, 0U);
-    EXPECT_TRUE(plan_fronts(grid.matrix, grid.nodes, grid.domain, {}, size).has_value());
-    EXPECT_FALSE(plan_fronts(grid.matrix, grid.nodes, grid.domain, {}, size - 1).has_value());
+    EXPECT_TRUE(test::plan_within(grid.matrix, grid.nodes, grid.domain, size).has_value());
+    EXPECT_FALSE(test::plan_within(grid.matrix, grid.nodes, grid.domain, size - 1).has_value());
 }
 
 // The points are coupled as in an ordinary grid, but have random positions. If the plan were based

@@ -6,6 +6,7 @@
 #include "core/equilibrium/linear_solver.h"
 #include "core/foam/seeding.h"
 #include "core/sparse/front_planner.h"
+#include "tests/core/sparse/grids.h"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +21,8 @@ FrontPlan plan_of(int bubbles) {
     const Foam foam = seed_foam(options);
     const Unknowns unknowns = all_unknowns(foam.network);
     const Hessian hessian(foam.network, unknowns);
-    return *plan_fronts(
-        hessian.matrix(), solver_nodes(foam, unknowns), foam.domain, {}, std::size_t{1} << 30U);
+    return *test::plan_within(
+        hessian.matrix(), solver_nodes(foam, unknowns), foam.domain, std::size_t{1} << 30U);
 }
 
 // Simulates the factorization: a front fills its update matrix with its own index, and the update

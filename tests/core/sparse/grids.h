@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <span>
 #include <utility>
@@ -141,9 +142,19 @@ inline int weight_of(const WeightedGraph& graph, std::span<const Zone> zones, Zo
     return weight;
 }
 
+/// Returns the plan for a matrix in the order of a new dissection, or std::nullopt if the plan is
+/// larger than `limit`.
+inline std::optional<FrontPlan> plan_within(const Eigen::SparseMatrix<double>& matrix,
+                                            std::span<const SolverNode> nodes,
+                                            const Domain& domain,
+                                            std::size_t limit) {
+    const NodeGraph graph = node_graph(matrix, nodes);
+    return plan_fronts(matrix, nodes, graph, dissect(graph, nodes, domain, {}), limit);
+}
+
 /// Returns the plan for a system, practically without a limit on its size.
 inline FrontPlan plan_of(const PointSystem& system) {
-    return *plan_fronts(system.matrix, system.nodes, system.domain, {}, std::size_t{1} << 40U);
+    return *plan_within(system.matrix, system.nodes, system.domain, std::size_t{1} << 40U);
 }
 
 /// Returns both triangles of the matrix. Rows and columns are in the order of elimination.
