@@ -14,12 +14,12 @@
 
 // The time step is quasi-static (paper section 4.1): each substep changes target areas and topology
 // and then finds the equilibrium anew. Three limits bound the length of a substep: the fraction of
-// its area that a bubble may lose by diffusion (E6), the imposed change of areas, and the strain.
-// Small bubbles set no limit, since otherwise the last part of the life of each bubble would need
-// substeps of its own. Until the network changes, growth rates on a torus are constant (von
-// Neumann's law), so a long substep errs only in the moments at which bubbles vanish. A
-// substep works on a copy of the foam. If it finds no equilibrium, the copy is dropped and a
-// substep of half the length is tried.
+// its area that a bubble may lose by diffusion (E6), the imposed change of areas, and the strain. A
+// small bubble does not limit substeps by its diffusion; otherwise the last part of the life of
+// each bubble would need substeps of its own. Until the network changes, growth rates on a torus
+// are constant (von Neumann's law), so a long substep errs only in the moments at which bubbles
+// vanish. A substep works on a copy of the foam. If it finds no equilibrium, the copy is dropped
+// and a substep of half the length is tried.
 
 namespace foam {
 
@@ -37,9 +37,8 @@ constexpr double kVanishingAreas = 4.0;
 constexpr double kMinSubstepFraction = 0.01;
 constexpr double kLargestStrain = 0.05;  // largest strain of one substep
 
-// Returns the largest target area of the bubbles that may lose all their area by diffusion in one
-// substep.
-double vanishing_area(const Foam& foam) {
+// Returns the sum of the target areas of all bubbles, including lone bubbles.
+double total_target_area(const Foam& foam) {
     double total = 0.0;
     for (const BubbleId bubble : foam.network.bubbles()) {
         total += foam.target_areas[bubble];
@@ -47,8 +46,15 @@ double vanishing_area(const Foam& foam) {
     for (const LoneBubble& bubble : foam.lone_bubbles) {
         total += bubble.target_area;
     }
+    return total;
+}
+
+// Returns the largest target area of the bubbles that may lose all their area by diffusion in one
+// substep.
+double vanishing_area(const Foam& foam) {
     const std::size_t count = foam.network.bubble_count() + foam.lone_bubbles.size();
-    return kVanishingFraction * total / static_cast<double>(std::max(count, std::size_t{1}));
+    return kVanishingFraction * total_target_area(foam) /
+           static_cast<double>(std::max(count, std::size_t{1}));
 }
 
 // Returns the longest time that is safe for every bubble: in this time, no bubble above the
@@ -76,10 +82,7 @@ void restore_total(Foam& foam) {
     if (foam.domain.is_plane()) {
         return;
     }
-    double total = 0.0;
-    for (const BubbleId bubble : foam.network.bubbles()) {
-        total += foam.target_areas[bubble];
-    }
+    const double total = total_target_area(foam);
     for (const BubbleId bubble : foam.network.bubbles()) {
         foam.target_areas[bubble] *= foam.domain.area() / total;
     }

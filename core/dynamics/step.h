@@ -30,11 +30,10 @@ struct StepSummary {
 /// equilibrium. The step is divided into substeps, so that no bubble loses more than the fraction
 /// `largest_loss` of its area by diffusion in one substep. Only a bubble whose target area is at
 /// most a quarter of the mean may lose all of its area. The rafts of a patch stay where they are
-/// (restore_rafts.h). A substep that finds no equilibrium is
-/// halved and tried again. If it still fails after `max_halvings` halvings, the step ends: the
-/// summary is not converged, and the foam is left in the last equilibrium that was reached. If the
-/// time is 0, no substep is made and the summary is not converged. Every substep removes all dead
-/// slots (compact).
+/// (restore_rafts.h). A substep that finds no equilibrium is halved and tried again. If it still
+/// fails after `max_halvings` halvings, the step ends: the summary is not converged, and the foam
+/// is left in the last equilibrium that was reached. If the time is 0, no substep is made and the
+/// summary is not converged. Every substep removes all dead slots (compact).
 StepSummary step(Foam& foam, double time, const StepOptions& options);
 
 /// Advances the foam in the same way while a change from outside (E9) is imposed evenly over the
