@@ -9,6 +9,7 @@
 #include <boost/geometry/geometries/polygon.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -22,8 +23,8 @@ using Point = bg::model::d2::point_xy<double>;
 using Polygon = bg::model::polygon<Point, false, true>;  // counter-clockwise, closed
 
 constexpr int kCornersOfDisc = 360;
-// Smallest area of an outline from outside, as a fraction of the square of its size. A million
-// bubbles in a row need a millionth.
+// Smallest area of an outline in WKT, as a fraction of the square of its size. A row of a million
+// bubbles has an area of a millionth of the square of its length.
 constexpr double kLeastAreaShare = 1e-9;
 
 Polygon::ring_type ring_of(const std::vector<Vec2>& corners) {
@@ -97,9 +98,12 @@ void check_validity(const Polygon& polygon) {
     if (!bg::is_valid(polygon, failure)) {
         throw std::invalid_argument(reason_of(failure));
     }
+    const double area = bg::area(polygon);
+    if (!std::isfinite(area)) {
+        throw std::invalid_argument("the coordinates are too large");
+    }
     const double size = size_of(polygon);
-    // Negated, because the square of the size may overflow.
-    if (!(bg::area(polygon) / size >= kLeastAreaShare * size)) {
+    if (area / size < kLeastAreaShare * size) {  // not divided by the square, which may overflow
         throw std::invalid_argument(
             "the polygon is too narrow: its area is less than a billionth of the square of its "
             "length");

@@ -45,6 +45,8 @@ TEST(Outline, SaysWhatIsWrongWithAPolygon) {
     EXPECT_EQ(
         fault_of("POLYGON((0 0, 1 2, 0 66666666666666666666666666666666666666666))"),
         "the polygon is too narrow: its area is less than a billionth of the square of its length");
+    EXPECT_EQ(fault_of("POLYGON((0 0, 1e200 0, 1e200 1e200, 0 1e200))"),
+              "the coordinates are too large");
     EXPECT_EQ(fault_of("POLYGON((0 0, 1 0, 1 1))"), "none");
 }
 
