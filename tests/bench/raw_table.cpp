@@ -59,8 +59,13 @@ Work measure(int bubbles, std::uint64_t seed, bool patch) {
     if (child < 0) {
         throw std::runtime_error("no process can be started");
     }
-    if (child == 0) {
-        _exit(reaches_equilibrium(bubbles, seed, patch) ? EXIT_SUCCESS : EXIT_FAILURE);
+    if (child == 0) {  // ends with _exit, so that it does not print the parent's buffered rows
+        try {
+            _exit(reaches_equilibrium(bubbles, seed, patch) ? EXIT_SUCCESS : EXIT_FAILURE);
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "{}\n", error.what());
+            _exit(EXIT_FAILURE);
+        }
     }
     int status = 0;
     rusage usage{};
