@@ -28,11 +28,12 @@ namespace foam {
 
 namespace {
 
-// Defects around which regions are solved before the first step of the whole foam: only large ones,
-// because after a time step every target area has changed, and every bubble has an error.
+// Defects around which regions are solved before the first step of the whole foam. Only large
+// errors count, because after a time step every target area has changed, and every bubble has an
+// error.
 constexpr DefectOptions kFirstDefects{.force = 0.05, .area = 0.15};
-// Defects around which regions are solved in every round: what remains after a step of the whole
-// foam is small except near T1s. Lower thresholds would make more T1s necessary.
+// Defects around which regions are solved at the end of every round. After a step of the whole
+// foam, errors are small except near T1s. Lower thresholds save no more time (NOTES.md).
 constexpr DefectOptions kLaterDefects{.force = 0.02, .area = 0.05};
 // A step of the whole foam with a new factor is slow if it leaves more than this share of the norm
 // of the residual. Defect regions are then assumed to limit the progress.
@@ -133,7 +134,8 @@ Progress initial_phase(Work& work) {
     // Newton's method must not start from a tangled foam, in which bubbles overlap or are inverted,
     // because it would request arbitrary T1s at the tangled junctions.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {
-        relax_all(work, true, progress);  // leaves errors of about the same size everywhere
+        // No region is solved afterwards: relaxation leaves errors everywhere.
+        relax_all(work, true, progress);
     } else {
         solve_regions(work, kFirstDefects, progress);
     }

@@ -22,8 +22,7 @@ struct ChosenBubble {
 /// of identities, the call chooses the bubbles from this index of the list on. If it has a list of
 /// numbers of sides, the numbers take turns, beginning at this index modulo the length of the list;
 /// each chooses the smallest bubble of this number of sides that the call has not chosen yet.
-/// Bubbles that do not exist are left
-/// out, so that the result may be shorter or empty.
+/// Bubbles that do not exist are left out, so that the result may be shorter or empty.
 std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
                                          const EventContext& context,
                                          std::size_t first_index,

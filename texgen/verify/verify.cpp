@@ -190,8 +190,7 @@ void note_seams(const VerifiedMap& map, int period, std::vector<std::string>& pr
 }
 
 // Returns the smallest and the largest number in all files of a map, and the largest fraction of
-// samples that were clipped in one file.
-// Returns nullopt if the manifest does not record them.
+// samples that were clipped in one file. Returns nullopt if the manifest does not record them.
 std::optional<NumberExtent> numbers_of(const BakedSet& set, const std::string& map) {
     std::optional<NumberExtent> numbers;
     for (const ManifestFile& file : set.files) {
