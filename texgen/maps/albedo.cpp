@@ -5,13 +5,14 @@
 #include "texgen/image/color.h"
 #include "texgen/maps/cell_color.h"
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/color_loops.h"
 #include "texgen/maps/film_coverage.h"
 #include "texgen/maps/grain.h"
 #include "texgen/maps/quantize.h"
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
-#include <optional>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -25,36 +26,33 @@ ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
                        width);
 }
 
-// Multiplies each component of a color by 1 + change, and clamps it to [0, 1].
-LinearRgb grained(const LinearRgb& color, double change) {
-    const auto changed = [&](double x) { return std::clamp(x * (1.0 + change), 0.0, 1.0); };
-    return {changed(color.r), changed(color.g), changed(color.b)};
+// Multiplies each color by 1 plus the value of the grain.
+void add_grain(FrameLayers& layers, const AlbedoOptions& options, ColorPixels& colors) {
+    const Grain grain = draw_grain(layers, options.grain_size, GrainUse::Albedo);
+    change_colors(
+        colors.pixels,
+        [values = grain.value.samples().data(), strength = static_cast<float>(options.grain)](
+            const std::array<float, 3>& color, std::size_t k) {
+            const float factor = 1.0F + strength * values[k];
+            return std::array{factor * color[0], factor * color[1], factor * color[2]};
+        });
 }
 
 // Draws the colors of bubbles first; a pixel that bubbles share has their mean color. Then applies
 // the grain to these colors, mixes in the shade beside films, and paints the films over the result.
 ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
     const LinearRgb film = to_linear(parse_color(options.film_color));
-    const ColorPixels cells =
+    ColorPixels colors =
         fill_colors(layers, cell_colors(layers.frame(), layers.record(), options), film, 0.0);
-    const auto channels = static_cast<std::size_t>(cells.pixels.channels());
-    std::optional<Grain> grain;
     if (options.grain > 0.0) {
-        grain.emplace(layers, options.grain_size, GrainUse::Albedo);
+        add_grain(layers, options, colors);
     }
-    const auto color_at = [&](std::size_t k) {
-        const auto pixel = cells.pixels.samples().subspan(channels * k, 3);
-        const LinearRgb color{pixel[0] / kWhite, pixel[1] / kWhite, pixel[2] / kWhite};
-        return grain ? grained(color, options.grain * grain->at(k).value) : color;
-    };
-    if (options.shade == 0.0) {
-        return paint_films(layers, options, color_at);
+    if (options.shade > 0.0) {
+        mix_in(to_linear(parse_color(options.shade_color)),
+               film_shade(layers, options),
+               colors.pixels);
     }
-    const LinearRgb shade = to_linear(parse_color(options.shade_color));
-    const Image<float> weights = film_shade(layers, options);
-    return paint_films(layers, options, [&](std::size_t k) {
-        return mixed(color_at(k), shade, static_cast<double>(weights.samples()[k]));
-    });
+    return paint_films(layers, options, std::move(colors));
 }
 
 }  // namespace

@@ -90,6 +90,7 @@ Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth,
     const double diameter = relief.diameter() / samples;  // in pixels of the floor
     const double reach = depth * diameter * (1.0 - 1.0 / kIndex) * static_cast<double>(kUnit);
     const double farthest = kFarthest * static_cast<double>(kUnit);
+    const PixelSlopes slopes = relief.slopes();
     Floor floor(layers.grid(), layers.frame().domain);
     const int width = rays.grid().width;
     const int height = rays.grid().height;
@@ -97,8 +98,8 @@ Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth,
         for (int x = 0; x < width; ++x) {
             const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                static_cast<std::size_t>(x);
-            const Vec2 motion =
-                (reach * relief.slope(index)).cwiseMin(farthest).cwiseMax(-farthest);
+            const Vec2 slope(slopes.x.samples()[index], slopes.y.samples()[index]);
+            const Vec2 motion = (reach * slope).cwiseMin(farthest).cwiseMax(-farthest);
             // The middle of the square is at (x + 1/2) / samples, its lower left corner half a
             // pixel to the left of the middle and below it.
             const auto start = [samples](std::int64_t at) {

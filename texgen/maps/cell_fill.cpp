@@ -2,6 +2,7 @@
 
 #include "texgen/maps/cell_fill.h"
 
+#include "core/foam/measure.h"
 #include "texgen/image/bleed.h"
 #include "texgen/raster/coverage/fill.h"
 
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -169,6 +171,18 @@ Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles)
     // equals the number of a bubble, the scale depends only on bubbles.
     const double film = bubbles.empty() ? 0.0 : bubbles.front();
     return fill_numbers(layers, {bubbles, film}, 0.0);
+}
+
+std::vector<double> radii_by_cell_id(const FrameLayers& layers, double around) {
+    const Frame& frame = layers.frame();
+    const double scale = pixels_per_unit(layers.grid(), frame.domain);
+    const auto radii = per_bubble<double>(
+        frame,
+        [&](BubbleId bubble) {
+            return scale * std::sqrt(frame.bubbles[bubble].area / std::numbers::pi);
+        },
+        [&](const LoneBubble& bubble) { return scale * lone_radius(bubble); });
+    return by_cell_id(layers, radii, around);
 }
 
 IdPixels paint_ids(FrameLayers& layers, const PerBubble<std::uint32_t>& ids) {

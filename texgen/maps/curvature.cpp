@@ -14,11 +14,12 @@ namespace {
 // Returns the curvature of a section at a point whose smooth distance from the film is `smooth`, by
 // the formula in curvature.h. The result is for ReliefOptions::strength = 1 and is not multiplied
 // by the diameter of the mean bubble. All lengths are in the unit of the section (ReliefSection).
-double curvature_at(const ReliefSection& section, double smooth, double radius) {
+template <class Section>
+double curvature_at(const Section& section, double smooth, double radius) {
     const double distance = section.distance(smooth);
     const double outside =
-        section.height_along(distance - radius) + section.height_along(distance + radius);
-    return (2.0 * section.height_along(distance) - outside) / (radius * radius);
+        height_along(section, distance - radius) + height_along(section, distance + radius);
+    return (2.0 * height_along(section, distance) - outside) / (radius * radius);
 }
 
 }  // namespace
@@ -44,17 +45,14 @@ NumberPixels draw_curvature(FrameLayers& layers,
     // The section is flat beyond its foot. The curvature at a point depends on heights up to
     // options.radius away, so distances up to the foot plus this radius are needed.
     const Relief relief(layers, source, Relief::kFoot + options.radius / source.relief.width);
-    const double radius = options.radius * relief.diameter();
     Image<float> image(layers.grid().width, layers.grid().height, 1);
-    for (std::size_t k = 0; k < image.samples().size(); ++k) {
-        const double unit = relief.unit(k);
-        if (unit > 0.0) {
-            const double curvature =
-                curvature_at(relief.section(), relief.smooth(k), radius / unit) / unit;
-            image.samples()[k] =
-                static_cast<float>(relief.strength() * curvature * relief.diameter());
-        }
-    }
+    relief.for_all_pixels([curvatures = image.samples().data(),
+                           radius = options.radius * relief.diameter(),
+                           factor = relief.strength() * relief.diameter()](
+                              const auto& section, double smooth, double unit, std::size_t k) {
+        const double curvature = factor * curvature_at(section, smooth, radius / unit) / unit;
+        curvatures[k] = static_cast<float>(unit > 0.0 ? curvature : 0.0);
+    });
     return {std::move(image), -options.full.value, options.full.value};
 }
 

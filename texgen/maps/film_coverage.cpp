@@ -2,13 +2,16 @@
 
 #include "texgen/maps/film_coverage.h"
 
+#include "core/parallel/simd_level.h"
 #include "texgen/image/bleed.h"
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/color_loops.h"
 #include "texgen/maps/smooth_step.h"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace foam::texgen {
@@ -32,15 +35,36 @@ Image<float> wet_films(FrameLayers& layers, double width) {
         return films;
     }
     const DistanceField& field = layers.distance();
-    for (std::size_t k = 0; k < films.samples().size(); ++k) {
-        const auto slope = field.smooth_gradient.samples().subspan(2 * k, 2);
-        const double steepness =
-            Vec2(static_cast<double>(slope[0]), static_cast<double>(slope[1])).norm();
-        const double inside = 0.5 * width - static_cast<double>(field.smooth.samples()[k]);
-        const double part = 0.5 + inside / std::max(steepness, kFlattest);
-        films.samples()[k] = static_cast<float>(std::clamp(part, 0.0, 1.0));
-    }
+    at_simd_level([count = films.samples().size(),
+                   parts = films.samples().data(),
+                   distances = field.smooth.samples().data(),
+                   slopes = field.smooth_gradient.samples().data(),
+                   half_width = 0.5 * width] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto x = static_cast<double>(slopes[2 * k]);
+            const auto y = static_cast<double>(slopes[2 * k + 1]);
+            const double steepness = max_value(std::sqrt(x * x + y * y), kFlattest);
+            const double inside = half_width - static_cast<double>(distances[k]);
+            const double part = 0.5 + inside / steepness;
+            parts[k] = static_cast<float>(min_value(max_value(part, 0.0), 1.0));
+        }
+    });
     return films;
+}
+
+// Returns the colors of an image with the given opacities. Transparent pixels are black.
+Image<std::uint16_t> with_opacity(const Image<std::uint16_t>& colors, const Image<float>& opacity) {
+    Image<std::uint16_t> image(colors.width(), colors.height(), kChannelsWithOpacity);
+    const auto channels = static_cast<std::size_t>(colors.channels());
+    for (std::size_t k = 0; k < opacity.samples().size(); ++k) {
+        const float whole = opacity.samples()[k];
+        if (whole > 0.0F) {
+            const auto pixel = image.samples().subspan(kChannelsWithOpacity * k, 4);
+            std::ranges::copy(colors.samples().subspan(channels * k, 3), pixel.begin());
+            pixel[3] = to_sample(static_cast<double>(whole));
+        }
+    }
+    return image;
 }
 
 }  // namespace
@@ -83,13 +107,16 @@ Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options) {
         diameters_in_pixels(options.shade_width, layers.grid(), layers.frame().domain);
     const DistanceField& field = layers.distance();
     Image<float> shade(layers.grid().width, layers.grid().height, 1);
-    std::transform(field.smooth.samples().begin(),
-                   field.smooth.samples().end(),
-                   shade.samples().begin(),
-                   [&](float smooth) {
-                       const double fraction = std::min(static_cast<double>(smooth) / width, 1.0);
-                       return static_cast<float>(options.shade * (1.0 - smooth_step(fraction)));
-                   });
+    at_simd_level([count = shade.samples().size(),
+                   weights = shade.samples().data(),
+                   distances = field.smooth.samples().data(),
+                   width,
+                   strongest = options.shade] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const double passed = min_value(static_cast<double>(distances[k]) / width, 1.0);
+            weights[k] = static_cast<float>(strongest * (1.0 - smooth_step(passed)));
+        }
+    });
     return shade;
 }
 
@@ -97,27 +124,22 @@ DistanceNeeds film_distance_needs(const AlbedoOptions& options) {
     return {.smooth = options.film_profile == FilmProfile::Wet || options.shade > 0.0};
 }
 
-ColorPixels paint_films(FrameLayers& layers,
-                        const AlbedoOptions& options,
-                        const std::function<LinearRgb(std::size_t)>& color_at) {
+ColorPixels paint_films(FrameLayers& layers, const AlbedoOptions& options, ColorPixels colors) {
     const LinearRgb film = to_linear(parse_color(options.film_color));
-    const Image<float> films = film_coverage(layers, options);
+    Image<float> films = film_coverage(layers, options);
+    if (!layers.is_patch()) {
+        mix_in(film, films, colors.pixels);
+        return colors;
+    }
+    // The colors of a pixel at the rim are those of the part that the patch covers.
     const Image<float> foam = foam_coverage(layers, options, films);
-    const std::size_t channels = layers.is_patch() ? 4 : 3;
-    const RasterGrid& grid = layers.grid();
-    Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));
     for (std::size_t k = 0; k < foam.samples().size(); ++k) {
-        const auto whole = static_cast<double>(foam.samples()[k]);
-        if (whole == 0.0) {
-            continue;
-        }
-        const double part = static_cast<double>(films.samples()[k]) / whole;
-        write_pixel(
-            mixed(color_at(k), film, part), whole, image.samples().subspan(channels * k, channels));
+        const float whole = foam.samples()[k];
+        films.samples()[k] = whole > 0.0F ? films.samples()[k] / whole : 0.0F;
     }
-    if (layers.is_patch()) {
-        bleed_colors(image.view(), {to_sample(film.r), to_sample(film.g), to_sample(film.b)});
-    }
+    mix_in(film, films, colors.pixels);
+    Image<std::uint16_t> image = with_opacity(colors.pixels, foam);
+    bleed_colors(image.view(), {to_sample(film.r), to_sample(film.g), to_sample(film.b)});
     return {std::move(image)};
 }
 

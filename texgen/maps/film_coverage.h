@@ -2,13 +2,9 @@
 
 #pragma once
 
-#include "texgen/image/color.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
-
-#include <cstddef>
-#include <functional>
 
 namespace foam::texgen {
 
@@ -36,11 +32,8 @@ Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options);
 /// Returns which images of the distance field the functions of this file need.
 DistanceNeeds film_distance_needs(const AlbedoOptions& options);
 
-/// Returns an image of films over bubbles. `color_at` returns the color of the bubbles at a pixel;
-/// its argument is the index of the pixel, counted row by row from the bottom row. The surroundings
-/// of a patch are transparent, as in fill_colors.
-ColorPixels paint_films(FrameLayers& layers,
-                        const AlbedoOptions& options,
-                        const std::function<LinearRgb(std::size_t)>& color_at);
+/// Paints films over the colors of bubbles. `colors` has a color for every pixel in its first three
+/// channels. The surroundings of a patch become transparent, as in fill_colors.
+ColorPixels paint_films(FrameLayers& layers, const AlbedoOptions& options, ColorPixels colors);
 
 }  // namespace foam::texgen

@@ -2,11 +2,16 @@
 
 #include "texgen/maps/grain.h"
 
+#include "core/parallel/simd_level.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/cell_fill.h"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -32,62 +37,70 @@ std::uint32_t row_hash(std::int32_t y, std::uint32_t seed) {
     return scrambled(static_cast<std::uint32_t>(y) + scrambled(seed));
 }
 
-// Returns the unit gradient of a lattice point in the row with the given hash: one of 16
-// directions, 22.5 degrees apart.
-Vec2 lattice_gradient(std::int32_t x, std::uint32_t row) {
-    constexpr double kA = 0.9238795325112867;  // cosine of 22.5 degrees
-    constexpr double kB = 0.3826834323650898;  // sine of 22.5 degrees
-    constexpr double kC = 0.7071067811865476;  // cosine of 45 degrees
-    static constexpr std::array<std::array<double, 2>, 16> kDirections = {{{1, 0},
-                                                                           {kA, kB},
-                                                                           {kC, kC},
-                                                                           {kB, kA},
-                                                                           {0, 1},
-                                                                           {-kB, kA},
-                                                                           {-kC, kC},
-                                                                           {-kA, kB},
-                                                                           {-1, 0},
-                                                                           {-kA, -kB},
-                                                                           {-kC, -kC},
-                                                                           {-kB, -kA},
-                                                                           {0, -1},
-                                                                           {kB, -kA},
-                                                                           {kC, -kC},
-                                                                           {kA, -kB}}};
-    const std::uint32_t hash = scrambled(static_cast<std::uint32_t>(x) + row);
-    const auto& [across, up] = kDirections[hash >> 28U];
-    return {across, up};
+// The unit gradients of lattice points: 16 directions, 22.5 degrees apart. kA and kB are the cosine
+// and the sine of 22.5 degrees, kC is the cosine of 45 degrees.
+constexpr double kA = 0.9238795325112867;
+constexpr double kB = 0.3826834323650898;
+constexpr double kC = 0.7071067811865476;
+constexpr std::array<double, 16> kGradientsX = {
+    1, kA, kC, kB, 0, -kB, -kC, -kA, -1, -kA, -kC, -kB, 0, kB, kC, kA};
+constexpr std::array<double, 16> kGradientsY = {
+    0, kB, kC, kA, 1, kA, kC, kB, 0, -kB, -kC, -kA, -1, -kA, -kC, -kB};
+
+// A plane (a linear function) that is 0 at a lattice point.
+struct LatticePlane {
+    double value;  // at the point of the noise
+    double slope_x;
+    double slope_y;
+};
+
+// Returns the plane of a lattice point in the row with the given hash. `x` and `y` are the position
+// of the point of the noise relative to the lattice point.
+LatticePlane plane_of(std::int32_t column, std::uint32_t row, double x, double y) {
+    const std::uint32_t direction = scrambled(static_cast<std::uint32_t>(column) + row) >> 28U;
+    const double slope_x = kGradientsX.data()[direction];
+    const double slope_y = kGradientsY.data()[direction];
+    return {slope_x * x + slope_y * y, slope_x, slope_y};
+}
+
+// Returns the largest integer that is not above x. Loops that call this function can be vectorized
+// on every level. Precondition: the integer fits into 32 bits.
+std::int32_t floor_of(double x) {
+    const auto towards_zero = static_cast<std::int32_t>(x);
+    return towards_zero - (x < towards_zero ? 1 : 0);
 }
 
 // Returns gradient noise on the lattice of the points with integer coordinates, so that its
-// features have the size 1. Each of the four lattice points around the point defines a plane (a
-// linear function), which is 0 at the lattice point and has the gradient that lattice_gradient
-// returns. Quintic polynomials blend the four planes.
-GrainValue gradient_noise(const Vec2& point, std::uint32_t seed) {
-    const double left = std::floor(point.x());
-    const double bottom = std::floor(point.y());
-    const auto x = static_cast<std::int32_t>(left);
-    const auto y = static_cast<std::int32_t>(bottom);
-    const Vec2 in(point.x() - left, point.y() - bottom);
+// features have the size 1. Each of the four lattice points around the point defines a plane.
+// Quintic polynomials blend the four planes.
+NoiseValue gradient_noise(double x, double y, std::uint32_t seed) {
+    const std::int32_t column = floor_of(x);
+    const std::int32_t line = floor_of(y);
+    const double in_x = x - column;
+    const double in_y = y - line;
     const auto blend = [](double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); };
     const auto slope = [](double t) { return 30.0 * t * t * (t * (t - 2.0) + 1.0); };
-    const double u = blend(in.x());
-    const double v = blend(in.y());
-    const std::uint32_t lower = row_hash(y, seed);
-    const std::uint32_t upper = row_hash(y + 1, seed);
-    const Vec2 g00 = lattice_gradient(x, lower);
-    const Vec2 g10 = lattice_gradient(x + 1, lower);
-    const Vec2 g01 = lattice_gradient(x, upper);
-    const Vec2 g11 = lattice_gradient(x + 1, upper);
-    const double p00 = g00.dot(in);
-    const double p10 = g10.dot(in - Vec2(1.0, 0.0));
-    const double p01 = g01.dot(in - Vec2(0.0, 1.0));
-    const double p11 = g11.dot(in - Vec2(1.0, 1.0));
-    const double twist = p00 - p10 - p01 + p11;
-    const Vec2 planes = g00 + u * (g10 - g00) + v * (g01 - g00) + u * v * (g00 - g10 - g01 + g11);
-    return {p00 + u * (p10 - p00) + v * (p01 - p00) + u * v * twist,
-            planes + Vec2(slope(in.x()) * (p10 - p00 + v * twist),
-                          slope(in.y()) * (p01 - p00 + u * twist))};
+    const double u = blend(in_x);
+    const double v = blend(in_y);
+    const std::uint32_t lower = row_hash(line, seed);
+    const std::uint32_t upper = row_hash(line + 1, seed);
+    const LatticePlane p00 = plane_of(column, lower, in_x, in_y);
+    const LatticePlane p10 = plane_of(column + 1, lower, in_x - 1.0, in_y);
+    const LatticePlane p01 = plane_of(column, upper, in_x, in_y - 1.0);
+    const LatticePlane p11 = plane_of(column + 1, upper, in_x - 1.0, in_y - 1.0);
+    const auto blended = [u, v](double a00, double a10, double a01, double a11) {
+        return a00 + u * (a10 - a00) + v * (a01 - a00) + u * v * (a00 - a10 - a01 + a11);
+    };
+    const double twist = p00.value - p10.value - p01.value + p11.value;
+    return {blended(p00.value, p10.value, p01.value, p11.value),
+            blended(p00.slope_x, p10.slope_x, p01.slope_x, p11.slope_x) +
+                slope(in_x) * (p10.value - p00.value + v * twist),
+            blended(p00.slope_y, p10.slope_y, p01.slope_y, p11.slope_y) +
+                slope(in_y) * (p01.value - p00.value + u * twist)};
+}
+
+std::uint32_t seed_of_octave(std::uint32_t seed, int octave) {
+    return seed + static_cast<std::uint32_t>(octave) * 0x9e3779b9U;
 }
 
 // Returns the centroid of the polygon of a bubble's junctions, in foam units. On a torus, the
@@ -118,11 +131,6 @@ Vec2 centroid_of(const Frame& frame, BubbleId bubble) {
                                     : Vec2(first + sum / count);
 }
 
-std::uint32_t seed_of(BubbleIdentity identity, GrainUse use) {
-    const auto number = static_cast<std::uint32_t>(identity);
-    return scrambled(2U * number + static_cast<std::uint32_t>(use)) | 1U;
-}
-
 // Returns the number of octaves of a grain. `size` is the size of its largest features in pixels.
 int octaves_of(double size) {
     int octaves = 1;
@@ -133,92 +141,179 @@ int octaves_of(double size) {
     return octaves;
 }
 
-// The result of a division of integers: the quotient, rounded to nearest, and the remainder, whose
-// magnitude is therefore at most half of the divisor.
-struct Nearest {
-    std::int32_t rest;
-    std::int32_t quotient;
+// The grains of the bubbles, indexed by the ids of the distance field.
+struct Origins {
+    std::vector<std::int32_t> x;  // the centroid of the bubble on the unshifted grid, in subpixels
+    std::vector<std::int32_t> y;
+    std::vector<std::uint32_t> seeds;  // 0 around a patch
 };
 
-// Divides n by d. Precondition: d > 0.
-Nearest nearest(std::int32_t n, std::int32_t d) {
-    const std::int32_t quotient = floor_div(n + d / 2, d);
-    return {n - quotient * d, quotient};
+Origins origins_of(FrameLayers& layers, GrainUse use) {
+    const Frame& frame = layers.frame();
+    const Domain& domain = frame.domain;
+    const auto position = [&](const Vec2& center) {
+        return domain.is_plane() ? to_subpixel(pixel_in_view(layers.grid(), center))
+                                 : Snap(layers.grid(), domain)(
+                                       center - domain.translation(domain.cell_of(center)));
+    };
+    const auto centers = per_bubble<SubpixelPoint>(
+        frame,
+        [&](BubbleId bubble) { return position(centroid_of(frame, bubble)); },
+        [&](const LoneBubble& bubble) { return position(bubble.center); });
+    const auto seeds = per_bubble<std::uint32_t>(
+        frame,
+        [&](BubbleId bubble) { return seed_of_grain(frame.bubbles[bubble].identity, use); },
+        [&](const LoneBubble& bubble) { return seed_of_grain(bubble.identity, use); });
+    Origins origins;
+    for (const SubpixelPoint& center : by_cell_id(layers, centers, SubpixelPoint{})) {
+        origins.x.push_back(center.x);
+        origins.y.push_back(center.y);
+    }
+    origins.seeds = by_cell_id(layers, seeds, std::uint32_t{0});
+    return origins;
+}
+
+// The periods of a grid, in subpixels. In the plane, they are so large that nothing is wrapped.
+struct Periods {
+    std::int32_t width;
+    std::int32_t height;
+    std::int32_t shear;
+};
+
+Periods periods_of(const RasterGrid& grid, const Domain& domain) {
+    if (domain.is_plane()) {
+        constexpr std::int32_t kNoPeriod = std::numeric_limits<std::int32_t>::max();
+        return {kNoPeriod, kNoPeriod, 0};
+    }
+    return {grid.width * kSubpixel, grid.height * kSubpixel, shear_in_subpixels(grid, domain)};
+}
+
+// Returns the number of periods in a distance, rounded to nearest. The quotient is exact: a double
+// represents it well enough to distinguish it from the next integer.
+std::int32_t periods_in(std::int32_t distance, std::int32_t period) {
+    return floor_of((static_cast<double>(distance) + period / 2) / period);
+}
+
+// The points of the noise in a row of pixels, relative to the centroids of their bubbles, in
+// features of the first octave.
+struct RowPoints {
+    explicit RowPoints(std::size_t width) : x(width), y(width), seeds(width) {}
+
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<std::uint32_t> seeds;
+};
+
+// Sets the points of the row `y`.
+void set_points(const FrameLayers& layers,
+                std::span<const std::uint32_t> ids,
+                const Origins& origins,
+                double size,
+                int y,
+                RowPoints& points) {
+    const bool is_plane = layers.is_patch();
+    const SubpixelPoint shift = is_plane ? SubpixelPoint{} : shift_of(layers.grid());
+    at_simd_level([count = ids.size(),
+                   ids = ids.data(),
+                   origins_x = origins.x.data(),
+                   origins_y = origins.y.data(),
+                   seeds = origins.seeds.data(),
+                   periods = periods_of(layers.grid(), layers.frame().domain),
+                   left = kSubpixel / 2 - shift.x,
+                   bottom = y * kSubpixel + kSubpixel / 2 - shift.y,
+                   scale = 1.0 / (size * kSubpixel),
+                   to_x = points.x.data(),
+                   to_y = points.y.data(),
+                   to_seeds = points.seeds.data()] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint32_t id = ids[k];
+            const std::int32_t from_y = bottom - origins_y[id];
+            const std::int32_t up = periods_in(from_y, periods.height);
+            const std::int32_t from_x = static_cast<std::int32_t>(k) * kSubpixel + left -
+                                        origins_x[id] - up * periods.shear;
+            const std::int32_t across = periods_in(from_x, periods.width);
+            to_x[k] = scale * (from_x - across * periods.width);
+            to_y[k] = scale * (from_y - up * periods.height);
+            to_seeds[k] = seeds[id];
+        }
+    });
+}
+
+// The spans of a grain in a row of pixels.
+struct GrainRow {
+    std::span<float> value;
+    std::span<float> slope_x;
+    std::span<float> slope_y;
+};
+
+// Adds one octave of noise to a row of pixels. `height` is the factor on values, `steepness` the
+// factor on slopes, and `frequency` the number of features in a feature of the first octave.
+void add_octave(
+    const RowPoints& points, int octave, double height, double steepness, const GrainRow& row) {
+    at_simd_level([count = row.value.size(),
+                   xs = points.x.data(),
+                   ys = points.y.data(),
+                   seeds = points.seeds.data(),
+                   added_to_seed = seed_of_octave(0, octave),
+                   frequency = static_cast<double>(1U << static_cast<unsigned>(octave)),
+                   height,
+                   steepness,
+                   value = row.value.data(),
+                   slope_x = row.slope_x.data(),
+                   slope_y = row.slope_y.data()] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const NoiseValue noise =
+                gradient_noise(frequency * xs[k], frequency * ys[k], seeds[k] + added_to_seed);
+            const bool is_inside = seeds[k] != 0;
+            value[k] += static_cast<float>(is_inside ? height * noise.value : 0.0);
+            slope_x[k] += static_cast<float>(is_inside ? steepness * noise.slope_x : 0.0);
+            slope_y[k] += static_cast<float>(is_inside ? steepness * noise.slope_y : 0.0);
+        }
+    });
 }
 
 }  // namespace
 
-GrainValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves) {
-    GrainValue sum;
+NoiseValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves) {
+    NoiseValue sum;
     double size = 1.0;
     for (int k = 0; k < octaves; ++k) {
-        const GrainValue one =
-            gradient_noise(point / size, seed + static_cast<std::uint32_t>(k) * 0x9e3779b9U);
+        const NoiseValue one =
+            gradient_noise(point.x() / size, point.y() / size, seed_of_octave(seed, k));
         sum.value += kScale * size * one.value;
-        sum.gradient += kScale * one.gradient;
+        sum.slope_x += kScale * one.slope_x;
+        sum.slope_y += kScale * one.slope_y;
         size *= 0.5;
     }
     return sum;
 }
 
-Grain::Grain(FrameLayers& layers, double size, GrainUse use, double mean)
-    : grid_(layers.grid()),
-      is_periodic_(!layers.frame().domain.is_plane()),
-      size_(diameters_in_pixels(size, layers.grid(), layers.frame().domain)),
-      octaves_(octaves_of(size_)),
-      mean_(mean),
-      ids_(&layers.distance().ids),
-      origins_(origins_of(layers, use)) {
-    if (is_periodic_) {
-        shear_ = shear_in_subpixels(grid_, layers.frame().domain);
-    }
+std::uint32_t seed_of_grain(BubbleIdentity identity, GrainUse use) {
+    const auto number = static_cast<std::uint32_t>(identity);
+    return scrambled(2U * number + static_cast<std::uint32_t>(use)) | 1U;
 }
 
-std::vector<Grain::Origin> Grain::origins_of(FrameLayers& layers, GrainUse use) const {
-    const Frame& frame = layers.frame();
-    const auto place = [&](const Vec2& center) {
-        if (!is_periodic_) {
-            return to_subpixel(pixel_in_view(grid_, center));
+Grain draw_grain(FrameLayers& layers, double size, GrainUse use, double mean) {
+    const RasterGrid& grid = layers.grid();
+    const double pixels = diameters_in_pixels(size, grid, layers.frame().domain);
+    const Image<std::uint32_t>& ids = layers.distance().ids;
+    const Origins origins = origins_of(layers, use);
+    const auto blank = [&] { return Image<float>(grid.width, grid.height, 1); };
+    Grain grain{blank(), blank(), blank()};
+    RowPoints points(static_cast<std::size_t>(grid.width));
+    for (int y = 0; y < grid.height; ++y) {
+        set_points(layers, ids.row(y), origins, pixels, y, points);
+        const GrainRow row{grain.value.row(y), grain.slope_x.row(y), grain.slope_y.row(y)};
+        for (std::size_t k = 0; k < row.value.size(); ++k) {
+            row.value[k] = points.seeds[k] == 0 ? 0.0F : static_cast<float>(mean);
         }
-        const Domain& domain = frame.domain;
-        return Snap(grid_, domain)(center - domain.translation(domain.cell_of(center)));
-    };
-    const auto origins = per_bubble<Origin>(
-        frame,
-        [&](BubbleId bubble) {
-            return Origin{place(centroid_of(frame, bubble)),
-                          seed_of(frame.bubbles[bubble].identity, use)};
-        },
-        [&](const LoneBubble& bubble) {
-            return Origin{place(bubble.center), seed_of(bubble.identity, use)};
-        });
-    return by_cell_id(layers, origins, Origin{});
-}
-
-Vec2 Grain::from_center(std::size_t index, SubpixelPoint center) const {
-    const auto width = static_cast<std::size_t>(grid_.width);
-    const SubpixelPoint pixel{static_cast<std::int32_t>(index % width) * kSubpixel + kSubpixel / 2,
-                              static_cast<std::int32_t>(index / width) * kSubpixel + kSubpixel / 2};
-    SubpixelPoint from = pixel - center;
-    if (is_periodic_) {
-        from = from - shift_of(grid_);
-        const Nearest up = nearest(from.y, grid_.height * kSubpixel);
-        const Nearest across = nearest(from.x - up.quotient * shear_, grid_.width * kSubpixel);
-        from = {across.rest, up.rest};
+        double height = kScale;
+        for (int octave = 0; octave < octaves_of(pixels); ++octave) {
+            add_octave(points, octave, height, kScale / pixels, row);
+            height *= 0.5;
+        }
     }
-    return Vec2(from.x, from.y) / kSubpixel;
-}
-
-GrainValue Grain::at(std::size_t index) const {
-    const Origin& origin = origins_[ids_->samples()[index]];
-    if (origin.seed == 0) {
-        return {};
-    }
-    GrainValue value =
-        octave_noise(from_center(index, origin.center) / size_, origin.seed, octaves_);
-    value.value += mean_;
-    value.gradient /= size_;
-    return value;
+    return grain;
 }
 
 }  // namespace foam::texgen

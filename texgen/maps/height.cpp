@@ -21,9 +21,9 @@ NumberPixels draw_height(FrameLayers& layers,
                          const ReliefSource& source,
                          const HeightOptions& options) {
     const Relief relief(layers, source, Relief::kFoot);
-    Image<float> image(layers.grid().width, layers.grid().height, 1);
-    for (std::size_t k = 0; k < image.samples().size(); ++k) {
-        image.samples()[k] = static_cast<float>(relief.height(k) / relief.diameter());
+    Image<float> image = relief.heights();
+    for (float& height : image.samples()) {
+        height = static_cast<float>(static_cast<double>(height) / relief.diameter());
     }
     return {std::move(image), 0.0, options.full.value};
 }

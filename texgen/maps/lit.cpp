@@ -2,14 +2,17 @@
 
 #include "texgen/maps/lit.h"
 
-#include "core/geometry/elementary.h"
+#include "core/parallel/simd_level.h"
 #include "texgen/image/bleed.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/albedo.h"
+#include "texgen/maps/color_loops.h"
 #include "texgen/maps/film_coverage.h"
-#include "texgen/maps/finer_grid.h"
-#include "texgen/maps/reflections.h"
+#include "texgen/maps/lighting.h"
+#include "texgen/maps/pixel_neighbors.h"
 #include "texgen/maps/relief.h"
+#include "texgen/maps/relief_sampler.h"
+#include "texgen/raster/simd/kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -18,76 +21,20 @@
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace foam::texgen {
 
 namespace {
 
-// A shaded color is the color of the map times the diffuse light, plus a highlight and a rim light.
-// Diffuse light is a mix of direct light (Lambert's cosine law) and the visible fraction of the
-// sky. The highlight depends on the halfway vector (J. F. Blinn, "Models of light reflection for
-// computer synthesized pictures", 1977). The rim light grows with the slope. The surface also
-// reflects windows and the sky at the horizon like a mirror; their brightness is a function of the
-// reflected direction (J. F. Blinn and M. E. Newell, "Texture and reflection in computer generated
-// images", 1976). Direct light is divided by its value on flat ground, and the highlight and the
-// reflection of flat ground are subtracted, so that flat ground keeps its color if the whole sky is
-// visible from it. Films, the shade beside them, and the walls of a maze can glow: the fraction
-// LitOptions::glow of their color is not shaded. The picture is drawn on a finer grid, whose pixels
-// are called samples, and squares of samples are averaged.
-
-// Returns the options for the finer grid: if the film width is in pixels, it is multiplied by
-// `samples`.
-AlbedoOptions finer(AlbedoOptions options, int samples) {
-    if (options.film_unit == WidthUnit::Pixels) {
-        options.film_width *= samples;
-    }
-    return options;
-}
-
-// Computes the shaded colors of points of a relief.
-class Lighting {
-  public:
-    explicit Lighting(const LitOptions& options)
-        : options_(options),
-          light_(direction_of(options.azimuth, options.elevation)),
-          halfway_((light_ + Direction::UnitZ()).normalized()),
-          flat_highlight_(ieee::pow(halfway_.z(), options.shininess)),
-          reflections_(options.reflections, options.azimuth, options.elevation) {}
-
-    // Returns the shaded color of a point. `slope` is the gradient of the height at the point.
-    // `sky` is the fraction of the sky that is visible from the point. `glowing` is the fraction of
-    // the color that is emitted light.
-    LinearRgb lit(const LinearRgb& color, const Vec2& slope, double sky, double glowing) const {
-        const Direction normal = Direction(-slope.x(), -slope.y(), 1.0).normalized();
-        const double direct = std::max(normal.dot(light_), 0.0) / light_.z();
-        const double diffuse = std::lerp(direct, sky, options_.ambient);
-        const double steep = 1.0 - normal.z();
-        double shine = options_.gloss * highlight(normal) + options_.rim * steep * steep * steep;
-        if (!reflections_.are_none()) {
-            shine += reflections_.brightness(normal);
-        }
-        const double factor = std::lerp(diffuse, 1.0, glowing);
-        const double added = (1.0 - glowing) * shine;
-        const auto one = [&](double part) { return std::clamp(factor * part + added, 0.0, 1.0); };
-        return {one(color.r), one(color.g), one(color.b)};
-    }
-
-  private:
-    // Returns the brightness of the highlight minus the brightness of the highlight of flat ground,
-    // but at least 0.
-    double highlight(const Direction& normal) const {
-        const double cosine = normal.dot(halfway_);
-        return cosine > halfway_.z()
-                   ? std::max(ieee::pow(cosine, options_.shininess) - flat_highlight_, 0.0)
-                   : 0.0;
-    }
-
-    const LitOptions& options_;
-    Direction light_;
-    Direction halfway_;
-    double flat_highlight_;  // the highlight of flat ground
-    Reflections reflections_;
-};
+// A shaded color is the color of the map times the diffuse light, plus the shine (lighting.h).
+// Films, the shade beside them, and the walls of a maze can glow: the fraction LitOptions::glow of
+// their color is not shaded. The color of the map is already the mean over the pixel. The light is
+// computed at the center of each pixel. Where this is not enough, at creases, in small highlights
+// and at the borders of reflected windows, the shaded color is the mean over several points of the
+// pixel. These pixels are found by their contrast (D. P. Mitchell, "Generating antialiased images
+// at low sampling densities", 1987), and the relief at their points is computed from the smooth
+// distance around the center (relief_sampler.h).
 
 // Returns the fraction of every pixel's color that is emitted light.
 Image<float> glow_of(FrameLayers& layers, const LitOptions& lit, const LitSurface& surface) {
@@ -120,64 +67,184 @@ ColorPixels draw_colors(FrameLayers& layers, LitColors colors, const LitSurface&
     return {};
 }
 
-// Draws the shaded colors, one sample per pixel of the layers.
-ColorPixels draw_samples(FrameLayers& layers, const LitOptions& lit, const LitSurface& surface) {
-    ColorPixels colors = draw_colors(layers, lit.colors, surface);
-    const Relief relief(layers, surface.relief, ReliefSection::kSkyReach);
-    const Image<float> sky = occlusion_of(relief, layers.grid(), surface.occlusion);
-    const Image<float> glow = lit.glow > 0.0 ? glow_of(layers, lit, surface) : Image<float>();
-    const Lighting lighting(lit);
-    const std::span<std::uint16_t> samples = colors.pixels.samples();
-    const auto channels = static_cast<std::size_t>(colors.pixels.channels());
-    for (std::size_t k = 0; k < sky.samples().size(); ++k) {
-        const auto pixel = samples.subspan(channels * k, 3);
-        const LinearRgb shown =
-            lighting.lit({pixel[0] / kWhite, pixel[1] / kWhite, pixel[2] / kWhite},
-                         relief.slope(k),
-                         static_cast<double>(sky.samples()[k]),
-                         glow.samples().empty() ? 0.0 : static_cast<double>(glow.samples()[k]));
-        pixel[0] = to_sample(shown.r);
-        pixel[1] = to_sample(shown.g);
-        pixel[2] = to_sample(shown.b);
-    }
-    return colors;
+// The light at points: one number for each of them (PointLights).
+struct Light {
+    explicit Light(std::size_t count) : diffuse(count), shine(count) {}
+
+    std::vector<float> diffuse;
+    std::vector<float> shine;
+};
+
+// Returns one component of a shaded color, from 0 to kWhite. `color` is the component of the color
+// of the map.
+float shaded(float color, float diffuse, float shine) {
+    constexpr auto kLargest = static_cast<float>(kWhite);
+    return min_value(max_value(diffuse * color + shine * kLargest, 0.0F), kLargest);
 }
 
-// Averages squares of samples. If the image has a fourth channel, the opacity, colors are weighted
-// by the opacity.
-class Means {
-  public:
-    Means(const Image<std::uint16_t>& fine, int samples) : fine_(fine), samples_(samples) {}
-
-    // Writes the mean of the samples of the pixel (x, y) to `pixel`.
-    void write(int x, int y, std::span<std::uint16_t> pixel) const {
-        std::array<std::uint64_t, 4> sums{};
-        std::uint64_t weights = 0;
-        for (int k = 0; k < samples_ * samples_; ++k) {
-            const auto one = fine_.pixel(x * samples_ + k % samples_, y * samples_ + k / samples_);
-            const std::uint64_t weight = one.size() > 3 ? one[3] : 1;
-            for (std::size_t c = 0; c < 3; ++c) {
-                sums[c] += weight * one[c];
-            }
-            weights += weight;
+// Replaces the fraction `glow` of the light at each point by emitted light.
+void add_glow(std::span<const float> glow, Light& light) {
+    at_simd_level([count = glow.size(),
+                   parts = glow.data(),
+                   diffuse = light.diffuse.data(),
+                   shine = light.shine.data()] {
+        for (std::size_t k = 0; k < count; ++k) {
+            diffuse[k] += parts[k] * (1.0F - diffuse[k]);
+            shine[k] *= 1.0F - parts[k];
         }
-        for (std::size_t c = 0; c < 3; ++c) {
-            pixel[c] = rounded(sums[c], weights);
-        }
-        if (pixel.size() > 3) {
-            const auto side = static_cast<std::uint64_t>(samples_);
-            pixel[3] = rounded(weights, side * side);
-        }
-    }
+    });
+}
 
-  private:
-    static std::uint16_t rounded(std::uint64_t sum, std::uint64_t count) {
-        return static_cast<std::uint16_t>(count > 0 ? (sum + count / 2) / count : 0);
-    }
-
-    const Image<std::uint16_t>& fine_;
-    int samples_;
+// The surface at the centers of pixels, and the means of their colors without light.
+struct Surface {
+    PixelSlopes slopes;
+    Image<float> sky;   // the visible fraction of the sky
+    Image<float> glow;  // the fraction of the color that is emitted light; empty if it is 0
+    Image<std::uint16_t> colors;
 };
+
+Light light_at_centers(const Surface& surface, const Lighting& lighting) {
+    Light light(surface.sky.samples().size());
+    lighting.shade({surface.slopes.x.samples(), surface.slopes.y.samples(), surface.sky.samples()},
+                   {light.diffuse, light.shine});
+    if (!surface.glow.samples().empty()) {
+        add_glow(surface.glow.samples(), light);
+    }
+    return light;
+}
+
+// Returns the largest component of the shaded color of each pixel.
+std::vector<float> brightness_of(const Image<std::uint16_t>& colors, const Light& light) {
+    std::vector<float> brightness(light.shine.size());
+    at_simd_level([count = brightness.size(),
+                   to = brightness.data(),
+                   channels = static_cast<std::size_t>(colors.channels()),
+                   color = colors.samples().data(),
+                   diffuse = light.diffuse.data(),
+                   shine = light.shine.data()] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint16_t* const rgb = color + channels * k;
+            const auto largest = static_cast<float>(max_value(max_value(rgb[0], rgb[1]), rgb[2]));
+            to[k] = shaded(largest, diffuse[k], shine[k]);
+        }
+    });
+    return brightness;
+}
+
+// Returns the pixels that a film may cross, and those whose shaded color differs from the mean of
+// the two neighbors in a row or in a column.
+std::vector<std::uint32_t> find_contrasts(std::span<const float> brightness,
+                                          std::span<const float> distances,
+                                          const PixelNeighbors& neighbors) {
+    constexpr float kContrast = 0.05F;                          // smallest relative difference
+    constexpr float kDark = 0.1F * static_cast<float>(kWhite);  // reduces differences in the dark
+    constexpr float kNear = 1.0F;                               // pixels
+    const auto bends = [&](std::size_t k, std::size_t before, std::size_t after) {
+        const float bend = brightness[before] - 2.0F * brightness[k] + brightness[after];
+        return std::abs(bend) > kContrast * (brightness[k] + kDark);
+    };
+    std::vector<std::uint32_t> pixels;
+    for (std::size_t k = 0; k < brightness.size(); ++k) {
+        if (distances[k] < kNear || bends(k, neighbors.left(k), neighbors.right(k)) ||
+            bends(k, neighbors.below(k), neighbors.above(k))) {
+            pixels.push_back(static_cast<std::uint32_t>(k));
+        }
+    }
+    return pixels;
+}
+
+using Color = std::array<float, 3>;  // from 0 to kWhite
+
+// Returns the values of an image of one channel at some pixels.
+std::vector<float> values_at(const Image<float>& image, std::span<const std::uint32_t> pixels) {
+    std::vector<float> values;
+    for (const std::uint32_t pixel : pixels) {
+        values.push_back(image.samples()[pixel]);
+    }
+    return values;
+}
+
+// Adds the shaded color at one point of each pixel to `sums`.
+void add_colors(std::span<const std::uint32_t> pixels,
+                const Image<std::uint16_t>& colors,
+                const Light& light,
+                std::span<Color> sums) {
+    const auto channels = static_cast<std::size_t>(colors.channels());
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+        const auto color = colors.samples().subspan(channels * pixels[k], 3);
+        for (std::size_t c = 0; c < 3; ++c) {
+            sums[k][c] += shaded(static_cast<float>(color[c]), light.diffuse[k], light.shine[k]);
+        }
+    }
+}
+
+// Returns the mean shaded colors of pixels, over samples² points of each of them.
+std::vector<Color> mean_colors(std::span<const std::uint32_t> pixels,
+                               const Surface& surface,
+                               const Lighting& lighting,
+                               int samples,
+                               ReliefSampler& sampler) {
+    sampler.choose(pixels);
+    const std::vector<float> glow =
+        surface.glow.samples().empty() ? std::vector<float>() : values_at(surface.glow, pixels);
+    std::vector<float> x(pixels.size());
+    std::vector<float> y(pixels.size());
+    std::vector<float> sky(pixels.size());
+    Light light(pixels.size());
+    std::vector<Color> means(pixels.size());
+    const auto position = [samples](int k) { return (k + 0.5) / samples - 0.5; };
+    for (int k = 0; k < samples * samples; ++k) {
+        sampler.write({position(k % samples), position(k / samples)}, {x, y, sky});
+        lighting.shade({x, y, sky}, {light.diffuse, light.shine});
+        add_glow(glow, light);
+        add_colors(pixels, surface.colors, light, means);
+    }
+    for (Color& mean : means) {
+        for (float& component : mean) {
+            component /= static_cast<float>(samples * samples);
+        }
+    }
+    return means;
+}
+
+// Replaces the colors of all pixels by the shaded colors at their centers.
+void shade_centers(const Light& light, Image<std::uint16_t>& colors) {
+    change_colors(colors,
+                  [diffuse = light.diffuse.data(), shine = light.shine.data()](const Color& color,
+                                                                               std::size_t k) {
+                      return Color{shaded(color[0], diffuse[k], shine[k]),
+                                   shaded(color[1], diffuse[k], shine[k]),
+                                   shaded(color[2], diffuse[k], shine[k])};
+                  });
+}
+
+void write_colors(std::span<const std::uint32_t> pixels,
+                  std::span<const Color> colors,
+                  Image<std::uint16_t>& image) {
+    const auto channels = static_cast<std::size_t>(image.channels());
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            image.samples()[channels * pixels[k] + c] =
+                static_cast<std::uint16_t>(std::lround(colors[k][c]));
+        }
+    }
+}
+
+// Returns the mean shaded colors of pixels, in batches that fit into the cache.
+std::vector<Color> mean_colors_of_batches(std::span<const std::uint32_t> pixels,
+                                          const Surface& surface,
+                                          const Lighting& lighting,
+                                          int samples,
+                                          ReliefSampler sampler) {
+    constexpr std::size_t kBatch = 1024;
+    std::vector<Color> means;
+    for (std::size_t from = 0; from < pixels.size(); from += kBatch) {
+        const auto batch = pixels.subspan(from, std::min(kBatch, pixels.size() - from));
+        const auto some = mean_colors(batch, surface, lighting, samples, sampler);
+        means.insert(means.end(), some.begin(), some.end());
+    }
+    return means;
+}
 
 }  // namespace
 
@@ -220,30 +287,46 @@ Keys<LitOptions> lit_keys() {
               "maze that is emitted light and therefore not shaded",
               &Options::glow)
               .in("fraction of the color"),
-          key("samples", Integers{1, 8}, "samples per pixel in each direction", &Options::samples)
-              .in("samples per pixel, in each direction")},
+          key("samples",
+              Integers{1, 8},
+              "number of points, in each direction, whose mean a pixel shows where the light "
+              "varies "
+              "strongly",
+              &Options::samples)
+              .in("points per pixel, in each direction")},
          nested_keys("", &Options::reflections, reflection_keys())});
 }
 
-ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface) {
-    const int samples = samples_for(layers.grid(), options.samples);
-    const AlbedoOptions fine_albedo = finer(surface.albedo, samples);
-    FrameLayers fine = layers.on_grid(finer(layers.grid(), samples), {.smooth = true});
-    const ColorPixels drawn = draw_samples(
-        fine, options, {fine_albedo, surface.thin_film, surface.relief, surface.occlusion});
-    const int channels = drawn.pixels.channels();
-    Image<std::uint16_t> image(layers.grid().width, layers.grid().height, channels);
-    const Means means(drawn.pixels, samples);
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            means.write(x, y, image.pixel(x, y));
-        }
+ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& source) {
+    ColorPixels colors = draw_colors(layers, options.colors, source);
+    const Relief relief(layers, source.relief, ReliefSection::kSkyReach);
+    const VisibleSky sky(relief.section(), relief.strength(), source.occlusion.strength);
+    Surface surface{relief.slopes(),
+                    occlusion_of(relief, sky.lookup()),
+                    options.glow > 0.0 ? glow_of(layers, options, source) : Image<float>(),
+                    std::move(colors.pixels)};
+    const Lighting lighting(options);
+    const Light light = light_at_centers(surface, lighting);
+    const PixelNeighbors neighbors(layers.grid(), layers.frame().domain);
+    std::vector<std::uint32_t> contrasts;
+    if (options.samples > 1) {
+        contrasts = find_contrasts(
+            brightness_of(surface.colors, light), relief.distance().samples(), neighbors);
     }
+    const std::vector<Color> means =
+        mean_colors_of_batches(contrasts,
+                               surface,
+                               lighting,
+                               options.samples,
+                               ReliefSampler(relief, surface.slopes, sky.lookup(), neighbors));
+    shade_centers(light, surface.colors);
+    write_colors(contrasts, means, surface.colors);
     if (layers.is_patch()) {
-        const LinearRgb film = to_linear(parse_color(surface.albedo.film_color));
-        bleed_colors(image.view(), {to_sample(film.r), to_sample(film.g), to_sample(film.b)});
+        const LinearRgb film = to_linear(parse_color(source.albedo.film_color));
+        bleed_colors(surface.colors.view(),
+                     {to_sample(film.r), to_sample(film.g), to_sample(film.b)});
     }
-    return {std::move(image)};
+    return {std::move(surface.colors)};
 }
 
 }  // namespace foam::texgen

@@ -12,14 +12,13 @@
 
 namespace foam::texgen {
 
-/// The traits declare no smooth distance, because draw_lit computes a distance field of its own, on
-/// a finer grid.
 inline constexpr MapTraits kLitMap = {
     .name = "lit",
     .meaning = "albedo, thin_film or maze, shaded by a light on the relief",
     .unit = "light",
     .channels = "R G B",
     .png_filter = PngFilter::Up,
+    .smooth_distance = SmoothDistance::Used,
     .shows_relief = true};
 
 /// The map whose colors are lit.
@@ -39,9 +38,10 @@ struct LitOptions {
     // the coverage of films or by the weight of the shade beside them (AlbedoOptions::shade),
     // whichever is larger. For LitColors::Maze it is multiplied by the coverage of walls instead.
     double glow = 0.0;
-    // Samples per pixel in each direction; a pixel shows their mean. Fewer are used if a side of
-    // the image of samples would exceed kLargestGridSide.
-    int samples = 2;
+    // The number of points, in each direction, whose mean a pixel shows where the light varies
+    // strongly: at creases, in small highlights and at the borders of reflected windows. Elsewhere
+    // a pixel shows the light at its center.
+    int samples = 3;
 };
 
 Keys<LitOptions> lit_keys();
@@ -60,6 +60,6 @@ struct LitSurface {
 /// F. Blinn and M. E. Newell, "Texture and reflection in computer generated images" (1976). The
 /// visible fraction of the sky is computed as for the map occlusion (occlusion_of). The
 /// surroundings of a patch are transparent.
-ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& surface);
+ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& source);
 
 }  // namespace foam::texgen

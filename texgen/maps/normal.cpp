@@ -2,6 +2,7 @@
 
 #include "texgen/maps/normal.h"
 
+#include "core/parallel/simd_level.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/relief.h"
 
@@ -22,16 +23,22 @@ NumberPixels draw_normal(FrameLayers& layers,
                          const ReliefSource& source,
                          const NormalOptions& options) {
     const Relief relief(layers, source, Relief::kFoot);
-    const double up = options.y == NormalY::Up ? 1.0 : -1.0;
+    const PixelSlopes slopes = relief.slopes();
     Image<float> image(layers.grid().width, layers.grid().height, 3);
-    for (std::size_t k = 0; 3 * k < image.samples().size(); ++k) {
-        const Vec2 slope = relief.slope(k);
-        const double length = std::sqrt(1.0 + slope.squaredNorm());
-        const auto normal = image.samples().subspan(3 * k, 3);
-        normal[0] = static_cast<float>(-slope.x() / length);
-        normal[1] = static_cast<float>(-up * slope.y() / length);
-        normal[2] = static_cast<float>(1.0 / length);
-    }
+    at_simd_level([count = slopes.x.samples().size(),
+                   slopes_x = slopes.x.samples().data(),
+                   slopes_y = slopes.y.samples().data(),
+                   normals = image.samples().data(),
+                   up = options.y == NormalY::Up ? 1.0 : -1.0] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto x = static_cast<double>(slopes_x[k]);
+            const auto y = static_cast<double>(slopes_y[k]);
+            const double length = std::sqrt(1.0 + x * x + y * y);
+            normals[3 * k] = static_cast<float>(-x / length);
+            normals[3 * k + 1] = static_cast<float>(-up * y / length);
+            normals[3 * k + 2] = static_cast<float>(1.0 / length);
+        }
+    });
     return {std::move(image), -1.0, 1.0};
 }
 

@@ -5,6 +5,7 @@
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/relief.h"
+#include "texgen/maps/visible_sky.h"
 
 namespace foam::texgen {
 
@@ -33,10 +34,8 @@ NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefSource& source,
                             const OcclusionOptions& options);
 
-/// Returns the image that draw_occlusion draws, for a relief that exists already. `grid` is the
-/// grid of the relief's pixels.
-Image<float> occlusion_of(const Relief& relief,
-                          const RasterGrid& grid,
-                          const OcclusionOptions& options);
+/// Returns the fraction of the sky that is visible from a relief that exists already. `sky` is made
+/// for the section of this relief.
+Image<float> occlusion_of(const Relief& relief, const SkyLookup& sky);
 
 }  // namespace foam::texgen

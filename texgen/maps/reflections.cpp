@@ -5,12 +5,10 @@
 #include "core/geometry/elementary.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/degree.h"
-#include "texgen/maps/smooth_step.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace foam::texgen {
 
@@ -18,15 +16,6 @@ namespace {
 
 constexpr double kSharpest = 0.01;     // smallest softness of an edge; it looks sharp
 constexpr double kSecondWindow = 0.4;  // brightness of a window relative to the one before it
-// Half the width of the transition from the sky to the ground, as the sine of an elevation.
-constexpr double kHaze = 0.12;
-
-// Returns 1 if x is at most 1 - softness, 0 if x is at least 1 + softness, and a smooth transition
-// in between.
-double soft_edge(double x, double softness) {
-    return smooth_step(std::clamp((1.0 + softness - x) / (2.0 * softness), 0.0, 1.0));
-}
-
 }  // namespace
 
 Keys<ReflectionOptions> reflection_keys() {
@@ -74,43 +63,17 @@ Window::Window(double azimuth, double elevation, double degrees, double softness
       half_size_(ieee::tan(0.5 * degrees * kDegree)),
       softness_(std::max(softness, kSharpest)) {}
 
-// Projects the direction to the plane of the window.
-double Window::at(const Direction& direction) const {
-    const double distance = direction.dot(middle_);
-    if (!(distance > 0.0)) {
-        return 0.0;
-    }
-    const double scale = 1.0 / (distance * half_size_);
-    return soft_edge(std::abs(direction.dot(across_)) * scale, softness_) *
-           soft_edge(std::abs(direction.dot(upward_)) * scale, softness_);
-}
-
 Reflections::Reflections(const ReflectionOptions& options, double azimuth, double elevation)
-    : options_(options) {
+    : has_windows_(options.windows > 0), horizon_(options.horizon) {
+    double brightness = options.window_brightness;
     for (int k = 0; k < options.windows; ++k) {
-        windows_.emplace_back(
-            azimuth + 180.0 * k, elevation, options.window_size, options.window_softness);
+        const auto index = static_cast<std::size_t>(k);
+        windows_[index] =
+            Window(azimuth + 180.0 * k, elevation, options.window_size, options.window_softness);
+        brightnesses_[index] = brightness;
+        brightness *= kSecondWindow;
     }
     flat_ = around(Direction::UnitZ());
-}
-
-double Reflections::brightness(const Direction& normal) const {
-    const Direction mirrored = 2.0 * normal.z() * normal - Direction::UnitZ();
-    return std::max(around(mirrored) - flat_, 0.0);
-}
-
-// Returns the brightness of the surroundings in a direction.
-double Reflections::around(const Direction& direction) const {
-    double sum = 0.0;
-    double window_brightness = options_.window_brightness;
-    for (const Window& window : windows_) {
-        sum += window_brightness * window.at(direction);
-        window_brightness *= kSecondWindow;
-    }
-    const double above = std::clamp(direction.z(), 0.0, 1.0);
-    const double steep = 1.0 - above;  // the brightness of the sky is its fourth power
-    const double sky = smooth_step(std::clamp(0.5 + 0.5 * direction.z() / kHaze, 0.0, 1.0));
-    return sum + options_.horizon * sky * (steep * steep) * (steep * steep);
 }
 
 }  // namespace foam::texgen

@@ -3,10 +3,14 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/maps/smooth_step.h"
+#include "texgen/raster/simd/kernel.h"
 
 #include <Eigen/Core>
 
-#include <vector>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace foam::texgen {
 
@@ -35,39 +39,81 @@ Direction direction_of(double azimuth, double elevation);
 /// A bright square window that the surface reflects, in a given direction.
 class Window {
   public:
+    Window() = default;
     /// `degrees` is the width of the window, `softness` is ReflectionOptions::window_softness.
     Window(double azimuth, double elevation, double degrees, double softness);
 
-    /// Returns the brightness in a direction, from 0 to 1.
-    double at(const Direction& direction) const;
+    /// Returns the brightness in a direction, from 0 to 1. Loops that call this function can be
+    /// vectorized.
+    double at(const Direction& direction) const {
+        // The direction is projected to the plane of the window at distance 1.
+        const double distance = direction.dot(middle_);
+        const double scale = 1.0 / (max_value(distance, kGrazing) * half_size_);
+        const double inside = soft_edge(std::abs(direction.dot(across_)) * scale) *
+                              soft_edge(std::abs(direction.dot(upward_)) * scale);
+        return distance > 0.0 ? inside : 0.0;
+    }
 
   private:
-    Direction middle_;
-    Direction across_;
-    Direction upward_;
-    double half_size_;  // half the width of the window, if it is at distance 1
-    double softness_;
+    // The smallest cosine of the angle to the middle of the window that is divided by.
+    static constexpr double kGrazing = 1e-100;
+
+    // Returns 1 if x is at most 1 - softness, 0 if x is at least 1 + softness, and a smooth
+    // transition in between.
+    double soft_edge(double x) const {
+        const double passed = (1.0 + softness_ - x) / (2.0 * softness_);
+        return smooth_step(min_value(max_value(passed, 0.0), 1.0));
+    }
+
+    Direction middle_ = Direction::Zero();
+    Direction across_ = Direction::Zero();
+    Direction upward_ = Direction::Zero();
+    double half_size_ = 1.0;  // half the width of the window, if it is at distance 1
+    double softness_ = 1.0;
 };
 
 /// The surroundings that a mirror reflects (ReflectionOptions). The ground below the horizon is
-/// black, with a soft transition to the sky. Borrows the options.
+/// black, with a soft transition to the sky.
 class Reflections {
   public:
     /// `azimuth` and `elevation` give the direction of the light, in degrees.
     Reflections(const ReflectionOptions& options, double azimuth, double elevation);
 
     /// Returns true if nothing is reflected.
-    bool are_none() const { return windows_.empty() && options_.horizon == 0.0; }
+    bool are_none() const { return !has_windows_ && horizon_ == 0.0; }
 
     /// Returns the brightness that a mirror with the given normal shows to a viewer straight above
-    /// it, minus the brightness that a horizontal mirror shows, but at least 0.
-    double brightness(const Direction& normal) const;
+    /// it, minus the brightness that a horizontal mirror shows, but at least 0. Loops that call
+    /// this function can be vectorized.
+    double brightness(const Direction& normal) const {
+        const double twice = 2.0 * normal.z();
+        return max_value(
+            around({twice * normal.x(), twice * normal.y(), twice * normal.z() - 1.0}) - flat_,
+            0.0);
+    }
 
   private:
-    double around(const Direction& direction) const;
+    // Half the width of the transition from the sky to the ground, as the sine of an elevation.
+    static constexpr double kHaze = 0.12;
+    static constexpr std::size_t kMaxWindows = 2;
 
-    const ReflectionOptions& options_;
-    std::vector<Window> windows_;
+    // Returns the brightness of the surroundings in a direction.
+    double around(const Direction& direction) const {
+        // Windows that do not exist have the brightness 0.
+        double sum = 0.0;
+        for (std::size_t k = 0; k < kMaxWindows; ++k) {
+            sum += brightnesses_[k] * windows_[k].at(direction);
+        }
+        const double steep = 1.0 - max_value(direction.z(), 0.0);
+        const double above = 0.5 + 0.5 * direction.z() / kHaze;
+        const double sky = smooth_step(min_value(max_value(above, 0.0), 1.0));
+        return sum + horizon_ * sky * (steep * steep) * (steep * steep);
+    }
+
+    bool has_windows_ = false;
+    std::array<Window, kMaxWindows> windows_{};
+    std::array<double, kMaxWindows> brightnesses_{};
+    double horizon_ = 0.0;
     double flat_ = 0.0;  // brightness straight above
 };
 

@@ -2,13 +2,9 @@
 
 #include "texgen/maps/relief.h"
 
-#include "core/foam/measure.h"
 #include "texgen/maps/cell_fill.h"
 #include "texgen/maps/degree.h"
 #include "texgen/maps/smooth_step.h"
-
-#include <cmath>
-#include <numbers>
 
 namespace foam::texgen {
 
@@ -17,20 +13,6 @@ namespace {
 // The grain (a fine texture of noise, grain.h) has its full height where the smooth distance from
 // films is at least this, in diameters of the mean bubble.
 constexpr double kGrainFade = 0.12;
-
-// Returns for each bubble the radius, in pixels, of a circle with its area. The table is indexed by
-// the ids of the distance field.
-std::vector<double> dome_radii(FrameLayers& layers) {
-    const Frame& frame = layers.frame();
-    const double scale = pixels_per_unit(layers.grid(), frame.domain);
-    const auto radii = per_bubble<double>(
-        frame,
-        [&](BubbleId bubble) {
-            return scale * std::sqrt(frame.bubbles[bubble].area / std::numbers::pi);
-        },
-        [&](const LoneBubble& bubble) { return scale * lone_radius(bubble); });
-    return by_cell_id(layers, radii, 0.0);
-}
 
 }  // namespace
 
@@ -53,43 +35,85 @@ Relief::Relief(FrameLayers& layers, const ReliefSource& source, double reach)
     gradient_ = &field.smooth_gradient;
     if (source.relief.profile == ReliefProfile::Dome) {
         ids_ = &field.ids;
-        radii_ = dome_radii(layers);
+        radii_ = radii_by_cell_id(layers, 0.0);
     }
     if (source.relief.grain > 0.0) {
         // On flat ground, the grain only rises, so that no height is negative.
         const double mean = source.relief.profile == ReliefProfile::Dome ? 0.0 : kGrainBound;
-        grain_.emplace(layers, source.relief.grain_size, GrainUse::Relief, mean);
+        grain_ = draw_grain(layers, source.relief.grain_size, GrainUse::Relief, mean);
     }
 }
 
-GrainValue Relief::grain_at(std::size_t index) const {
-    const GrainValue grain = grain_->at(index);
-    const double range = kGrainFade * diameter_;
-    const double passed = static_cast<double>(smooth_->samples()[index]) / range;
-    if (passed >= 1.0) {
-        return {grain_height_ * grain.value, grain_height_ * grain.gradient};
-    }
-    const auto inward = gradient_->samples().subspan(2 * index, 2);
-    const double fade = smooth_step(passed);
-    const Vec2 fade_slope = smooth_step_slope(passed) / range * Vec2(inward[0], inward[1]);
-    return {grain_height_ * fade * grain.value,
-            grain_height_ * (fade * grain.gradient + grain.value * fade_slope)};
+// The grain is multiplied by a factor that rises smoothly from 0 on films to 1 at the smooth
+// distance kGrainFade.
+void Relief::add_grain(Image<float>& heights) const {
+    at_simd_level([count = heights.samples().size(),
+                   to = heights.samples().data(),
+                   values = grain_->value.samples().data(),
+                   distances = smooth_->samples().data(),
+                   range = kGrainFade * diameter_,
+                   height = grain_height_] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const double passed = min_value(static_cast<double>(distances[k]) / range, 1.0);
+            const double fade = smooth_step(passed);
+            to[k] += static_cast<float>(height * fade * static_cast<double>(values[k]));
+        }
+    });
 }
 
-double Relief::height(std::size_t index) const {
-    const double length_unit = unit(index);
-    const double height =
-        length_unit > 0.0 ? strength_ * length_unit * section_.height(smooth(index)) : 0.0;
-    return grain_ ? height + grain_at(index).value : height;
+void Relief::add_grain(PixelSlopes& slopes) const {
+    at_simd_level([count = slopes.x.samples().size(),
+                   to_x = slopes.x.samples().data(),
+                   to_y = slopes.y.samples().data(),
+                   values = grain_->value.samples().data(),
+                   slopes_x = grain_->slope_x.samples().data(),
+                   slopes_y = grain_->slope_y.samples().data(),
+                   distances = smooth_->samples().data(),
+                   gradient = gradient_->samples().data(),
+                   range = kGrainFade * diameter_,
+                   height = grain_height_] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const double passed = min_value(static_cast<double>(distances[k]) / range, 1.0);
+            const double fade = height * smooth_step(passed);
+            const double fade_slope =
+                height * smooth_step_slope(passed) / range * static_cast<double>(values[k]);
+            to_x[k] += static_cast<float>(fade * static_cast<double>(slopes_x[k]) +
+                                          fade_slope * static_cast<double>(gradient[2 * k]));
+            to_y[k] += static_cast<float>(fade * static_cast<double>(slopes_y[k]) +
+                                          fade_slope * static_cast<double>(gradient[2 * k + 1]));
+        }
+    });
 }
 
-Vec2 Relief::slope(std::size_t index) const {
-    if (!(unit(index) > 0.0)) {
-        return Vec2::Zero();
+Image<float> Relief::heights() const {
+    Image<float> image(smooth_->width(), smooth_->height(), 1);
+    for_all_pixels([heights = image.samples().data(), strength = strength_](
+                       const auto& section, double smooth, double unit, std::size_t k) {
+        const double height = strength * unit * section.height(smooth);
+        heights[k] = static_cast<float>(unit > 0.0 ? height : 0.0);
+    });
+    if (grain_) {
+        add_grain(image);
     }
-    const auto gradient = gradient_->samples().subspan(2 * index, 2);
-    const Vec2 slope = strength_ * section_.slope(smooth(index)) * Vec2(gradient[0], gradient[1]);
-    return grain_ ? Vec2(slope + grain_at(index).gradient) : slope;
+    return image;
+}
+
+PixelSlopes Relief::slopes() const {
+    PixelSlopes image{Image<float>(smooth_->width(), smooth_->height(), 1),
+                      Image<float>(smooth_->width(), smooth_->height(), 1)};
+    for_all_pixels(
+        [x = image.x.samples().data(),
+         y = image.y.samples().data(),
+         gradient = gradient_->samples().data(),
+         strength = strength_](const auto& section, double smooth, double unit, std::size_t k) {
+            const double slope = unit > 0.0 ? strength * section.slope(smooth) : 0.0;
+            x[k] = static_cast<float>(slope * static_cast<double>(gradient[2 * k]));
+            y[k] = static_cast<float>(slope * static_cast<double>(gradient[2 * k + 1]));
+        });
+    if (grain_) {
+        add_grain(image);
+    }
+    return image;
 }
 
 }  // namespace foam::texgen

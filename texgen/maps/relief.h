@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/vec2.h"
+#include "core/parallel/simd_level.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/grain.h"
 #include "texgen/maps/maze.h"
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace foam::texgen {
@@ -20,6 +22,13 @@ namespace foam::texgen {
 struct ReliefSource {
     const ReliefOptions& relief;
     const MazeOptions& maze;  // used only if the walls of a maze shape the relief
+};
+
+/// The gradient of the height of a relief at the centers of pixels, in two images of one channel: x
+/// to the right, y up.
+struct PixelSlopes {
+    Image<float> x;
+    Image<float> y;
 };
 
 /// The relief of a frame: a surface whose height varies over the foam, at the centers of pixels.
@@ -43,22 +52,30 @@ class Relief {
     Relief(const Relief&) = delete;
     Relief& operator=(const Relief&) = delete;
 
-    /// Return the height in pixels, and the gradient of the height (x to the right, y up), at a
-    /// pixel. `index` counts pixels row by row from the bottom row.
-    double height(std::size_t index) const;
-    Vec2 slope(std::size_t index) const;
+    /// Returns the heights at all pixels, in pixels.
+    Image<float> heights() const;
+    /// Returns the gradients of the height at all pixels.
+    PixelSlopes slopes() const;
 
-    /// Returns the unit of length of the section (ReliefSection) at a pixel, in pixels. For domes
-    /// it is 0 around a patch.
+    /// Calls kernel(section, smooth, unit, index) for all pixels. `section` is the section of the
+    /// profile (ReliefSection::visit), `smooth` is the smooth distance in units of the section, and
+    /// `unit` is this unit in pixels. For domes, both are 0 around a patch. The calls are made in a
+    /// vectorized loop (at_simd_level), so the kernel has to be a function object that captures by
+    /// value, and all functions that it calls have to be inline.
+    template <class Kernel>
+    void for_all_pixels(const Kernel& kernel) const;
+
+    /// Return the smooth distance in pixels, and its gradient (DistanceField::smooth_gradient), at
+    /// all pixels.
+    const Image<float>& distance() const { return *smooth_; }
+    const Image<float>& gradient() const { return *gradient_; }
+    const ReliefSection& section() const { return section_; }
+    /// Returns the unit of length of the section at a pixel, in pixels. For domes it is 0 around a
+    /// patch. `index` counts pixels row by row from the bottom row.
     double unit(std::size_t index) const {
         return ids_ == nullptr ? width_ : radii_[ids_->samples()[index]];
     }
-    /// Returns the smooth distance at a pixel, in units of the section. Precondition: the unit is
-    /// above 0.
-    double smooth(std::size_t index) const {
-        return static_cast<double>(smooth_->samples()[index]) / unit(index);
-    }
-    const ReliefSection& section() const { return section_; }
+    bool has_grain() const { return grain_.has_value(); }
     /// Returns the factor on heights (ReliefOptions::strength).
     double strength() const { return strength_; }
 
@@ -66,8 +83,12 @@ class Relief {
     double diameter() const { return diameter_; }
 
   private:
-    /// Returns the height of the grain at a pixel, in pixels, and its gradient.
-    GrainValue grain_at(std::size_t index) const;
+    void add_grain(Image<float>& heights) const;
+    void add_grain(PixelSlopes& slopes) const;
+    template <class Kernel>
+    void visit_domes(const DomeSection& section, const Kernel& kernel) const;
+    template <class Section, class Kernel>
+    void visit_films(const Section& section, const Kernel& kernel) const;
 
     ReliefSection section_;
     double strength_;
@@ -80,5 +101,42 @@ class Relief {
     std::optional<Grain> grain_;
     double grain_height_;  // factor on the values of the grain, pixels
 };
+
+template <class Kernel>
+void Relief::visit_domes(const DomeSection& section, const Kernel& kernel) const {
+    at_simd_level([=,
+                   count = smooth_->samples().size(),
+                   ids = ids_->samples().data(),
+                   radii = radii_.data(),
+                   pixels = smooth_->samples().data()] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const double unit = radii[ids[k]];
+            const double smooth = unit > 0.0 ? static_cast<double>(pixels[k]) / unit : 0.0;
+            kernel(section, smooth, unit, k);
+        }
+    });
+}
+
+template <class Section, class Kernel>
+void Relief::visit_films(const Section& section, const Kernel& kernel) const {
+    at_simd_level(
+        [=, count = smooth_->samples().size(), unit = width_, pixels = smooth_->samples().data()] {
+            for (std::size_t k = 0; k < count; ++k) {
+                kernel(section, static_cast<double>(pixels[k]) / unit, unit, k);
+            }
+        });
+}
+
+template <class Kernel>
+void Relief::for_all_pixels(const Kernel& kernel) const {
+    section_.visit([&](const auto& section) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(section)>, DomeSection>) {
+            if (ids_ != nullptr) {
+                return visit_domes(section, kernel);
+            }
+        }
+        visit_films(section, kernel);
+    });
+}
 
 }  // namespace foam::texgen

@@ -2,19 +2,22 @@
 
 #include "texgen/maps/thin_film.h"
 
-#include "core/foam/measure.h"
 #include "core/geometry/elementary.h"
+#include "core/geometry/trigonometric.h"
+#include "core/parallel/simd_level.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/color_loops.h"
 #include "texgen/maps/film_coverage.h"
 #include "texgen/maps/identity_number.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
-#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -38,6 +41,10 @@ constexpr double kFirstWavelength = 380.0;  // shortest wavelength, nanometers
 constexpr double kWavelengthStep = 5.0;     // nanometers
 constexpr int kWavelengths = 81;            // number of wavelengths, up to 780 nanometers
 constexpr int kThickest = 4000;             // nanometers; thicker films are practically gray
+
+double wavelength_at(int k) {
+    return kFirstWavelength + kWavelengthStep * k;
+}
 
 struct Xyz {
     double x = 0.0;
@@ -85,34 +92,22 @@ double reflectance(double thickness, double wavelength) {
 // spectrum(wavelength) returns a fraction from 0 to 1 for a wavelength in nanometers.
 template <class Spectrum>
 LinearRgb spectrum_to_rgb(const Spectrum& spectrum) {
+    static const std::array<Xyz, kWavelengths> matching = [] {
+        std::array<Xyz, kWavelengths> all;
+        for (int k = 0; k < kWavelengths; ++k) {
+            all[static_cast<std::size_t>(k)] = color_matching(wavelength_at(k));
+        }
+        return all;
+    }();
     Xyz sum;
     for (int k = 0; k < kWavelengths; ++k) {
-        const double wavelength = kFirstWavelength + kWavelengthStep * k;
-        const Xyz matching = color_matching(wavelength);
-        const double value = spectrum(wavelength);
-        sum.x += value * matching.x;
-        sum.y += value * matching.y;
-        sum.z += value * matching.z;
+        const double value = spectrum(wavelength_at(k));
+        const Xyz& of_wavelength = matching[static_cast<std::size_t>(k)];
+        sum.x += value * of_wavelength.x;
+        sum.y += value * of_wavelength.y;
+        sum.z += value * of_wavelength.z;
     }
     return to_rgb(sum);
-}
-
-// Returns film_reflectance for every whole number of nanometers from 0 to kThickest.
-std::vector<LinearRgb> make_reflectances() {
-    std::vector<LinearRgb> all;
-    for (int thickness = 0; thickness <= kThickest; ++thickness) {
-        all.push_back(film_reflectance(thickness));
-    }
-    return all;
-}
-
-// Returns film_reflectance(thickness), interpolated in a table. `thickness` is in nanometers.
-LinearRgb reflectance_from_table(double thickness) {
-    static const std::vector<LinearRgb> table = make_reflectances();
-    const double position = std::clamp(thickness, 0.0, static_cast<double>(kThickest));
-    const std::size_t below = std::min(static_cast<std::size_t>(position), table.size() - 2);
-    const double part = position - static_cast<double>(below);
-    return mixed(table[below], table[below + 1], part);
 }
 
 // Returns a color whose components are from 0 to 1: the given color, mixed with as little gray of
@@ -128,87 +123,128 @@ LinearRgb within_srgb(const LinearRgb& color) {
     return {inside(color.r), inside(color.g), inside(color.b)};
 }
 
-// The soap film that spans a bubble.
-struct Film {
-    double thickness = 0.0;  // nanometers, in the middle
-    double radius = 0.0;     // of a circle with the bubble's area, in pixels; 0 around a patch
-    double phase = 0.0;      // of the swirls, radians
+// Returns the color of a film of every whole number of nanometers from 0 to kThickest.
+std::vector<LinearRgb> colors_of_thicknesses(double exposure) {
+    static const std::vector<LinearRgb> reflectances = [] {
+        std::vector<LinearRgb> all;
+        for (int thickness = 0; thickness <= kThickest; ++thickness) {
+            all.push_back(film_reflectance(thickness));
+        }
+        return all;
+    }();
+    std::vector<LinearRgb> colors;
+    colors.reserve(reflectances.size());
+    for (const LinearRgb& light : reflectances) {
+        colors.push_back(within_srgb({exposure * light.r, exposure * light.g, exposure * light.b}));
+    }
+    return colors;
+}
+
+// The soap films that span the bubbles, indexed by the ids of the distance field.
+struct Films {
+    std::vector<double> thickness;  // nanometers, in the middle; 0 around a patch
+    std::vector<double> radius;     // of a circle with the bubble's area, pixels; 1 around a patch
+    std::vector<double> phase;      // of the swirls, radians
 };
 
-// Returns the soap films of all bubbles, indexed by the ids of the distance field.
-std::vector<Film> films_of(FrameLayers& layers, const ThinFilmOptions& options) {
+Films films_of(FrameLayers& layers, const ThinFilmOptions& options) {
     const Frame& frame = layers.frame();
-    const double scale = pixels_per_unit(layers.grid(), frame.domain);
     const auto thickness_of = [&](BubbleIdentity bubble) {
         const double number = identity_number(bubble, IdentityStream::Second) - 0.5;
         return options.thickness * (1.0 + options.variation * number);
     };
-    const auto film_of = [&](BubbleIdentity bubble, double radius) {
-        const double number = identity_number(bubble, IdentityStream::First);
-        return Film{thickness_of(bubble), scale * radius, 2.0 * std::numbers::pi * number};
+    const auto phase_of = [&](BubbleIdentity bubble) {
+        return 2.0 * std::numbers::pi * identity_number(bubble, IdentityStream::First);
     };
-    const auto films = per_bubble<Film>(
-        frame,
-        [&](BubbleId bubble) {
-            const FrameBubble& one = frame.bubbles[bubble];
-            return film_of(one.identity, std::sqrt(one.area / std::numbers::pi));
-        },
-        [&](const LoneBubble& bubble) { return film_of(bubble.identity, lone_radius(bubble)); });
-    return by_cell_id(layers, films, Film{});
+    const auto of_identity = [&](const auto& number_of) {
+        return per_bubble<double>(
+            frame,
+            [&](BubbleId bubble) { return number_of(frame.bubbles[bubble].identity); },
+            [&](const LoneBubble& bubble) { return number_of(bubble.identity); });
+    };
+    return {by_cell_id(layers, of_identity(thickness_of), 0.0),
+            radii_by_cell_id(layers, 1.0),
+            by_cell_id(layers, of_identity(phase_of), 0.0)};
 }
 
 // Returns a number from -1 to 1 that varies smoothly over a bubble: the sum of two crossed waves,
 // one of which bends the other. The pattern is twisted about the middle of the bubble, so that the
-// waves wind around it. `phase` turns the pattern and shifts the waves, so that bubbles differ.
-double swirl_at(const Vec2& place, double phase) {
+// waves wind around it. (x, y) is the place in the bubble. `phase` turns the pattern and shifts the
+// waves, so that bubbles differ.
+double swirl_at(double x, double y, double phase) {
     constexpr double kTwist = 2.2;  // angle between the middle and the rim, radians
-    const double angle = phase + kTwist * place.squaredNorm();
-    const auto [sine, cosine] = ieee::sincos(angle);
-    const Vec2 at(cosine * place.x() - sine * place.y(), sine * place.x() + cosine * place.y());
-    const double across = ieee::sin(2.5 * at.y() + 3.0 * phase);
-    return 0.65 * ieee::sin(4.0 * at.x() + 1.5 * across + phase) + 0.35 * across;
+    const auto [sine, cosine] = ieee::sincos_of_moderate(phase + kTwist * (x * x + y * y));
+    const double at_x = cosine * x - sine * y;
+    const double at_y = sine * x + cosine * y;
+    const double across = ieee::sincos_of_moderate(2.5 * at_y + 3.0 * phase).sine;
+    return 0.65 * ieee::sincos_of_moderate(4.0 * at_x + 1.5 * across + phase).sine + 0.35 * across;
 }
 
-// Returns the thickness in nanometers at a place (see the top of this file) with the given smooth
-// distance, in pixels, from the rim. The variable `rim` is 1 at the rim and 0 in the middle,
-// because in the middle of a circle of radius R the smooth distance is R / 2.
-double thickness_at(const Film& film,
-                    double smooth,
-                    const Vec2& place,
-                    const ThinFilmOptions& options) {
-    const double rim = 1.0 - std::min(2.0 * smooth / film.radius, 1.0);
-    double factor = 1.0 + options.drainage * rim * rim - options.gravity * place.y();
-    if (options.swirl > 0.0) {
-        factor += options.swirl * swirl_at(place, film.phase);
-    }
-    return film.thickness * std::max(factor, 0.0);
-}
-
-// The interference colors of bubbles at the centers of pixels.
-class FilmColors {
-  public:
-    FilmColors(FrameLayers& layers, const ThinFilmOptions& options)
-        : options_(options), field_(layers.distance()), films_(films_of(layers, options)) {}
-
-    // Returns the color at the pixel with the given index, or nullopt around a patch.
-    std::optional<LinearRgb> at(std::size_t index) const {
-        const Film& film = films_[field_.ids.samples()[index]];
-        if (!(film.radius > 0.0)) {
-            return std::nullopt;
+// Returns the thickness of the soap films at the center of each pixel, in nanometers. The variable
+// `rim` is 1 at the rim and 0 in the middle, because in the middle of a circle of radius R the
+// smooth distance is R / 2.
+template <bool HasSwirls>
+Image<float> thicknesses(const DistanceField& field,
+                         const Films& films,
+                         const ThinFilmOptions& options) {
+    Image<float> image(field.ids.width(), field.ids.height(), 1);
+    at_simd_level([count = image.samples().size(),
+                   thicknesses = image.samples().data(),
+                   ids = field.ids.samples().data(),
+                   distances = field.smooth.samples().data(),
+                   gradients = field.smooth_gradient.samples().data(),
+                   middles = films.thickness.data(),
+                   radii = films.radius.data(),
+                   phases = films.phase.data(),
+                   drainage = options.drainage,
+                   gravity = options.gravity,
+                   swirl = options.swirl] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint32_t id = ids[k];
+            const auto x = static_cast<double>(-gradients[2 * k]);
+            const auto y = static_cast<double>(-gradients[2 * k + 1]);
+            const double rim =
+                1.0 - min_value(2.0 * static_cast<double>(distances[k]) / radii[id], 1.0);
+            double factor = 1.0 + drainage * rim * rim - gravity * y;
+            if constexpr (HasSwirls) {
+                factor += swirl * swirl_at(x, y, phases[id]);
+            }
+            thicknesses[k] = static_cast<float>(middles[id] * max_value(factor, 0.0));
         }
-        const auto smooth = static_cast<double>(field_.smooth.samples()[index]);
-        const auto gradient = field_.smooth_gradient.samples().subspan(2 * index, 2);
-        const Vec2 place(-gradient[0], -gradient[1]);
-        const LinearRgb light = reflectance_from_table(thickness_at(film, smooth, place, options_));
-        const double exposure = options_.exposure;
-        return within_srgb({exposure * light.r, exposure * light.g, exposure * light.b});
-    }
+    });
+    return image;
+}
 
-  private:
-    const ThinFilmOptions& options_;
-    const DistanceField& field_;
-    std::vector<Film> films_;
-};
+// Writes the colors of films of the given thicknesses, interpolated in a table, to an image of
+// three channels.
+void write_colors(const Image<float>& thicknesses,
+                  const std::vector<LinearRgb>& table,
+                  Image<std::uint16_t>& image) {
+    change_colors(image,
+                  [thicknesses = thicknesses.samples().data(), table = table.data()](
+                      const std::array<float, 3>&, std::size_t k) {
+                      const float thickness =
+                          min_value(thicknesses[k], static_cast<float>(kThickest));
+                      const int below = min_value(static_cast<int>(thickness), kThickest - 1);
+                      const double part = static_cast<double>(thickness) - below;
+                      const auto mixed = [=](double a, double b) {
+                          return static_cast<float>(kWhite * (a + (b - a) * part));
+                      };
+                      return std::array{mixed(table[below].r, table[below + 1].r),
+                                        mixed(table[below].g, table[below + 1].g),
+                                        mixed(table[below].b, table[below + 1].b)};
+                  });
+}
+
+// Writes a color to the pixels whose centers are around a patch.
+void paint_surroundings(FrameLayers& layers, const LinearRgb& color, Image<std::uint16_t>& image) {
+    const std::span<const std::uint32_t> ids = layers.distance().ids.samples();
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        if (layers.is_surroundings(ids[k])) {
+            write_pixel(color, 1.0, image.samples().subspan(3 * k, 3));
+        }
+    }
+}
 
 }  // namespace
 
@@ -256,9 +292,16 @@ LinearRgb film_reflectance(double nanometers) {
 ColorPixels draw_thin_film(FrameLayers& layers,
                            const ThinFilmOptions& options,
                            const AlbedoOptions& albedo) {
-    const LinearRgb line = to_linear(parse_color(albedo.film_color));
-    const FilmColors films(layers, options);
-    return paint_films(layers, albedo, [&](std::size_t k) { return films.at(k).value_or(line); });
+    const Films films = films_of(layers, options);
+    const DistanceField& field = layers.distance();
+    const Image<float> image = options.swirl > 0.0 ? thicknesses<true>(field, films, options)
+                                                   : thicknesses<false>(field, films, options);
+    ColorPixels colors{Image<std::uint16_t>(layers.grid().width, layers.grid().height, 3)};
+    write_colors(image, colors_of_thicknesses(options.exposure), colors.pixels);
+    if (layers.is_patch()) {
+        paint_surroundings(layers, to_linear(parse_color(albedo.film_color)), colors.pixels);
+    }
+    return paint_films(layers, albedo, std::move(colors));
 }
 
 }  // namespace foam::texgen

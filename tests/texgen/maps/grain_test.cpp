@@ -23,7 +23,8 @@ TEST(Grain, TheGradientOfNoiseIsItsDerivative) {
     constexpr double kStep = 1e-6;
     for (int k = 0; k < 100; ++k) {
         const Vec2 at = sample_point(k);
-        const Vec2 gradient = octave_noise(at, 7, 3).gradient;
+        const NoiseValue noise = octave_noise(at, 7, 3);
+        const Vec2 gradient(noise.slope_x, noise.slope_y);
         for (int axis = 0; axis < 2; ++axis) {
             const Vec2 step = kStep * Vec2(1 - axis, axis);
             const double rise =
@@ -50,38 +51,60 @@ TEST(Grain, NoiseIsCenteredAndFillsItsRange) {
     EXPECT_LE(largest, 1.0);
 }
 
+constexpr auto kMiddle = static_cast<std::size_t>(32 * test::kCircleImage + 30);
+
 // The mean is added to every value in the bubble, but not around the patch.
 TEST(Grain, ItsMeanIsAdded) {
     test::LoneCircle circle(25.0);
-    const Grain plain(circle.layers, 0.2, GrainUse::Relief);
-    const Grain raised(circle.layers, 0.2, GrainUse::Relief, 3.0);
-    const auto middle = static_cast<std::size_t>(32 * test::kCircleImage + 30);
-    EXPECT_DOUBLE_EQ(raised.at(middle).value, plain.at(middle).value + 3.0);
-    EXPECT_EQ(raised.at(middle).gradient, plain.at(middle).gradient);
-    EXPECT_EQ(raised.at(0).value, 0.0);
+    const Grain plain = draw_grain(circle.layers, 0.2, GrainUse::Relief);
+    const Grain raised = draw_grain(circle.layers, 0.2, GrainUse::Relief, 3.0);
+    EXPECT_NEAR(raised.value.samples()[kMiddle], plain.value.samples()[kMiddle] + 3.0F, 1e-6F);
+    EXPECT_EQ(raised.slope_x, plain.slope_x);
+    EXPECT_EQ(raised.slope_y, plain.slope_y);
+    EXPECT_EQ(raised.value.samples()[0], 0.0F);
 }
 
 // A lone bubble has its grain in its circle, relative to its center.
 TEST(Grain, ThereIsNoneAroundAPatch) {
     test::LoneCircle circle(25.0);
-    const Grain grain(circle.layers, 0.2, GrainUse::Relief);
-    EXPECT_EQ(grain.at(0).value, 0.0);
-    EXPECT_EQ(grain.at(0).gradient, Vec2(0.0, 0.0));
-    const auto middle = static_cast<std::size_t>(32 * test::kCircleImage + 30);
-    EXPECT_NE(grain.at(middle).value, 0.0);
+    const Grain grain = draw_grain(circle.layers, 0.2, GrainUse::Relief);
+    EXPECT_EQ(grain.value.samples()[0], 0.0F);
+    EXPECT_EQ(grain.slope_x.samples()[0], 0.0F);
+    EXPECT_EQ(grain.slope_y.samples()[0], 0.0F);
+    EXPECT_NE(grain.value.samples()[kMiddle], 0.0F);
+}
+
+// The points of the noise are the centers of pixels, relative to the center of the bubble. There
+// are three octaves: features of 11.3, 5.6 and 2.8 pixels are not smaller than two pixels.
+TEST(Grain, IsTheSumOfOctavesAtTheCentersOfPixels) {
+    constexpr double kRadius = 25.0;
+    constexpr double kSize = 0.4;
+    test::LoneCircle circle(kRadius);
+    const double pixels =
+        diameters_in_pixels(kSize, circle.layers.grid(), circle.layers.frame().domain);
+    const Grain grain = draw_grain(circle.layers, kSize, GrainUse::Albedo);
+    test::for_each_inside(kRadius - 1.0, [&](int x, int y, const Vec2& point) {
+        const auto index = static_cast<std::size_t>(y * test::kCircleImage + x);
+        const NoiseValue noise =
+            octave_noise(point / pixels, seed_of_grain(BubbleIdentity{7}, GrainUse::Albedo), 3);
+        EXPECT_NEAR(grain.value.samples()[index], noise.value, 1e-5);
+        EXPECT_NEAR(grain.slope_x.samples()[index], noise.slope_x / pixels, 1e-5);
+        EXPECT_NEAR(grain.slope_y.samples()[index], noise.slope_y / pixels, 1e-5);
+    });
 }
 
 // The two uses have different grains.
 TEST(Grain, UsesAreIndependent) {
     const test::MapSubject& subject = test::torus_subject();
     FrameLayers layers(subject.input(), test::torus_grid(64), 1);
-    const Grain relief(layers, 0.5, GrainUse::Relief);
-    const Grain albedo(layers, 0.5, GrainUse::Albedo);
+    const Grain relief = draw_grain(layers, 0.5, GrainUse::Relief);
+    const Grain albedo = draw_grain(layers, 0.5, GrainUse::Albedo);
     double products = 0.0;
     double squares = 0.0;
     for (std::size_t k = 0; k < 64U * 64U; ++k) {
-        products += relief.at(k).value * albedo.at(k).value;
-        squares += relief.at(k).value * relief.at(k).value;
+        const auto value = static_cast<double>(relief.value.samples()[k]);
+        products += value * static_cast<double>(albedo.value.samples()[k]);
+        squares += value * value;
     }
     EXPECT_LT(std::abs(products), 0.2 * squares);
 }

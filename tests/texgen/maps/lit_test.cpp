@@ -15,6 +15,7 @@
 #include <numbers>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -85,6 +86,47 @@ TEST(Lit, LightComesFromItsAzimuth) {
     EXPECT_GT(right_over_left(0.0), 1.5);
     EXPECT_LT(right_over_left(180.0), 1.0 / 1.5);
     EXPECT_NEAR(right_over_left(90.0), 1.0, 0.05);
+}
+
+// Returns the mean of each square of kFiner² pixels of an image.
+constexpr int kFiner = 4;
+
+std::vector<double> means_of_squares(const Image<std::uint16_t>& fine) {
+    std::vector<double> means;
+    for (int y = 0; y < fine.height() / kFiner; ++y) {
+        for (int x = 0; x < fine.width() / kFiner; ++x) {
+            double sum = 0.0;
+            for (int k = 0; k < kFiner * kFiner; ++k) {
+                sum += fine.pixel(kFiner * x + k % kFiner, kFiner * y + k / kFiner)[1];
+            }
+            means.push_back(sum / (kFiner * kFiner));
+        }
+    }
+    return means;
+}
+
+// A pixel shows the mean light over its area: an image differs little from the means of an image
+// with four times as many pixels in each direction, also at creases and at highlights.
+TEST(Lit, AgreesWithTheMeansOfAFinerImage) {
+    MapOptions options;
+    options.albedo.colors = {"#808080"};
+    options.albedo.film_width = 0.0;
+    options.lit.reflections.windows = 2;
+    for (const auto profile : {ReliefProfile::Dome, ReliefProfile::Ridge, ReliefProfile::Wet}) {
+        options.relief.profile = profile;
+        const auto drawn = [&](int size) {
+            return std::get<ColorPixels>(
+                       draw("lit", test::torus_subject(), test::torus_grid(size), 1, options))
+                .pixels;
+        };
+        const Image<std::uint16_t> image = drawn(kSize);
+        const std::vector<double> means = means_of_squares(drawn(kFiner * kSize));
+        double errors = 0.0;
+        for (std::size_t k = 0; k < means.size(); ++k) {
+            errors += std::abs(image.samples()[3 * k + 1] - means[k]) / kWhite;
+        }
+        EXPECT_LT(errors / static_cast<double>(means.size()), 0.006);
+    }
 }
 
 constexpr double kDomeRadius = 40.0;  // pixels

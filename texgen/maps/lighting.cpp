@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/maps/lighting.h"
+
+#include "core/geometry/elementary.h"
+#include "core/geometry/exponential.h"
+#include "core/parallel/simd_level.h"
+#include "texgen/raster/simd/kernel.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+
+namespace foam::texgen {
+
+// Diffuse light is a mix of direct light (Lambert's cosine law) and the visible fraction of the
+// sky. The shine is the sum of a highlight, which depends on the halfway vector (J. F. Blinn,
+// "Models of light reflection for computer synthesized pictures", 1977), of a rim light that grows
+// with the slope, and of the reflections of windows and of the sky (reflections.h). Direct light is
+// divided by its value on flat ground, and the highlight and the reflection of flat ground are
+// subtracted.
+
+namespace {
+
+constexpr int kHighlightSteps = 2048;
+constexpr double kFaintest = 1e-6;  // highlights below this brightness are not drawn
+
+}  // namespace
+
+HighlightTable::HighlightTable(double gloss, double shininess, double flat)
+    : first(max_value(flat, ieee::pow_of_positive(kFaintest, 1.0 / shininess))) {
+    const double flat_highlight = ieee::pow_of_positive(flat, shininess);
+    for (int k = 0; k <= kHighlightSteps; ++k) {
+        const double cosine = first + (1.0 - first) * k / kHighlightSteps;
+        const double highlight = ieee::pow_of_positive(cosine, shininess) - flat_highlight;
+        brightness.push_back(gloss * max_value(highlight, 0.0));
+    }
+}
+
+Lighting::Lighting(const LitOptions& options)
+    : ambient_(options.ambient),
+      rim_(options.rim),
+      light_(direction_of(options.azimuth, options.elevation)),
+      halfway_((light_ + Direction::UnitZ()).normalized()),
+      highlights_(options.gloss, options.shininess, halfway_.z()),
+      reflections_(options.reflections, options.azimuth, options.elevation) {}
+
+// The loop uses pointers, because checked accesses to spans are not vectorized.
+template <bool Reflects>
+void Lighting::shade_points(const ReliefPoints& points, const PointLights& lights) const {
+    at_simd_level([count = points.sky.size(),
+                   slopes_x = points.slopes_x.data(),
+                   slopes_y = points.slopes_y.data(),
+                   skies = points.sky.data(),
+                   diffuse = lights.diffuse.data(),
+                   shine = lights.shine.data(),
+                   highlights = highlights_.brightness.data(),
+                   first = highlights_.first,
+                   steps_per_cosine = kHighlightSteps / max_value(1.0 - highlights_.first, 1e-15),
+                   ambient = ambient_,
+                   rim = rim_,
+                   light = light_,
+                   halfway = halfway_,
+                   reflections = reflections_] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto x = static_cast<double>(slopes_x[k]);
+            const auto y = static_cast<double>(slopes_y[k]);
+            const double scale = 1.0 / std::sqrt(1.0 + x * x + y * y);
+            const Direction normal(-scale * x, -scale * y, scale);
+            const double direct = max_value(normal.dot(light), 0.0) / light.z();
+            const auto sky = static_cast<double>(skies[k]);
+            diffuse[k] = static_cast<float>(direct + ambient * (sky - direct));
+            const double step = max_value((normal.dot(halfway) - first) * steps_per_cosine, 0.0);
+            const int below = min_value(static_cast<int>(step), kHighlightSteps - 1);
+            const double highlight =
+                highlights[below] + (highlights[below + 1] - highlights[below]) * (step - below);
+            const double steep = 1.0 - normal.z();
+            double sum = highlight + rim * steep * steep * steep;
+            if constexpr (Reflects) {
+                sum += reflections.brightness(normal);
+            }
+            shine[k] = static_cast<float>(sum);
+        }
+    });
+}
+
+void Lighting::shade(const ReliefPoints& points, const PointLights& lights) const {
+    if (reflections_.are_none()) {
+        shade_points<false>(points, lights);
+    } else {
+        shade_points<true>(points, lights);
+    }
+}
+
+}  // namespace foam::texgen

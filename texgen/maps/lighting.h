@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/maps/lit.h"
+#include "texgen/maps/reflections.h"
+
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Points of a relief. The spans have one number per point.
+struct ReliefPoints {
+    std::span<const float> slopes_x;  // the gradient of the height, x to the right
+    std::span<const float> slopes_y;  // y up
+    std::span<const float> sky;       // the visible fraction of the sky
+};
+
+/// The light at points of a relief. A surface of the color c has the color diffuse c + shine. The
+/// spans have one number per point.
+struct PointLights {
+    std::span<float> diffuse;
+    std::span<float> shine;
+};
+
+/// The brightness of a highlight for the cosine of the angle between the normal and the halfway
+/// vector: cosine^shininess, minus its value on flat ground, but at least 0.
+struct HighlightTable {
+    /// `flat` is the cosine on flat ground. The brightness is multiplied by `gloss`.
+    HighlightTable(double gloss, double shininess, double flat);
+
+    /// The brightness at equally spaced cosines from `first` to 1. It is 0 below `first`.
+    std::vector<double> brightness;
+    double first;
+};
+
+/// Computes the light at points of a relief. Flat ground under the whole sky has the diffuse light
+/// 1 and no shine.
+class Lighting {
+  public:
+    explicit Lighting(const LitOptions& options);
+
+    /// Writes the light at `points` to `lights`.
+    void shade(const ReliefPoints& points, const PointLights& lights) const;
+
+  private:
+    template <bool Reflects>
+    void shade_points(const ReliefPoints& points, const PointLights& lights) const;
+
+    double ambient_;
+    double rim_;
+    Direction light_;    // the direction to the light
+    Direction halfway_;  // halfway between the directions to the light and to the viewer
+    HighlightTable highlights_;
+    Reflections reflections_;
+};
+
+}  // namespace foam::texgen

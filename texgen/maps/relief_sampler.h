@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/geometry/vec2.h"
+#include "texgen/maps/pixel_neighbors.h"
+#include "texgen/maps/relief.h"
+#include "texgen/maps/visible_sky.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Points of a relief, one number per point.
+struct ReliefSamples {
+    std::span<float> slopes_x;  // the gradient of the height, x to the right
+    std::span<float> slopes_y;  // y up
+    std::span<float> sky;       // the visible fraction of the sky
+};
+
+/// Computes the relief at points within pixels. Borrows everything that it is constructed from.
+class ReliefSampler {
+  public:
+    /// `slopes` are the slopes of the relief at the centers of pixels.
+    ReliefSampler(const Relief& relief,
+                  const PixelSlopes& slopes,
+                  const SkyLookup& sky,
+                  const PixelNeighbors& neighbors);
+
+    /// Chooses pixels, by their indices.
+    void choose(std::span<const std::uint32_t> pixels);
+    /// Writes the relief at the same point of each chosen pixel. `offset` is the position of the
+    /// point relative to the center of the pixel, in pixels.
+    void write(const Vec2& offset, const ReliefSamples& to) const;
+
+  private:
+    /// The surroundings of the centers of the chosen pixels: one number per pixel.
+    struct Pixels {
+        std::vector<float> unit;      // Relief::unit
+        std::vector<float> distance;  // the smooth distance in pixels
+        std::vector<float> x;         // its gradient
+        std::vector<float> y;
+        std::vector<float> xx;  // its second derivatives
+        std::vector<float> xy;
+        std::vector<float> yy;
+        std::vector<float> grain_x;  // the slope of the grain
+        std::vector<float> grain_y;
+
+        void resize(std::size_t count);
+    };
+    void set_distance(std::size_t k, std::size_t pixel);
+    void set_grain(std::size_t k, std::size_t pixel);
+
+    const Relief& relief_;
+    const PixelSlopes& slopes_;
+    SkyLookup sky_;
+    const PixelNeighbors& neighbors_;
+    Pixels chosen_;
+};
+
+}  // namespace foam::texgen

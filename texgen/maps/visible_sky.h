@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/maps/relief_section.h"
+#include "texgen/raster/simd/kernel.h"
+
+#include <limits>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A lookup in the table of a VisibleSky, which must outlive it.
+struct SkyLookup {
+    const double* table;
+    int last;  // index of the last entry
+
+    /// Returns the visible fraction at a distance from the film, in the section's unit. The
+    /// distance may be infinite. Loops that call this function can be vectorized.
+    double at(double distance) const {
+        const double step = min_value(distance * kSteps, static_cast<double>(last));
+        const int below = min_value(static_cast<int>(step), last - 1);
+        const double fraction = table[below] + (table[below + 1] - table[below]) * (step - below);
+        return distance < std::numeric_limits<double>::infinity() ? fraction : 1.0;
+    }
+
+    static constexpr int kSteps = 128;  // entries per unit of a section
+};
+
+/// The fraction of a uniform sky that is visible from the points of a section.
+class VisibleSky {
+  public:
+    /// The heights of the section are multiplied by `strength`. The visible fraction is raised to
+    /// the power `exponent`.
+    VisibleSky(const ReliefSection& section, double strength, double exponent);
+
+    SkyLookup lookup() const { return {table_.data(), static_cast<int>(table_.size()) - 1}; }
+
+  private:
+    std::vector<double> table_;
+};
+
+}  // namespace foam::texgen
