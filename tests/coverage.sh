@@ -33,7 +33,7 @@ export_counts() {
     shift 2
     for program in "$@"; do objects+=(-object "$program"); done
     llvm-profdata-14 merge -sparse "$work/$name"-*.profraw -o "$work/$name.profdata"
-    llvm-cov-14 export -format=lcov -instr-profile="$work/$name.profdata" "${objects[@]}" core texgen >"$work/$name.lcov"
+    llvm-cov-14 export -format=lcov -instr-profile="$work/$name.profdata" "${objects[@]}" >"$work/$name.lcov"
 }
 
 measure_tests() {

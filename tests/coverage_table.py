@@ -61,14 +61,15 @@ def read_lcov(path):
         for line in file:
             kind, _, rest = line.strip().partition(":")
             if kind == "SF":
-                counts = sources[os.path.relpath(rest)]
+                # The compiler may see a source through a link (build/*/rooms) or a relative path.
+                counts = sources[os.path.relpath(os.path.realpath(rest))]
             elif kind == "DA":
                 number, executions = map(int, rest.split(",")[:2])
                 counts.lines[number] = max(executions, counts.lines.get(number, 0))
             elif kind == "BRDA":
                 counts.branches[0] += 1
                 counts.branches[1] += rest.split(",")[3] not in ("-", "0")
-    return sources
+    return {path: counts for path, counts in sources.items() if path.startswith(("core/", "texgen/"))}
 
 
 def total(all_counts):
