@@ -6,6 +6,7 @@
 #include <libdeflate.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cassert>
 #include <new>
 #include <stdexcept>
@@ -17,6 +18,9 @@ namespace {
 // The level of ISA-L, 0 to 3, for Compression::Fast. At level 3, files are 1 % smaller than at
 // level 2, but compression takes 2 to 6 times as long.
 constexpr int kFastLevel = 2;
+// Up to this level of zlib, ISA-L makes streams of the same size within 5 % in a third of the time
+// of libdeflate.
+constexpr int kLargestFastLevel = 2;
 // The level of libdeflate, 0 to 12, for Compression::Small; level 0 stores without compression. At
 // level 9, files are 1 % smaller than at level 7, but compression takes 2 to 4 times as long.
 constexpr int kSmallLevel = 7;
@@ -108,10 +112,28 @@ std::span<const std::byte> Deflater::deflate_whole(int level, std::span<const st
     return std::span(deflated_).first(size);
 }
 
+Bytes Deflater::zlib_stream(int level, std::span<const std::byte> data) {
+    const std::span<const std::byte> deflated =
+        level <= kLargestFastLevel ? deflate_fast(data, true) : deflate_whole(level, data);
+    const std::array<std::byte, 4> check = big_endian(adler32_of(data));
+    Bytes stream(kZlibHeader.size() + deflated.size() + check.size());
+    const auto blocks = std::ranges::copy(kZlibHeader, stream.begin()).out;
+    const auto end = std::ranges::copy(deflated, blocks).out;
+    std::ranges::copy(check, end);
+    return stream;
+}
+
 void Deflater::reserve_output(std::size_t size) {
     if (deflated_.size() < size) {
         deflated_.resize(size);
     }
+}
+
+std::array<std::byte, 4> big_endian(std::uint32_t number) {
+    return {static_cast<std::byte>(number >> 24),
+            static_cast<std::byte>(number >> 16),
+            static_cast<std::byte>(number >> 8),
+            static_cast<std::byte>(number)};
 }
 
 std::uint32_t adler32_of(std::span<const std::byte> data) {

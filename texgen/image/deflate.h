@@ -4,6 +4,7 @@
 
 #include "texgen/image/file_io.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -38,6 +39,11 @@ class Deflater {
                                        std::span<const std::byte> data,
                                        bool last = true);
 
+    /// Returns data compressed to a zlib stream (RFC 1950). `level` is from 1 (fastest) to 9
+    /// (smallest); the stream is about as large as from zlib at the same level. Levels 1 and 2 give
+    /// the same stream, which differs between processors as for Compression::Fast.
+    Bytes zlib_stream(int level, std::span<const std::byte> data);
+
   private:
     std::span<const std::byte> deflate_fast(std::span<const std::byte> data, bool last);
     void feed(std::span<const std::byte> data, int flush);
@@ -48,6 +54,13 @@ class Deflater {
     Bytes level_buffer_;
     Bytes deflated_;
 };
+
+/// The first bytes of a zlib stream (RFC 1950). They mean: compressed by deflate with a window of
+/// 32 KiB.
+inline constexpr std::array<std::byte, 2> kZlibHeader = {std::byte{0x78}, std::byte{0x01}};
+
+/// Returns a number as the last four bytes of a zlib stream: the most significant byte first.
+std::array<std::byte, 4> big_endian(std::uint32_t number);
 
 /// Returns the Adler-32 checksum of the data. A zlib stream ends with such a checksum (RFC 1950).
 std::uint32_t adler32_of(std::span<const std::byte> data);

@@ -4,6 +4,7 @@
 #include "texgen/image/exr.h"
 #include "texgen/image/exr_planes.h"
 #include "texgen/image/exr_stream.h"
+#include "texgen/image/exr_zip.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfHeader.h>
@@ -12,6 +13,8 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
 #include <OpenEXR/ImfTiledOutputFile.h>
+#include <OpenEXR/ImfVersion.h>
+#include <OpenEXR/ImfXdr.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -141,10 +144,32 @@ void write_rows(std::span<const ExrChannel> channels,
                 const Imf::Header& header,
                 int threads,
                 Imf::OStream& stream) {
-    const ExrPlanes planes(channels);
+    ExrPlanes planes(channels);
     Imf::OutputFile file(stream, header, threads);
     file.setFrameBuffer(planes.buffer());
     file.writePixels(header.dataWindow().max.y + 1);
+}
+
+// Returns true if a name is longer than readers of the first version of the format accept.
+bool has_long_names(std::span<const ExrChannel> channels) {
+    return std::ranges::any_of(
+        channels, [](const ExrChannel& channel) { return channel.name.size() > kLongestName; });
+}
+
+// Returns an EXR of rows with the compression ZIP or ZIPS.
+Bytes encode_zip(std::span<const ExrChannel> channels,
+                 const Imf::Header& header,
+                 const ExrEncoding& encoding) {
+    Bytes bytes;
+    ExrOutput stream(bytes);
+    const int version = Imf::EXR_VERSION | (has_long_names(channels) ? Imf::LONG_NAMES_FLAG : 0);
+    Imf::Xdr::write<Imf::StreamIO>(stream, Imf::MAGIC);
+    Imf::Xdr::write<Imf::StreamIO>(stream, version);
+    header.writeTo(stream);
+    const int rows_per_chunk = encoding.compression == ExrCompression::Zip ? 16 : 1;
+    append_zip_chunks(
+        ExrPlanes(channels), {rows_per_chunk, encoding.zip_level, encoding.threads}, bytes);
+    return bytes;
 }
 
 void write_levels(std::span<const ExrChannel> channels,
@@ -154,7 +179,7 @@ void write_levels(std::span<const ExrChannel> channels,
     ExrLevels levels(channels);
     Imf::TiledOutputFile file(stream, header, threads);
     for (int level = 0; level < file.numLevels(); ++level) {
-        const ExrPlanes planes(levels.channels());
+        ExrPlanes planes(levels.channels());
         file.setFrameBuffer(planes.buffer());
         file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
         levels.advance();
@@ -168,6 +193,11 @@ Bytes encode_exr(std::span<const ExrChannel> channels,
                  const ExrEncoding& encoding) {
     check_channels(channels);
     const Imf::Header header = header_of(channels, metadata, encoding);
+    const bool is_zip =
+        encoding.compression == ExrCompression::Zip || encoding.compression == ExrCompression::Zips;
+    if (is_zip && !encoding.mip_levels) {
+        return encode_zip(channels, header, encoding);
+    }
     const int threads = library_threads(encoding.threads);
     Bytes bytes;
     ExrOutput stream(bytes);

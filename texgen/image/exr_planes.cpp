@@ -7,6 +7,7 @@
 #include <Imath/half.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -117,15 +118,24 @@ std::vector<ExrChannel> exr_channels(const Picture& picture) {
     return channels;
 }
 
-ExrPlanes::ExrPlanes(std::span<const ExrChannel> channels) {
+ExrPlanes::ExrPlanes(std::span<const ExrChannel> channels) : size_(size_of(channels.front())) {
     for (const ExrChannel& channel : channels) {
-        rows_.push_back(stored_rows(channel));
-        const ExrSize size = size_of(channel);
-        const std::size_t row = rows_.back().size() / static_cast<std::size_t>(size.height);
-        const std::size_t pixel = row / static_cast<std::size_t>(size.width);
-        auto* const first = reinterpret_cast<char*>(rows_.back().data());
-        buffer_.insert(channel.name, Imf::Slice(pixel_type(channel.type), first, pixel, row));
+        Bytes samples = stored_rows(channel);
+        const std::size_t row_bytes = samples.size() / static_cast<std::size_t>(size_.height);
+        planes_.push_back({channel.name, channel.type, std::move(samples), row_bytes});
     }
+    std::ranges::sort(planes_, {}, &ExrPlane::name);
+}
+
+Imf::FrameBuffer ExrPlanes::buffer() {
+    Imf::FrameBuffer buffer;
+    for (ExrPlane& plane : planes_) {
+        const std::size_t pixel = plane.row_bytes / static_cast<std::size_t>(size_.width);
+        auto* const first = reinterpret_cast<char*>(plane.samples.data());
+        buffer.insert(plane.name,
+                      Imf::Slice(pixel_type(plane.type), first, pixel, plane.row_bytes));
+    }
+    return buffer;
 }
 
 void ExrLevels::advance() {

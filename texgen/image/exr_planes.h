@@ -9,6 +9,7 @@
 
 #include <OpenEXR/ImfFrameBuffer.h>
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <variant>
@@ -39,20 +40,36 @@ Imf::PixelType pixel_type(SampleType type);
 /// codes of 8 or 16 bits.
 std::vector<ExrChannel> exr_channels(const Picture& picture);
 
-/// All channels of one mip level in the layout that OpenEXR writes: one array per channel, with the
-/// top row first, in the sample types of the file.
+/// The samples of a channel in the type of the file, with the top row first.
+struct ExrPlane {
+    std::string name;
+    SampleType type = SampleType::Half;
+    Bytes samples;
+    std::size_t row_bytes = 0;
+
+    /// Returns the samples of a row. Rows count from the top.
+    std::span<const std::byte> row(int index) const {
+        return std::span(samples).subspan(static_cast<std::size_t>(index) * row_bytes, row_bytes);
+    }
+};
+
+/// All channels of one mip level in the layout that OpenEXR writes.
 class ExrPlanes {
   public:
     /// Converts the samples. Throws std::invalid_argument for a number that is not finite or that
     /// its type cannot hold.
     explicit ExrPlanes(std::span<const ExrChannel> channels);
 
+    /// Returns the channels, sorted by name as in the file.
+    std::span<const ExrPlane> planes() const { return planes_; }
+    int height() const { return size_.height; }
+
     /// Returns the frame buffer for OpenEXR. It refers to the memory of this object.
-    const Imf::FrameBuffer& buffer() const { return buffer_; }
+    Imf::FrameBuffer buffer();
 
   private:
-    std::vector<Bytes> rows_;  // the converted samples of each channel
-    Imf::FrameBuffer buffer_;
+    ExrSize size_;
+    std::vector<ExrPlane> planes_;
 };
 
 /// Computes the mip levels of channels one after the other, beginning with the full size.

@@ -21,23 +21,12 @@ namespace {
 // division makes files less than 1 % larger.
 constexpr std::size_t kPartBytes = std::size_t{1} << 19;
 
-// The first bytes of a zlib stream (RFC 1950). They mean: compressed by deflate with a window of
-// 32 KiB.
-constexpr std::array<std::byte, 2> kZlibHeader = {std::byte{0x78}, std::byte{0x01}};
-
 int rows_per_part(const PngRows& rows, Compression compression) {
     if (compression != Compression::Fast) {
         return rows.height();
     }
     const auto height = static_cast<std::size_t>(rows.height());
     return static_cast<int>(std::clamp<std::size_t>(kPartBytes / rows.row_bytes(), 1, height));
-}
-
-std::array<std::byte, 4> big_endian(std::uint32_t number) {
-    return {static_cast<std::byte>(number >> 24),
-            static_cast<std::byte>(number >> 16),
-            static_cast<std::byte>(number >> 8),
-            static_cast<std::byte>(number)};
 }
 
 }  // namespace

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/image/exr_zip.h"
+
+#include "core/parallel/parallel_for.h"
+#include "texgen/image/deflate.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// The format of OpenEXR ("OpenEXR File Layout" in its documentation): after the header come the
+// offsets of all chunks in the file. A chunk has the number of its first row, the size of its data,
+// and the data: a zlib stream (RFC 1950), or the samples as they are if the stream would not be
+// smaller. The samples of a chunk are sorted by rows, and within a row by channels. Before they are
+// compressed, the bytes with even indices are moved before those with odd indices, and each byte
+// but the first is replaced by its difference to the byte before it, plus 128.
+//
+// OpenEXR itself compresses with zlib, which takes several times as long for data of the same size.
+
+namespace foam::texgen {
+
+namespace {
+
+// Appends the bytes of a number, the least significant byte first.
+template <class Number>
+void append_number(Number number, Bytes& to) {
+    for (std::size_t k = 0; k < sizeof(Number); ++k) {
+        to.push_back(static_cast<std::byte>(static_cast<std::uint64_t>(number) >> (8 * k)));
+    }
+}
+
+// The buffers of one thread.
+struct ZipWorker {
+    Bytes samples;    // of a chunk
+    Bytes parted;     // the even bytes, then the odd ones
+    Bytes predicted;  // the differences
+    Deflater deflater;
+};
+
+// Sets `samples` to the samples of the rows from `first` to `last`. Rows count from the top.
+void gather_rows(const ExrPlanes& planes, int first, int last, Bytes& samples) {
+    samples.clear();
+    for (int row = first; row < last; ++row) {
+        for (const ExrPlane& plane : planes.planes()) {
+            const std::span<const std::byte> bytes = plane.row(row);
+            samples.insert(samples.end(), bytes.begin(), bytes.end());
+        }
+    }
+}
+
+// Sets `predicted` to the samples in the form that is compressed.
+void predict(ZipWorker& worker) {
+    const std::size_t size = worker.samples.size();
+    const std::size_t half = (size + 1) / 2;
+    worker.parted.resize(size);
+    worker.predicted.resize(size);
+    const auto* const from = reinterpret_cast<const std::uint8_t*>(worker.samples.data());
+    auto* const parted = reinterpret_cast<std::uint8_t*>(worker.parted.data());
+    auto* const predicted = reinterpret_cast<std::uint8_t*>(worker.predicted.data());
+    for (std::size_t k = 0; k < size / 2; ++k) {
+        parted[k] = from[2 * k];
+        parted[half + k] = from[2 * k + 1];
+    }
+    if (size % 2 == 1) {
+        parted[half - 1] = from[size - 1];
+    }
+    predicted[0] = parted[0];
+    for (std::size_t k = 1; k < size; ++k) {
+        predicted[k] = static_cast<std::uint8_t>(parted[k] - parted[k - 1] + 128);
+    }
+}
+
+// Returns a chunk of the rows from `first` to `last`.
+Bytes chunk_of(const ExrPlanes& planes, int first, int last, int level, ZipWorker& worker) {
+    gather_rows(planes, first, last, worker.samples);
+    predict(worker);
+    const Bytes zlib = worker.deflater.zlib_stream(level, worker.predicted);
+    const Bytes& data = zlib.size() < worker.samples.size() ? zlib : worker.samples;
+    Bytes chunk;
+    append_number(static_cast<std::uint32_t>(first), chunk);
+    append_number(static_cast<std::uint32_t>(data.size()), chunk);
+    chunk.insert(chunk.end(), data.begin(), data.end());
+    return chunk;
+}
+
+}  // namespace
+
+void append_zip_chunks(const ExrPlanes& planes, const ExrZip& options, Bytes& file) {
+    const int rows = options.rows_per_chunk;
+    const int count = (planes.height() + rows - 1) / rows;
+    std::vector<Bytes> chunks(static_cast<std::size_t>(count));
+    std::vector<ZipWorker> workers(
+        static_cast<std::size_t>(std::min(thread_count(options.threads), count)));
+    parallel_for(count, workers, [&](ZipWorker& worker, int k) {
+        const int first = k * rows;
+        const int last = std::min(first + rows, planes.height());
+        chunks[static_cast<std::size_t>(k)] = chunk_of(planes, first, last, options.level, worker);
+    });
+    std::size_t offset = file.size() + chunks.size() * sizeof(std::uint64_t);
+    for (const Bytes& chunk : chunks) {
+        append_number(std::uint64_t{offset}, file);
+        offset += chunk.size();
+    }
+    file.reserve(offset);
+    for (const Bytes& chunk : chunks) {
+        file.insert(file.end(), chunk.begin(), chunk.end());
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+// The pixel data of an EXR of rows with the compression ZIP or ZIPS. Only exr_encode.cpp uses these
+// declarations.
+
+#include "texgen/image/exr_planes.h"
+#include "texgen/image/file_io.h"
+
+namespace foam::texgen {
+
+/// Options of encode_zip_chunks.
+struct ExrZip {
+    int rows_per_chunk = 16;  // 16 for ZIP, 1 for ZIPS
+    int level = 2;            // ExrEncoding::zip_level
+    int threads = 1;          // as for thread_count
+};
+
+/// Appends the table of offsets and the chunks of rows to a file that ends with its header. The
+/// bytes do not depend on the number of threads.
+void append_zip_chunks(const ExrPlanes& planes, const ExrZip& options, Bytes& file);
+
+}  // namespace foam::texgen
