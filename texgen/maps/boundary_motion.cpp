@@ -2,6 +2,9 @@
 
 #include "texgen/maps/boundary_motion.h"
 
+#include "core/parallel/simd_level.h"
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -10,37 +13,104 @@ namespace foam::texgen {
 // Mean value coordinates (Floater 2003, Hormann and Floater 2006): the motion of the point is a
 // weighted mean of the motions of the corners. A corner at the distance r from the point has the
 // weight (tan(a / 2) + tan(b / 2)) / r, where a and b are the signed angles that the two sides at
-// the corner subtend at the point. The loop visits the sides, and adds the term of each side,
-// tan(a / 2) / r, to the weights of both its ends. A point on a corner or a side is handled
-// separately, because weights are infinite there.
-Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point) {
-    Vec2 sum = Vec2::Zero();
-    double weights = 0.0;
+// the corner subtend at the point. The outer loop visits the sides, and adds the term of each side,
+// tan(a / 2) / r, to the weights of both its ends, for all points. Weights are infinite
+// at a point on a corner or a side, so these points are computed separately.
+
+namespace {
+
+// A side of the polygon and the motions of its ends.
+struct Side {
+    Vec2 from;
+    Vec2 to;
+    Vec2 from_motion;
+    Vec2 to_motion;
+};
+
+// Calls visit(side) for all sides.
+template <class Visit>
+void for_each_side(const BoundaryMotion& boundary, const Visit& visit) {
     std::size_t k = boundary.points.size() - 1;
-    Vec2 from = boundary.points[k] - point;
-    double from_length = from.norm();
     for (std::size_t next = 0; next < boundary.points.size(); k = next++) {
-        const Vec2 to = boundary.points[next] - point;
-        const double to_length = to.norm();
-        if (to_length == 0.0) {
-            return boundary.motions[next];
-        }
-        const double twice_area = cross(from, to);
-        const double lengths = from_length * to_length;
-        if (twice_area == 0.0 && from.dot(to) < 0.0) {  // the point is on this side
-            return (to_length * boundary.motions[k] + from_length * boundary.motions[next]) /
-                   (from_length + to_length);
-        }
-        if (twice_area != 0.0) {
-            const double tangent = (lengths - from.dot(to)) / twice_area;  // tan(angle / 2)
-            sum += tangent / from_length * boundary.motions[k] +
-                   tangent / to_length * boundary.motions[next];
-            weights += tangent / from_length + tangent / to_length;
-        }
-        from = to;
-        from_length = to_length;
+        visit(Side{boundary.points[k],
+                   boundary.points[next],
+                   boundary.motions[k],
+                   boundary.motions[next]});
     }
-    return weights != 0.0 ? Vec2(sum / weights) : Vec2(Vec2::Zero());
+}
+
+// The sum of weights for each point, and whether the point is on the polygon.
+struct Weights {
+    explicit Weights(std::size_t count) : sums(count), is_on_side(count) {}
+
+    std::vector<double> sums;
+    std::vector<double> is_on_side;  // 1 or 0
+};
+
+// Adds the weights of the ends of a side, and their motions times these weights. Values at points
+// on the polygon may be infinite or NaN.
+void add_side(const Side& side, MovingPoints& points, Weights& weights) {
+    at_simd_level([side,
+                   count = points.x.size(),
+                   xs = points.x.data(),
+                   ys = points.y.data(),
+                   motion_x = points.motion_x.data(),
+                   motion_y = points.motion_y.data(),
+                   sums = weights.sums.data(),
+                   is_on_side = weights.is_on_side.data()] {
+#pragma GCC ivdep
+        for (std::size_t k = 0; k < count; ++k) {
+            const double from_x = side.from.x() - xs[k];
+            const double from_y = side.from.y() - ys[k];
+            const double to_x = side.to.x() - xs[k];
+            const double to_y = side.to.y() - ys[k];
+            const double from_length = std::sqrt(from_x * from_x + from_y * from_y);
+            const double to_length = std::sqrt(to_x * to_x + to_y * to_y);
+            const double twice_area = from_x * to_y - from_y * to_x;
+            const double dot = from_x * to_x + from_y * to_y;
+            const double tangent = (from_length * to_length - dot) / twice_area;  // tan(angle / 2)
+            const double from_weight = twice_area == 0.0 ? 0.0 : tangent / from_length;
+            const double to_weight = twice_area == 0.0 ? 0.0 : tangent / to_length;
+            motion_x[k] += from_weight * side.from_motion.x() + to_weight * side.to_motion.x();
+            motion_y[k] += from_weight * side.from_motion.y() + to_weight * side.to_motion.y();
+            sums[k] += from_weight + to_weight;
+            is_on_side[k] = twice_area == 0.0 && dot <= 0.0 ? 1.0 : is_on_side[k];
+        }
+    });
+}
+
+// Returns the motion of a point on the polygon: on its last side that contains the point.
+Vec2 motion_on_side(const BoundaryMotion& boundary, const Vec2& point) {
+    Vec2 motion = Vec2::Zero();
+    for_each_side(boundary, [&](const Side& side) {
+        const Vec2 from = side.from - point;
+        const Vec2 to = side.to - point;
+        const double lengths = from.norm() + to.norm();
+        if (cross(from, to) == 0.0 && from.dot(to) <= 0.0 && lengths > 0.0) {
+            motion = (to.norm() * side.from_motion + from.norm() * side.to_motion) / lengths;
+        }
+    });
+    return motion;
+}
+
+}  // namespace
+
+void set_motions(const BoundaryMotion& boundary, MovingPoints& points) {
+    points.motion_x.assign(points.x.size(), 0.0);
+    points.motion_y.assign(points.x.size(), 0.0);
+    Weights weights(points.x.size());
+    for_each_side(boundary, [&](const Side& side) { add_side(side, points, weights); });
+    for (std::size_t k = 0; k < points.x.size(); ++k) {
+        const double sum = weights.sums[k];
+        if (weights.is_on_side[k] > 0.0) {
+            const Vec2 motion = motion_on_side(boundary, {points.x[k], points.y[k]});
+            points.motion_x[k] = motion.x();
+            points.motion_y[k] = motion.y();
+        } else {
+            points.motion_x[k] = sum != 0.0 ? points.motion_x[k] / sum : 0.0;
+            points.motion_y[k] = sum != 0.0 ? points.motion_y[k] / sum : 0.0;
+        }
+    }
 }
 
 }  // namespace foam::texgen

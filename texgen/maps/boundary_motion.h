@@ -14,10 +14,18 @@ struct BoundaryMotion {
     std::vector<Vec2> motions{};  // the motion of each corner
 };
 
-/// Returns the motion of a point within or just outside the polygon, interpolated between the
-/// corners by mean value coordinates (Floater 2003, Hormann and Floater 2006). The motion is a
-/// smooth function of the point except at the corners of the polygon, and linear along each side.
+/// Points and their motions; the four arrays have the same size.
+struct MovingPoints {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> motion_x;
+    std::vector<double> motion_y;
+};
+
+/// Sets the motions of points within or just outside the polygon, interpolated between the corners
+/// by mean value coordinates (Floater 2003, Hormann and Floater 2006). The motion is a smooth
+/// function of the point except at the corners of the polygon, and linear along each side.
 /// Precondition: the polygon has at least one corner.
-Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point);
+void set_motions(const BoundaryMotion& boundary, MovingPoints& points);
 
 }  // namespace foam::texgen

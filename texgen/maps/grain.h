@@ -16,20 +16,6 @@ inline constexpr double kGrainBound = 2.0;
 /// The use of a grain. Grains of different uses are independent of each other.
 enum class GrainUse : std::uint32_t { Relief, Albedo };
 
-/// A value of noise, and its gradient.
-struct NoiseValue {
-    double value = 0.0;
-    double slope_x = 0.0;
-    double slope_y = 0.0;
-};
-
-/// Returns the sum of several octaves of gradient noise at a point (K. Perlin, "Improving noise",
-/// 2002). The first octave has features of size 1. The features of each further octave have half
-/// the size and half the height of the features of the preceding octave. The gradient is the
-/// derivative with respect to `point`. The noise depends only on the arguments. Precondition:
-/// `octaves` is from 1 to 30.
-NoiseValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
-
 /// Returns the seed of the noise in a bubble. It is never 0.
 std::uint32_t seed_of_grain(BubbleIdentity identity, GrainUse use);
 

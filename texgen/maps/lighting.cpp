@@ -5,6 +5,7 @@
 #include "core/geometry/elementary.h"
 #include "core/geometry/exponential.h"
 #include "core/parallel/simd_level.h"
+#include "texgen/keys/value_kinds.h"
 #include "texgen/raster/simd/kernel.h"
 
 #include <Eigen/Geometry>
@@ -28,6 +29,38 @@ constexpr double kFaintest = 1e-6;  // highlights below this brightness are not 
 
 }  // namespace
 
+Keys<LightOptions> light_keys() {
+    using Options = LightOptions;
+    return joined<LightOptions>(
+        {{key("azimuth",
+              Reals{-360.0, 360.0},
+              "direction of the light: degrees counterclockwise from the right",
+              &Options::azimuth)
+              .in("degrees"),
+          key("elevation",
+              Reals{1.0, 90.0},
+              "angle of the light above the ground, degrees; does not change the color of flat "
+              "ground",
+              &Options::elevation)
+              .in("degrees"),
+          key("ambient",
+              kFractions,
+              "fraction of the diffuse light that comes from the sky",
+              &Options::ambient)
+              .in("fraction of the diffuse light"),
+          key("gloss", Reals{0.0, 1000.0}, "brightness of highlights", &Options::gloss),
+          key("shininess",
+              Reals{1.0, 10000.0},
+              "exponent of highlights; larger values make them smaller",
+              &Options::shininess)
+              .unused_with("lit.gloss", {"0.0"}),
+          key("rim",
+              Reals{0.0, 1000.0},
+              "brightness added to steep slopes, such as the rims of bubbles",
+              &Options::rim)},
+         nested_keys("", &Options::reflections, reflection_keys())});
+}
+
 HighlightTable::HighlightTable(double gloss, double shininess, double flat)
     : first(max_value(flat, ieee::pow_of_positive(kFaintest, 1.0 / shininess))) {
     const double flat_highlight = ieee::pow_of_positive(flat, shininess);
@@ -38,7 +71,7 @@ HighlightTable::HighlightTable(double gloss, double shininess, double flat)
     }
 }
 
-Lighting::Lighting(const LitOptions& options)
+Lighting::Lighting(const LightOptions& options)
     : ambient_(options.ambient),
       rim_(options.rim),
       light_(direction_of(options.azimuth, options.elevation)),

@@ -2,13 +2,26 @@
 
 #pragma once
 
-#include "texgen/maps/lit.h"
+#include "texgen/keys/key.h"
 #include "texgen/maps/reflections.h"
 
 #include <span>
 #include <vector>
 
 namespace foam::texgen {
+
+/// A distant light, and how the surface reflects it. The viewer is straight above the foam.
+struct LightOptions {
+    double azimuth = 135.0;   // direction to the light, degrees counterclockwise from the right
+    double elevation = 50.0;  // angle of the light above the plane of the foam, degrees
+    double ambient = 0.4;     // fraction of the diffuse light that comes from a uniform sky
+    double gloss = 0.25;      // brightness of highlights
+    double shininess = 40.0;  // exponent of highlights; larger values make them smaller
+    double rim = 0.0;         // brightness added to steep slopes, such as the rims of bubbles
+    ReflectionOptions reflections{};
+};
+
+Keys<LightOptions> light_keys();
 
 /// Points of a relief. The spans have one number per point.
 struct ReliefPoints {
@@ -39,7 +52,7 @@ struct HighlightTable {
 /// 1 and no shine.
 class Lighting {
   public:
-    explicit Lighting(const LitOptions& options);
+    explicit Lighting(const LightOptions& options);
 
     /// Writes the light at `points` to `lights`.
     void shade(const ReliefPoints& points, const PointLights& lights) const;

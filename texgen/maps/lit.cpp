@@ -9,6 +9,7 @@
 #include "texgen/maps/color_loops.h"
 #include "texgen/maps/film_coverage.h"
 #include "texgen/maps/lighting.h"
+#include "texgen/maps/pixel_contrast.h"
 #include "texgen/maps/pixel_neighbors.h"
 #include "texgen/maps/relief.h"
 #include "texgen/maps/relief_sampler.h"
@@ -131,28 +132,6 @@ std::vector<float> brightness_of(const Image<std::uint16_t>& colors, const Light
     return brightness;
 }
 
-// Returns the pixels that a film may cross, and those whose shaded color differs from the mean of
-// the two neighbors in a row or in a column.
-std::vector<std::uint32_t> find_contrasts(std::span<const float> brightness,
-                                          std::span<const float> distances,
-                                          const PixelNeighbors& neighbors) {
-    constexpr float kContrast = 0.05F;                          // smallest relative difference
-    constexpr float kDark = 0.1F * static_cast<float>(kWhite);  // reduces differences in the dark
-    constexpr float kNear = 1.0F;                               // pixels
-    const auto bends = [&](std::size_t k, std::size_t before, std::size_t after) {
-        const float bend = brightness[before] - 2.0F * brightness[k] + brightness[after];
-        return std::abs(bend) > kContrast * (brightness[k] + kDark);
-    };
-    std::vector<std::uint32_t> pixels;
-    for (std::size_t k = 0; k < brightness.size(); ++k) {
-        if (distances[k] < kNear || bends(k, neighbors.left(k), neighbors.right(k)) ||
-            bends(k, neighbors.below(k), neighbors.above(k))) {
-            pixels.push_back(static_cast<std::uint32_t>(k));
-        }
-    }
-    return pixels;
-}
-
 using Color = std::array<float, 3>;  // from 0 to kWhite
 
 // Returns the values of an image of one channel at some pixels.
@@ -255,32 +234,6 @@ Keys<LitOptions> lit_keys() {
                                                  {"maze", LitColors::Maze}}}};
     return joined<LitOptions>(
         {{key("colors", kColors, "the map that is lit", &Options::colors),
-          key("azimuth",
-              Reals{-360.0, 360.0},
-              "direction of the light: degrees counterclockwise from the right",
-              &Options::azimuth)
-              .in("degrees"),
-          key("elevation",
-              Reals{1.0, 90.0},
-              "angle of the light above the ground, degrees; does not change the color of flat "
-              "ground",
-              &Options::elevation)
-              .in("degrees"),
-          key("ambient",
-              kFractions,
-              "fraction of the diffuse light that comes from the sky",
-              &Options::ambient)
-              .in("fraction of the diffuse light"),
-          key("gloss", Reals{0.0, 1000.0}, "brightness of highlights", &Options::gloss),
-          key("shininess",
-              Reals{1.0, 10000.0},
-              "exponent of highlights; larger values make them smaller",
-              &Options::shininess)
-              .unused_with("lit.gloss", {"0.0"}),
-          key("rim",
-              Reals{0.0, 1000.0},
-              "brightness added to steep slopes, such as the rims of bubbles",
-              &Options::rim),
           key("glow",
               kFractions,
               "fraction of the color of films, of the shade beside films, and of the walls of a "
@@ -290,11 +243,10 @@ Keys<LitOptions> lit_keys() {
           key("samples",
               Integers{1, 8},
               "number of points, in each direction, whose mean a pixel shows where the light "
-              "varies "
-              "strongly",
+              "varies strongly",
               &Options::samples)
               .in("points per pixel, in each direction")},
-         nested_keys("", &Options::reflections, reflection_keys())});
+         nested_keys("", &Options::light, light_keys())});
 }
 
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& source) {
@@ -305,7 +257,7 @@ ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSu
                     occlusion_of(relief, sky.lookup()),
                     options.glow > 0.0 ? glow_of(layers, options, source) : Image<float>(),
                     std::move(colors.pixels)};
-    const Lighting lighting(options);
+    const Lighting lighting(options.light);
     const Light light = light_at_centers(surface, lighting);
     const PixelNeighbors neighbors(layers.grid(), layers.frame().domain);
     std::vector<std::uint32_t> contrasts;

@@ -4,9 +4,9 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/albedo_options.h"
+#include "texgen/maps/lighting.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/occlusion.h"
-#include "texgen/maps/reflections.h"
 #include "texgen/maps/relief.h"
 #include "texgen/maps/thin_film.h"
 
@@ -24,16 +24,9 @@ inline constexpr MapTraits kLitMap = {
 /// The map whose colors are lit.
 enum class LitColors { Albedo, ThinFilm, Maze };
 
-/// A distant light, and how the surface reflects it. The viewer is straight above the foam.
 struct LitOptions {
     LitColors colors = LitColors::Albedo;
-    double azimuth = 135.0;   // direction to the light, degrees counterclockwise from the right
-    double elevation = 50.0;  // angle of the light above the plane of the foam, degrees
-    double ambient = 0.4;     // fraction of the diffuse light that comes from a uniform sky
-    double gloss = 0.25;      // brightness of highlights
-    double shininess = 40.0;  // exponent of highlights; larger values make them smaller
-    double rim = 0.0;         // brightness added to steep slopes, such as the rims of bubbles
-    ReflectionOptions reflections{};
+    LightOptions light{};
     // The fraction of the color of films that is emitted light. At each pixel it is multiplied by
     // the coverage of films or by the weight of the shade beside them (AlbedoOptions::shade),
     // whichever is larger. For LitColors::Maze it is multiplied by the coverage of walls instead.

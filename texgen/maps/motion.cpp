@@ -89,9 +89,14 @@ class CircleMotion {
         }
     }
 
-    // Returns the motion at a position relative to the center, both in pixels.
-    Vec2 at(const Vec2& from_center) const {
-        return scale_ * displacement_ + growth_ * from_center;
+    // Sets the motions of points. Their positions are relative to the center, in pixels.
+    void set_motions(MovingPoints& points) const {
+        points.motion_x.clear();
+        points.motion_y.clear();
+        for (std::size_t k = 0; k < points.x.size(); ++k) {
+            points.motion_x.push_back(scale_ * displacement_.x() + growth_ * points.x[k]);
+            points.motion_y.push_back(scale_ * displacement_.y() + growth_ * points.y[k]);
+        }
     }
 
   private:
@@ -131,12 +136,13 @@ class MotionPainter {
         if (index < bubbles) {
             const BoundaryMotion boundary = foam_.around(id_at<BubbleId>(index));
             const Vec2 first = first_junction(region, translation);
-            paint_pixels(image, [&](const Vec2& at) { return motion_at(boundary, at - first); });
+            paint_pixels(
+                image, first, [&](MovingPoints& points) { set_motions(boundary, points); });
         } else {
             const LoneBubble& lone = layers_.frame().lone_bubbles[index - bubbles - 1];
             const CircleMotion circle(lone, layers_.next(), scale_);
             const Vec2 center = pixel_in_view(layers_.grid(), lone.center);
-            paint_pixels(image, [&](const Vec2& at) { return circle.at(at - center); });
+            paint_pixels(image, center, [&](MovingPoints& points) { circle.set_motions(points); });
         }
     }
 
@@ -153,25 +159,42 @@ class MotionPainter {
         return Vec2(first.x, first.y) / kSubpixel;
     }
 
-    template <class MotionOf>
-    void paint_pixels(ImageView<float> image, const MotionOf& motion_of) const {
+    // Paints the pixels of the region. The positions of points are those of the centers of pixels
+    // relative to `origin`. set_motions(points) sets the motions of many points at once.
+    template <class SetMotions>
+    void paint_pixels(ImageView<float> image, const Vec2& origin, const SetMotions& set_motions) {
+        constexpr std::size_t kBatch = 1024;
         const PixelMask& mask = pixels_.mask();
         const PixelBox& box = pixels_.box();
+        const auto paint_batch = [&] {
+            set_motions(points_);
+            paint_points();
+        };
         for (int row = mask.rows().begin; row < mask.rows().end; ++row) {
+            const int y = box.bottom + row;
             mask.for_each_span(row, [&](int begin, int count) {
                 for (int x = box.left + begin; x < box.left + begin + count; ++x) {
-                    write(image, x, box.bottom + row, motion_of);
+                    points_.x.push_back(x + 0.5 - origin.x());
+                    points_.y.push_back(y + 0.5 - origin.y());
+                    targets_.push_back(image.pixel(wrap(x, image.width()), y).data());
+                }
+                if (targets_.size() >= kBatch) {
+                    paint_batch();
                 }
             });
         }
+        paint_batch();
     }
 
-    template <class MotionOf>
-    void write(ImageView<float> image, int x, int y, const MotionOf& motion_of) const {
-        const Vec2 motion = motion_of(Vec2(x + 0.5, y + 0.5)) / unit_;
-        const auto pixel = image.pixel(wrap(x, image.width()), y);
-        pixel[0] = static_cast<float>(motion.x());
-        pixel[1] = static_cast<float>(up_ * motion.y());
+    // Writes the motions of the points to their pixels, and removes the points.
+    void paint_points() {
+        for (std::size_t k = 0; k < targets_.size(); ++k) {
+            targets_[k][0] = static_cast<float>(points_.motion_x[k] / unit_);
+            targets_[k][1] = static_cast<float>(up_ * points_.motion_y[k] / unit_);
+        }
+        points_.x.clear();
+        points_.y.clear();
+        targets_.clear();
     }
 
     FrameLayers& layers_;
@@ -180,6 +203,8 @@ class MotionPainter {
     double unit_;   // unit of the image, in pixels
     double up_;     // 1 if positive y points up, -1 if it points down
     RegionPixels pixels_;
+    MovingPoints points_;          // the centers of some pixels
+    std::vector<float*> targets_;  // the samples of these pixels
 };
 
 }  // namespace

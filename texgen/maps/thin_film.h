@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include "texgen/image/color.h"
 #include "texgen/keys/key.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/map.h"
@@ -33,14 +32,6 @@ struct ThinFilmOptions {
 };
 
 Keys<ThinFilmOptions> thin_film_keys();
-
-/// Returns the color of white light that a soap film in air reflects at normal incidence, as linear
-/// light. `nanometers` is the thickness of the film. The reflectance is Airy's sum over all
-/// reflections in a layer of refractive index 1.33. It is weighted with the CIE 1931 color matching
-/// functions (Wyman, Sloan, Shirley, "Simple analytic approximations to the CIE XYZ color matching
-/// functions", 2013), and scaled so that a perfect mirror is white. The color may be outside sRGB:
-/// components may be negative.
-LinearRgb film_reflectance(double nanometers);
 
 /// Draws bubbles in the interference colors of a soap film that spans each bubble. The films
 /// between bubbles have the color, width and shape that the options of albedo give. The thickness

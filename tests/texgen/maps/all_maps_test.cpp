@@ -55,7 +55,7 @@ MapOptions wet_and_shaded() {
     options.albedo.shade_color = "#c02010";
     options.albedo.shade = 0.8;
     options.lit.glow = 0.7;
-    options.lit.rim = 0.3;
+    options.lit.light.rim = 0.3;
     return options;
 }
 

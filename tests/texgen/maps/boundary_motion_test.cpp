@@ -4,8 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace foam::texgen {
 namespace {
+
+Vec2 motion_at(const BoundaryMotion& boundary, const Vec2& point) {
+    MovingPoints points{{point.x()}, {point.y()}, {}, {}};
+    set_motions(boundary, points);
+    return {points.motion_x[0], points.motion_y[0]};
+}
 
 TEST(BoundaryMotion, IsExactOnThePolygonAndKeepsLinearMotion) {
     BoundaryMotion l_shape{
@@ -18,6 +27,13 @@ TEST(BoundaryMotion, IsExactOnThePolygonAndKeepsLinearMotion) {
     }
     for (const Vec2& point : {Vec2(1.0, 1.0), Vec2(3.5, 0.3), Vec2(0.2, 3.9), Vec2(2.0, 0.0)}) {
         EXPECT_LT((motion_at(l_shape, point) - linear(point)).norm(), 1e-12);
+    }
+    // From a side over a corner to a side.
+    MovingPoints points{{0.0, 1.0, 2.0, 3.0, 4.0}, std::vector<double>(5, 2.0), {}, {}};
+    set_motions(l_shape, points);
+    for (std::size_t k = 0; k < 5; ++k) {
+        const Vec2 motion(points.motion_x[k], points.motion_y[k]);
+        EXPECT_LT((motion - linear({points.x[k], 2.0})).norm(), 1e-12) << k;
     }
     l_shape.motions[1] = Vec2(7.0, 7.0);
     EXPECT_EQ(motion_at(l_shape, l_shape.points[1]), l_shape.motions[1]);

@@ -34,10 +34,10 @@ TEST(Lit, FlatGroundKeepsItsColors) {
     MapOptions options;
     options.relief.strength = 0.0;
     options.lit.samples = 1;
-    options.lit.gloss = 2.0;
-    options.lit.rim = 1.0;
-    options.lit.reflections.windows = 2;
-    options.lit.reflections.horizon = 1.0;
+    options.lit.light.gloss = 2.0;
+    options.lit.light.rim = 1.0;
+    options.lit.light.reflections.windows = 2;
+    options.lit.light.reflections.horizon = 1.0;
     const auto albedo = std::get<ColorPixels>(
         draw("albedo", test::torus_subject(), test::torus_grid(kSize), 1, options));
     EXPECT_EQ(lit_pixels(test::torus_subject(), options), albedo.pixels);
@@ -72,7 +72,7 @@ TEST(Lit, LightComesFromItsAzimuth) {
         FrameLayers layers =
             layers_of(frame, record, {kSize, kSize, 0, 0, View{Vec2::Zero(), 40.0}});
         MapOptions options;
-        options.lit.azimuth = azimuth;
+        options.lit.light.azimuth = azimuth;
         const Image<std::uint16_t> image = draw_lit(layers,
                                                     options.lit,
                                                     {options.albedo,
@@ -111,7 +111,7 @@ TEST(Lit, AgreesWithTheMeansOfAFinerImage) {
     MapOptions options;
     options.albedo.colors = {"#808080"};
     options.albedo.film_width = 0.0;
-    options.lit.reflections.windows = 2;
+    options.lit.light.reflections.windows = 2;
     for (const auto profile : {ReliefProfile::Dome, ReliefProfile::Ridge, ReliefProfile::Wet}) {
         options.relief.profile = profile;
         const auto drawn = [&](int size) {
@@ -139,7 +139,7 @@ Image<std::uint16_t> lit_dome(MapOptions options) {
         layers_of(frame, record, {kSize, kSize, 0, 0, View{Vec2::Zero(), kDomeRadius}});
     options.albedo.colors = {"#000000"};
     options.albedo.film_width = 0.0;
-    options.lit.gloss = 0.0;
+    options.lit.light.gloss = 0.0;
     return draw_lit(layers,
                     options.lit,
                     {options.albedo,
@@ -155,10 +155,10 @@ Image<std::uint16_t> lit_dome(MapOptions options) {
 TEST(Lit, ReflectsAWindowHalfwayToTheLight) {
     MapOptions options;
     options.relief.angle = 60.0;
-    options.lit.azimuth = 0.0;
-    options.lit.elevation = 50.0;
-    options.lit.reflections.windows = 2;
-    options.lit.reflections.window_size = 20.0;
+    options.lit.light.azimuth = 0.0;
+    options.lit.light.elevation = 50.0;
+    options.lit.light.reflections.windows = 2;
+    options.lit.light.reflections.window_size = 20.0;
     const Image<std::uint16_t> image = lit_dome(options);
     const double sphere = kDomeRadius / std::sin(std::numbers::pi / 3.0);
     const int at = static_cast<int>(sphere * std::sin(20.0 * std::numbers::pi / 180.0));
@@ -173,7 +173,7 @@ TEST(Lit, ReflectsAWindowHalfwayToTheLight) {
 TEST(Lit, ReflectsTheHorizonAsARing) {
     MapOptions options;
     options.relief.angle = 75.0;
-    options.lit.reflections.horizon = 1.0;
+    options.lit.light.reflections.horizon = 1.0;
     const Image<std::uint16_t> image = lit_dome(options);
     const double sphere = kDomeRadius / std::sin(75.0 * std::numbers::pi / 180.0);
     const auto light = [&](double degrees, double x, double y) {

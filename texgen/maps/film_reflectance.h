@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/color.h"
+
+namespace foam::texgen {
+
+/// Returns the color of white light that a soap film in air reflects at normal incidence, as linear
+/// light. `nanometers` is the thickness of the film. The reflectance is Airy's sum over all
+/// reflections in a layer of refractive index 1.33. It is weighted with the CIE 1931 color matching
+/// functions (Wyman, Sloan, Shirley, "Simple analytic approximations to the CIE XYZ color matching
+/// functions", 2013), and scaled so that a perfect mirror is white. The color may be outside sRGB:
+/// components may be negative.
+LinearRgb film_reflectance(double nanometers);
+
+}  // namespace foam::texgen

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/geometry/vec2.h"
+
+#include <array>
+#include <cstdint>
+
+namespace foam::texgen {
+
+// All functions of this file can be called in loops that the compiler vectorizes.
+
+/// A value of noise, and its gradient.
+struct NoiseValue {
+    double value = 0.0;
+    double slope_x = 0.0;
+    double slope_y = 0.0;
+};
+
+/// The magnitude of gradient noise with unit gradients is at most 1/sqrt(2). This factor spreads it
+/// to the range from -1 to 1.
+inline constexpr double kNoiseScale = 1.4142135623730951;
+
+/// A hash of 32 bits (the finalizer of MurmurHash3, A. Appleby).
+inline std::uint32_t scrambled(std::uint32_t x) {
+    x ^= x >> 16U;
+    x *= 0x85ebca6bU;
+    x ^= x >> 13U;
+    x *= 0xc2b2ae35U;
+    return x ^ (x >> 16U);
+}
+
+/// Returns the largest integer that is not above x. Loops that call this function can be vectorized
+/// on every level. Precondition: the integer fits into 32 bits.
+inline std::int32_t floor_of(double x) {
+    const auto towards_zero = static_cast<std::int32_t>(x);
+    return towards_zero - (x < towards_zero ? 1 : 0);
+}
+
+namespace detail {
+
+// Returns the hash of a row of the lattice.
+inline std::uint32_t row_hash(std::int32_t y, std::uint32_t seed) {
+    return scrambled(static_cast<std::uint32_t>(y) + scrambled(seed));
+}
+
+// The unit gradients of lattice points: 16 directions, 22.5 degrees apart. kA and kB are the cosine
+// and the sine of 22.5 degrees, kC is the cosine of 45 degrees.
+inline constexpr double kA = 0.9238795325112867;
+inline constexpr double kB = 0.3826834323650898;
+inline constexpr double kC = 0.7071067811865476;
+inline constexpr std::array<double, 16> kGradientsX = {
+    1, kA, kC, kB, 0, -kB, -kC, -kA, -1, -kA, -kC, -kB, 0, kB, kC, kA};
+inline constexpr std::array<double, 16> kGradientsY = {
+    0, kB, kC, kA, 1, kA, kC, kB, 0, -kB, -kC, -kA, -1, -kA, -kC, -kB};
+
+// A plane (a linear function) that is 0 at a lattice point.
+struct LatticePlane {
+    double value;  // at the point of the noise
+    double slope_x;
+    double slope_y;
+};
+
+// Returns the plane of a lattice point in the row with the given hash. `x` and `y` are the position
+// of the point of the noise relative to the lattice point.
+inline LatticePlane plane_of(std::int32_t column, std::uint32_t row, double x, double y) {
+    const std::uint32_t direction = scrambled(static_cast<std::uint32_t>(column) + row) >> 28U;
+    const double slope_x = kGradientsX.data()[direction];
+    const double slope_y = kGradientsY.data()[direction];
+    return {slope_x * x + slope_y * y, slope_x, slope_y};
+}
+
+}  // namespace detail
+
+/// Returns gradient noise on the lattice of the points with integer coordinates, so that its
+/// features have the size 1. Each of the four lattice points around the point defines a plane.
+/// Quintic polynomials blend the four planes.
+inline NoiseValue gradient_noise(double x, double y, std::uint32_t seed) {
+    const std::int32_t column = floor_of(x);
+    const std::int32_t line = floor_of(y);
+    const double in_x = x - column;
+    const double in_y = y - line;
+    const auto blend = [](double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); };
+    const auto slope = [](double t) { return 30.0 * t * t * (t * (t - 2.0) + 1.0); };
+    const double u = blend(in_x);
+    const double v = blend(in_y);
+    const std::uint32_t lower = detail::row_hash(line, seed);
+    const std::uint32_t upper = detail::row_hash(line + 1, seed);
+    const detail::LatticePlane p00 = detail::plane_of(column, lower, in_x, in_y);
+    const detail::LatticePlane p10 = detail::plane_of(column + 1, lower, in_x - 1.0, in_y);
+    const detail::LatticePlane p01 = detail::plane_of(column, upper, in_x, in_y - 1.0);
+    const detail::LatticePlane p11 = detail::plane_of(column + 1, upper, in_x - 1.0, in_y - 1.0);
+    const auto blended = [u, v](double a00, double a10, double a01, double a11) {
+        return a00 + u * (a10 - a00) + v * (a01 - a00) + u * v * (a00 - a10 - a01 + a11);
+    };
+    const double twist = p00.value - p10.value - p01.value + p11.value;
+    return {blended(p00.value, p10.value, p01.value, p11.value),
+            blended(p00.slope_x, p10.slope_x, p01.slope_x, p11.slope_x) +
+                slope(in_x) * (p10.value - p00.value + v * twist),
+            blended(p00.slope_y, p10.slope_y, p01.slope_y, p11.slope_y) +
+                slope(in_y) * (p01.value - p00.value + u * twist)};
+}
+
+/// Returns the seed of an octave of noise. Octave 0 is the first one.
+inline std::uint32_t seed_of_octave(std::uint32_t seed, int octave) {
+    return seed + static_cast<std::uint32_t>(octave) * 0x9e3779b9U;
+}
+
+/// Returns the sum of several octaves of gradient noise at a point (K. Perlin, "Improving noise",
+/// 2002). The first octave has features of size 1. The features of each further octave have half
+/// the size and half the height of the features of the preceding octave. The gradient is the
+/// derivative with respect to `point`. The noise depends only on the arguments. Precondition:
+/// `octaves` is from 1 to 30.
+NoiseValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
+
+}  // namespace foam::texgen
