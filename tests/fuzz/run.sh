@@ -23,25 +23,26 @@ readonly largest_input=65536  # bytes
 # The quarantine of the address sanitizer counts as memory of the run.
 export ASAN_OPTIONS=quarantine_size_mb=16:allocator_may_return_null=0 UBSAN_OPTIONS=print_stacktrace=1
 
-# dictionary_of TARGET: prints the path of the dictionary of a target.
+# dictionary_of TARGET: prints the option of libFuzzer with the dictionary of a target, or nothing if it has none.
 dictionary_of() {
     case $1 in
-        cache_info | flipbook | foam_state | manifest) echo tests/fuzz/dictionaries/json.dict ;;
-        preset | set_argument | tolerances) echo tests/fuzz/dictionaries/toml.dict ;;
-        file_pattern | frame_range | wkt_polygon) echo tests/fuzz/dictionaries/text.dict ;;
-        evolver | exr | png) echo "tests/fuzz/dictionaries/$1.dict" ;;
-        *) echo /dev/null ;;
+        cache_info | flipbook | foam_state | manifest) echo -dict=tests/fuzz/dictionaries/json.dict ;;
+        preset | set_argument | tolerances) echo -dict=tests/fuzz/dictionaries/toml.dict ;;
+        file_pattern | frame_range | wkt_polygon) echo -dict=tests/fuzz/dictionaries/text.dict ;;
+        evolver | exr | png) echo "-dict=tests/fuzz/dictionaries/$1.dict" ;;
     esac
 }
 
 # fuzz SECONDS TARGET: fuzzes a target. Starts again after a crash, until the time is over.
 fuzz() {
     local end=$((SECONDS + $1)) target=$2 left
+    local -a dictionary
+    mapfile -t dictionary < <(dictionary_of "$2")
     mkdir -p "$work/corpus/$target" "$work/findings/$target"
     : >"$work/$target.log"
     while left=$((end - SECONDS)) && ((left > 0)); do
         FOAMTEX_FUZZ_TARGET=$target "$program" -max_total_time="$left" -timeout=60 -rss_limit_mb=512 \
-            -max_len=$largest_input -dict="$(dictionary_of "$target")" -print_final_stats=1 -verbosity=1 \
+            -max_len=$largest_input "${dictionary[@]}" -print_final_stats=1 -verbosity=1 \
             -artifact_prefix="$work/findings/$target/" "$work/corpus/$target" "$seeds/$target" \
             >>"$work/$target.log" 2>&1 && break
         sleep 1

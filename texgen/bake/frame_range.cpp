@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <stdexcept>
-#include <unordered_set>
 
 namespace foam::texgen {
 
@@ -74,13 +73,16 @@ class Scanner {
     std::string_view rest_;
 };
 
-void expand(const Range& range, std::unordered_set<int>& seen, std::vector<int>& frames) {
+// Appends the frames of a range that `seen` does not contain. `seen` is indexed by frames.
+void expand(const Range& range, std::vector<bool>& seen, std::vector<int>& frames) {
     const int count = std::abs(range.last - range.first) + 1;
     const int direction = range.last < range.first ? -1 : 1;
     for (int i = 0; i < count; ++i) {
         const bool on_step = i % range.step == 0;
         const int frame = range.first + direction * i;
-        if (on_step != range.inverted && seen.insert(frame).second) {
+        const auto index = static_cast<std::size_t>(frame);
+        if (on_step != range.inverted && !seen[index]) {
+            seen[index] = true;
             frames.push_back(frame);
         }
     }
@@ -103,7 +105,7 @@ std::string format_run(int first, int last, int step) {
 }  // namespace
 
 std::vector<int> parse_frame_range(std::string_view text) {
-    std::unordered_set<int> seen;
+    std::vector<bool> seen(kLastFrame + 1);
     std::vector<int> frames;
     Scanner scanner(text);
     do {

@@ -40,6 +40,31 @@ void check_stream_length(const PngSession& session, std::size_t left) {
     }
 }
 
+std::uint32_t big_endian_number(std::span<const std::byte> bytes) {
+    std::uint32_t number = 0;
+    for (const std::byte byte : bytes.first(4)) {
+        number = number << 8U | std::to_integer<std::uint32_t>(byte);
+    }
+    return number;
+}
+
+/// Throws InputError if a chunk is longer than the rest of the file. libpng allocates a chunk
+/// before it reads it, so without this check a short file could make it allocate 2 GiB.
+void check_chunk_lengths(std::span<const std::byte> file) {
+    constexpr std::size_t kSignature = 8;
+    constexpr std::size_t kBeforeData = 8;  // length and type
+    constexpr std::size_t kAfterData = 4;   // check sum
+    std::size_t begin = kSignature;
+    while (begin + kBeforeData <= file.size()) {
+        const std::size_t left = file.size() - begin - kBeforeData;
+        const std::size_t length = big_endian_number(file.subspan(begin));
+        if (length > left) {
+            throw InputError("malformed PNG: unexpected end of the data");
+        }
+        begin += kBeforeData + length + kAfterData;
+    }
+}
+
 /// Makes libpng return 1 to 4 channels of samples of type Sample in the layout of an Image.
 /// Precondition: Sample has at least as many bits as the samples of the file.
 template <class Sample>
@@ -151,6 +176,7 @@ Picture decode_pixels(PngSession& session) {
 }  // namespace
 
 Picture decode_png(std::span<const std::byte> content) {
+    check_chunk_lengths(content);
     Source source = content;
     PngSession session(PngDirection::Read);
     check_decoded(session, session.run([&] { read_header(session, source); }));

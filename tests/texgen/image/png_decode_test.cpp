@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstring>
@@ -48,6 +49,13 @@ std::uint32_t crc_of(std::span<const std::byte> bytes) {
     return ~crc;
 }
 
+// Clang, with which the sanitizers are built, does not define the macros by which GCC tells them.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__clang__)
+constexpr bool kMayHaveSanitizers = true;
+#else
+constexpr bool kMayHaveSanitizers = false;
+#endif
+
 void put(std::span<std::byte> target, std::uint32_t number) {
     for (std::size_t i = 0; i < 4; ++i) {
         target[i] = static_cast<std::byte>(number >> (24 - 8 * i));
@@ -75,6 +83,33 @@ TEST(PngDecode, SamplesAreReadInTheDepthOfTheFile) {
     EXPECT_EQ(bytes.groups.front().names, (std::vector<std::string>{"Y", "A"}));
     const Picture words = decode_png(encode_png(Image<std::uint16_t>(3, 1, 3).view()));
     EXPECT_EQ(words.groups.front().type, SampleType::Uint16);
+}
+
+// A text whose chunk claims a length of two gibibytes is rejected before memory for it is
+// allocated. The chunk is inserted after the signature and the chunk IHDR, which have 33 bytes. The
+// limit of the address space makes the allocation fail, which libpng would report as "out of
+// memory".
+TEST(PngDecode, AChunkLongerThanTheFileIsNotAllocated) {
+    if (kMayHaveSanitizers) {
+        GTEST_SKIP() << "sanitizers need a large address space";
+    }
+    Bytes stream = encode_png(Image<std::uint8_t>(3, 1, 3).view());
+    Bytes text(20);
+    put(std::span(text), 0x7fffff00U);
+    std::memcpy(&text[4], "tEXt", 4);
+    stream.insert(stream.begin() + 33, text.begin(), text.end());
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+    const rlimit smaller{rlim_t{1} << 30U, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &smaller), 0);
+    std::string message;
+    try {
+        decode_png(stream);
+    } catch (const InputError& error) {
+        message = error.what();
+    }
+    setrlimit(RLIMIT_AS, &before);
+    EXPECT_EQ(message, "malformed PNG: unexpected end of the data");
 }
 
 // libpng skips a chunk of an unknown kind, even before the header: length 0, type, check sum.
