@@ -22,6 +22,9 @@ struct Range {
     bool inverted = false;  // true for ySTEP, which selects the frames that xSTEP skips
 };
 
+// The largest sum of the lengths of all ranges. It limits the time that a list costs.
+constexpr int kLongestList = 10 * kLastFrame;
+
 [[noreturn]] void reject(std::string_view text, std::string_view reason) {
     throw std::invalid_argument(fmt::format("frame range '{}': {}", text, reason));
 }
@@ -77,7 +80,7 @@ class Scanner {
 void expand(const Range& range, std::vector<bool>& seen, std::vector<int>& frames) {
     const int count = std::abs(range.last - range.first) + 1;
     const int direction = range.last < range.first ? -1 : 1;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; i += range.inverted ? 1 : range.step) {
         const bool on_step = i % range.step == 0;
         const int frame = range.first + direction * i;
         const auto index = static_cast<std::size_t>(frame);
@@ -108,8 +111,14 @@ std::vector<int> parse_frame_range(std::string_view text) {
     std::vector<bool> seen(kLastFrame + 1);
     std::vector<int> frames;
     Scanner scanner(text);
+    int length = 0;
     do {
-        expand(scanner.range(), seen, frames);
+        const Range range = scanner.range();
+        length += std::abs(range.last - range.first) + 1;
+        if (length > kLongestList) {
+            reject(text, fmt::format("the ranges have more than {} frames in all", kLongestList));
+        }
+        expand(range, seen, frames);
     } while (scanner.take(','));
     if (!scanner.at_end()) {
         reject(text,

@@ -33,8 +33,8 @@ enum class ExrCompression { None, Rle, Zips, Zip, Piz };
 /// Options of layout and compression. The pixels do not depend on them.
 struct ExrEncoding {
     ExrCompression compression = ExrCompression::Zip;
-    int zip_level =
-        2;  // level for Zip and Zips: 1 and 2 are the fastest, 9 gives the smallest files
+    /// The level for Zip and Zips: 1 and 2 are the fastest, 9 gives the smallest files.
+    int zip_level = 2;
     /// If true, the file has tiles of 64 x 64 pixels and mip levels down to 1 x 1. Each level has
     /// half the width and height of the level before, rounded down, but at least 1. Floating-point
     /// numbers are averaged by area (mean_level). Integers are ids, which cannot be averaged, so

@@ -160,6 +160,7 @@ bool has_long_names(std::span<const ExrChannel> channels) {
 Bytes encode_zip(std::span<const ExrChannel> channels,
                  const Imf::Header& header,
                  const ExrEncoding& encoding) {
+    header.sanityCheck();
     Bytes bytes;
     ExrOutput stream(bytes);
     const int version = Imf::EXR_VERSION | (has_long_names(channels) ? Imf::LONG_NAMES_FLAG : 0);
@@ -195,13 +196,13 @@ Bytes encode_exr(std::span<const ExrChannel> channels,
     const Imf::Header header = header_of(channels, metadata, encoding);
     const bool is_zip =
         encoding.compression == ExrCompression::Zip || encoding.compression == ExrCompression::Zips;
-    if (is_zip && !encoding.mip_levels) {
-        return encode_zip(channels, header, encoding);
-    }
-    const int threads = library_threads(encoding.threads);
     Bytes bytes;
     ExrOutput stream(bytes);
     try {
+        if (is_zip && !encoding.mip_levels) {
+            return encode_zip(channels, header, encoding);
+        }
+        const int threads = library_threads(encoding.threads);
         if (encoding.mip_levels) {
             write_levels(channels, header, threads, stream);
         } else {

@@ -16,7 +16,7 @@
 // and the data: a zlib stream (RFC 1950), or the samples as they are if the stream would not be
 // smaller. The samples of a chunk are sorted by rows, and within a row by channels. Before they are
 // compressed, the bytes with even indices are moved before those with odd indices, and each byte
-// but the first is replaced by its difference to the byte before it, plus 128.
+// but the first is replaced by its difference from the byte before it, plus 128.
 //
 // OpenEXR itself compresses with zlib, which takes several times as long for data of the same size.
 
@@ -40,7 +40,8 @@ struct ZipWorker {
     Deflater deflater;
 };
 
-// Sets `samples` to the samples of the rows from `first` to `last`. Rows count from the top.
+// Sets `samples` to the samples of the rows from `first` up to, but not including, `last`. Rows
+// count from the top.
 void gather_rows(const ExrPlanes& planes, int first, int last, Bytes& samples) {
     samples.clear();
     for (int row = first; row < last; ++row) {
@@ -73,7 +74,7 @@ void predict(ZipWorker& worker) {
     }
 }
 
-// Returns a chunk of the rows from `first` to `last`.
+// Returns a chunk of the rows from `first` up to, but not including, `last`.
 Bytes chunk_of(const ExrPlanes& planes, int first, int last, int level, ZipWorker& worker) {
     gather_rows(planes, first, last, worker.samples);
     predict(worker);

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace foam::texgen {
@@ -49,13 +50,21 @@ std::uint32_t big_endian_number(std::span<const std::byte> bytes) {
 }
 
 /// Throws InputError if a chunk is longer than the rest of the file. libpng allocates a chunk
-/// before it reads it, so without this check a short file could make it allocate 2 GiB.
+/// before it reads it, so without this check a short file could make it allocate 2 GiB. Bytes after
+/// the last chunk, IEND, are ignored. Files that are no PNG pass, because libpng rejects them.
 void check_chunk_lengths(std::span<const std::byte> file) {
     constexpr std::size_t kSignature = 8;
     constexpr std::size_t kBeforeData = 8;  // length and type
     constexpr std::size_t kAfterData = 4;   // check sum
+    const auto is_at = [&](std::size_t position, std::string_view text) {
+        return std::ranges::equal(file.subspan(position, text.size()),
+                                  std::as_bytes(std::span(text)));
+    };
     std::size_t begin = kSignature;
-    while (begin + kBeforeData <= file.size()) {
+    if (file.size() < kSignature || !is_at(0, "\x89PNG\r\n\x1a\n")) {
+        return;
+    }
+    while (begin + kBeforeData <= file.size() && !is_at(begin + 4, "IEND")) {
         const std::size_t left = file.size() - begin - kBeforeData;
         const std::size_t length = big_endian_number(file.subspan(begin));
         if (length > left) {

@@ -3,8 +3,8 @@
 #include "texgen/maps/boundary_motion.h"
 
 #include "core/parallel/simd_level.h"
+#include "texgen/raster/simd/kernel.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -14,8 +14,8 @@ namespace foam::texgen {
 // weighted mean of the motions of the corners. A corner at the distance r from the point has the
 // weight (tan(a / 2) + tan(b / 2)) / r, where a and b are the signed angles that the two sides at
 // the corner subtend at the point. The outer loop visits the sides, and adds the term of each side,
-// tan(a / 2) / r, to the weights of both its ends, for all points. Weights are infinite
-// at a point on a corner or a side, so these points are computed separately.
+// tan(a / 2) / r, to the weights of both its ends, for all points. Weights are infinite at a point
+// on a corner or a side, so these points are computed separately.
 
 namespace {
 
@@ -47,8 +47,9 @@ struct Weights {
     std::vector<double> is_on_side;  // 1 or 0
 };
 
-// Adds the weights of the ends of a side, and their motions times these weights. Values at points
-// on the polygon may be infinite or NaN.
+// Adds the weights of the ends of a side, and their motions times these weights. A point on the
+// line through the side gets no weights from it; set_motions replaces the motions of points on the
+// side.
 void add_side(const Side& side, MovingPoints& points, Weights& weights) {
     at_simd_level([side,
                    count = points.x.size(),
@@ -58,7 +59,7 @@ void add_side(const Side& side, MovingPoints& points, Weights& weights) {
                    motion_y = points.motion_y.data(),
                    sums = weights.sums.data(),
                    is_on_side = weights.is_on_side.data()] {
-#pragma GCC ivdep
+        FOAM_INDEPENDENT_ITERATIONS
         for (std::size_t k = 0; k < count; ++k) {
             const double from_x = side.from.x() - xs[k];
             const double from_y = side.from.y() - ys[k];

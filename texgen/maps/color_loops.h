@@ -30,7 +30,8 @@ void change_all_colors(std::uint16_t* samples, std::size_t count, const Kernel& 
                                                       k);
             for (std::size_t c = 0; c < 3; ++c) {
                 const float inside = min_value(max_value(color[c], 0.0F), kLargest);
-                pixel[c] = static_cast<std::uint16_t>(static_cast<int>(inside + 0.5F));
+                const float raised = inside + 0.5F;  // std::lround would not be vectorized
+                pixel[c] = static_cast<std::uint16_t>(static_cast<int>(raised));
             }
         }
     });

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kMaxOctaves = 5;
 constexpr double kSmallestFeature = 2.0;  // pixels; octaves of smaller features are left out
+
 // Returns the centroid of the polygon of a bubble's junctions, in foam units. On a torus, the
 // centroid belongs to that copy of the bubble whose first junction is at its stored position. If
 // the polygon has no area, for example if the bubble has two sides, returns the mean of the
@@ -104,10 +105,11 @@ Periods periods_of(const RasterGrid& grid, const Domain& domain) {
     return {grid.width * kSubpixel, grid.height * kSubpixel, shear_in_subpixels(grid, domain)};
 }
 
-// Returns the number of periods in a distance, rounded to nearest. The quotient is exact: a double
-// represents it well enough to distinguish it from the next integer.
+// Returns the number of periods in a distance, rounded to nearest. The result is exact, because a
+// double distinguishes the quotient from the next integer.
 std::int32_t periods_in(std::int32_t distance, std::int32_t period) {
-    return floor_of((static_cast<double>(distance) + period / 2) / period);
+    const std::int32_t half = period / 2;
+    return floor_of((static_cast<double>(distance) + half) / period);
 }
 
 // The points of the noise in a row of pixels, relative to the centroids of their bubbles, in
@@ -163,7 +165,7 @@ struct GrainRow {
 };
 
 // Adds one octave of noise to a row of pixels. `height` is the factor on values, `steepness` the
-// factor on slopes, and `frequency` the number of features in a feature of the first octave.
+// factor on slopes, and `octave` the number of the octave, from 0 on (seed_of_octave).
 void add_octave(
     const RowPoints& points, int octave, double height, double steepness, const GrainRow& row) {
     at_simd_level([count = row.value.size(),

@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include "core/geometry/vec2.h"
 #include "texgen/image/image.h"
 #include "texgen/maps/frame_layers.h"
 

@@ -2,13 +2,10 @@
 
 #include "texgen/maps/lighting.h"
 
-#include "core/geometry/elementary.h"
 #include "core/geometry/exponential.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/raster/simd/kernel.h"
-
-#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstddef>
@@ -69,6 +66,7 @@ HighlightTable::HighlightTable(double gloss, double shininess, double flat)
         const double highlight = ieee::pow_of_positive(cosine, shininess) - flat_highlight;
         brightness.push_back(gloss * max_value(highlight, 0.0));
     }
+    brightness.front() = 0.0;
 }
 
 Lighting::Lighting(const LightOptions& options)

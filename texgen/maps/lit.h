@@ -49,8 +49,8 @@ struct LitSurface {
 
 /// Draws the colors of the foam on its relief, lit by a distant light. Flat ground keeps its color
 /// if the whole sky is visible from it. Highlights follow J. F. Blinn, "Models of light reflection
-/// for computer synthesized pictures" (1977); reflections of windows and of the horizon follow J.
-/// F. Blinn and M. E. Newell, "Texture and reflection in computer generated images" (1976). The
+/// for computer synthesized pictures" (1977); reflections of windows and of the horizon follow
+/// J. F. Blinn and M. E. Newell, "Texture and reflection in computer generated images" (1976). The
 /// visible fraction of the sky is computed as for the map occlusion (occlusion_of). The
 /// surroundings of a patch are transparent.
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& source);

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace foam::texgen {
 

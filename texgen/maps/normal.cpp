@@ -7,6 +7,7 @@
 #include "texgen/maps/relief.h"
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace foam::texgen {

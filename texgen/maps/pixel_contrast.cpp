@@ -12,11 +12,11 @@ namespace foam::texgen {
 std::vector<std::uint32_t> find_contrasts(std::span<const float> brightness,
                                           std::span<const float> distances,
                                           const PixelNeighbors& neighbors) {
-    constexpr float kContrast = 0.05F;                          // smallest relative difference
+    constexpr float kContrast = 0.025F;                         // smallest relative difference
     constexpr float kDark = 0.1F * static_cast<float>(kWhite);  // reduces differences in the dark
     constexpr float kNear = 1.0F;                               // pixels
     const auto bends = [&](std::size_t k, std::size_t before, std::size_t after) {
-        const float bend = brightness[before] - 2.0F * brightness[k] + brightness[after];
+        const float bend = 0.5F * (brightness[before] + brightness[after]) - brightness[k];
         return std::abs(bend) > kContrast * (brightness[k] + kDark);
     };
     std::vector<std::uint32_t> pixels;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kSharpest = 0.01;     // smallest softness of an edge; it looks sharp
 constexpr double kSecondWindow = 0.4;  // brightness of a window relative to the one before it
+
 }  // namespace
 
 Keys<ReflectionOptions> reflection_keys() {

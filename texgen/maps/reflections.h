@@ -33,7 +33,7 @@ Keys<ReflectionOptions> reflection_keys();
 /// A direction: a vector of length 1 with the components right, up, and towards the viewer.
 using Direction = Eigen::Vector3d;
 
-/// Returns the direction with the given azimuth and elevation in degrees (maps/lit.h).
+/// Returns the direction with the given azimuth and elevation in degrees (LightOptions).
 Direction direction_of(double azimuth, double elevation);
 
 /// A bright square window that the surface reflects, in a given direction.

@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include "core/geometry/vec2.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/grain.h"

@@ -103,7 +103,7 @@ void ReliefSampler::write(const Vec2& offset, const ReliefSamples& to) const {
                        slopes_x = to.slopes_x.data(),
                        slopes_y = to.slopes_y.data(),
                        visible = to.sky.data()] {
-#pragma GCC ivdep
+            FOAM_INDEPENDENT_ITERATIONS
             for (std::size_t k = 0; k < count; ++k) {
                 const float x = gradient_x[k];
                 const float y = gradient_y[k];

@@ -2,7 +2,6 @@
 
 #include "texgen/maps/thin_film.h"
 
-#include "core/geometry/elementary.h"
 #include "core/geometry/trigonometric.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/keys/value_kinds.h"
@@ -14,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -27,10 +27,10 @@ namespace {
 
 // The thickness of the soap film that spans a bubble depends on the position in the bubble: liquid
 // gathers at the rim and at the bottom, and swirls. A table contains the color for every nanometer
-// of thickness. In this file, the place of a point is its
-// position in the bubble, as a vector that is zero in the middle of the bubble and has length 1 at
-// its rim: the negative gradient of the smooth distance (raster/distance/distance_field.h). In a
-// circle of radius R, this is the position relative to the center, divided by R.
+// of thickness. In this file, the place of a point is its position in the bubble, as a vector that
+// is zero in the middle of the bubble and has length 1 at its rim: the negative gradient of the
+// smooth distance (raster/distance/distance_field.h). In a circle of radius R, this is the position
+// relative to the center, divided by R.
 
 constexpr int kThickest = 4000;  // nanometers; thicker films are practically gray
 
@@ -120,18 +120,16 @@ Image<float> thicknesses(const DistanceField& field,
                    middles = films.thickness.data(),
                    radii = films.radius.data(),
                    phases = films.phase.data(),
-                   drainage = options.drainage,
-                   gravity = options.gravity,
-                   swirl = options.swirl] {
+                   options] {
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint32_t id = ids[k];
             const auto x = static_cast<double>(-gradients[2 * k]);
             const auto y = static_cast<double>(-gradients[2 * k + 1]);
             const double rim =
                 1.0 - min_value(2.0 * static_cast<double>(distances[k]) / radii[id], 1.0);
-            double factor = 1.0 + drainage * rim * rim - gravity * y;
+            double factor = 1.0 + options.drainage * rim * rim - options.gravity * y;
             if constexpr (HasSwirls) {
-                factor += swirl * swirl_at(x, y, phases[id]);
+                factor += options.swirl * swirl_at(x, y, phases[id]);
             }
             thicknesses[k] = static_cast<float>(middles[id] * max_value(factor, 0.0));
         }

@@ -112,6 +112,24 @@ TEST(PngDecode, AChunkLongerThanTheFileIsNotAllocated) {
     EXPECT_EQ(message, "malformed PNG: unexpected end of the data");
 }
 
+TEST(PngDecode, BytesAfterTheLastChunkAreIgnored) {
+    const Image<std::uint8_t> image(3, 1, 3);
+    Bytes stream = encode_png(image.view());
+    stream.insert(stream.end(), 50, std::byte{0xff});
+    EXPECT_EQ(decode_png(stream).groups.size(), 1U);
+}
+
+// At the place of the length of the first chunk, a JPEG has other bytes.
+TEST(PngDecode, AnotherKindOfFileIsNamed) {
+    Bytes stream(40, std::byte{0x49});
+    try {
+        decode_png(stream);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()), "malformed PNG: Not a PNG file");
+    }
+}
+
 // libpng skips a chunk of an unknown kind, even before the header: length 0, type, check sum.
 TEST(PngDecode, TheDepthIsThatOfTheHeaderWhereverItIs) {
     Bytes stream = encode_png(Image<std::uint16_t>(3, 1, 3).view());

@@ -6,6 +6,14 @@
 
 #include <vector>
 
+/// Stands before a loop whose arrays do not overlap. GCC then vectorizes the loop without comparing
+/// the addresses of the arrays, which it does only for a few arrays.
+#if defined(__GNUC__) && !defined(__clang__)
+#define FOAM_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
+#else
+#define FOAM_INDEPENDENT_ITERATIONS
+#endif
+
 namespace foam::texgen {
 
 /// Return the smaller (min_value) and the larger (max_value) of two values. Unlike std::min and
