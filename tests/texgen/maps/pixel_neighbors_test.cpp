@@ -9,7 +9,7 @@ namespace {
 
 // The pixels of a row have consecutive indices: row 0 has 0 to 3, row 1 has 4 to 7, row 2 has 8
 // to 11.
-constexpr RasterGrid kGrid{4, 3};
+const RasterGrid kGrid{4, 3};
 
 TEST(PixelNeighbors, AreBesideAPixelInTheImage) {
     const PixelNeighbors neighbors(kGrid, Domain{4.0, 3.0});
