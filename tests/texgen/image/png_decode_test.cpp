@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "tests/support/sample_foams.h"
+#include "tests/support/sanitizers.h"
 #include "tests/texgen/image/numbered.h"
 #include "tests/texgen/image/png_chunks.h"
 #include "tests/texgen/pictures.h"
@@ -49,13 +50,6 @@ std::uint32_t crc_of(std::span<const std::byte> bytes) {
     return ~crc;
 }
 
-// Clang, with which the sanitizers are built, does not define the macros by which GCC tells them.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__clang__)
-constexpr bool kMayHaveSanitizers = true;
-#else
-constexpr bool kMayHaveSanitizers = false;
-#endif
-
 void put(std::span<std::byte> target, std::uint32_t number) {
     for (std::size_t i = 0; i < 4; ++i) {
         target[i] = static_cast<std::byte>(number >> (24 - 8 * i));
@@ -90,7 +84,7 @@ TEST(PngDecode, SamplesAreReadInTheDepthOfTheFile) {
 // limit of the address space makes the allocation fail, which libpng would report as "out of
 // memory".
 TEST(PngDecode, AChunkLongerThanTheFileIsNotAllocated) {
-    if (kMayHaveSanitizers) {
+    if (foam::test::kMayHaveSanitizers) {
         GTEST_SKIP() << "sanitizers need a large address space";
     }
     Bytes stream = encode_png(Image<std::uint8_t>(3, 1, 3).view());
