@@ -20,7 +20,8 @@ constexpr int kLastFrame = 1'000'000;
 ///     10-1     backwards                     1-3,7    a list of ranges
 ///
 /// Throws std::invalid_argument for any other text, for frames and steps outside 1 to kLastFrame,
-/// and for a text that selects no frame.
+/// for a text that selects no frame, and for ranges that are together longer than ten million
+/// frames.
 std::vector<int> parse_frame_range(std::string_view text);
 
 /// Returns a short text that parse_frame_range parses to these frames. Two or more consecutive

@@ -52,6 +52,16 @@ TEST(FrameRange, ErrorsNameTheRange) {
     }
 }
 
+// Ranges may repeat frames, but not without end.
+TEST(FrameRange, TheLengthOfAllRangesIsLimited) {
+    std::string text = "1-1000000";
+    for (int k = 1; k < 10; ++k) {
+        text += ",1-1000000";
+    }
+    EXPECT_EQ(parse_frame_range(text).size(), 1'000'000U);
+    EXPECT_THROW(parse_frame_range(text + ",5"), std::invalid_argument);
+}
+
 TEST(FrameRange, IsWrittenShort) {
     EXPECT_EQ(format_frame_range(Frames{1, 2, 3, 4}), "1-4");
     EXPECT_EQ(format_frame_range(Frames{1, 3, 5}), "1-5x2");
