@@ -2,12 +2,15 @@
 
 #include "texgen/image/apng.h"
 
+#include "texgen/image/byte_order.h"
+#include "texgen/image/png_chunk.h"
+
 #include <fmt/core.h>
 #include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -24,95 +27,52 @@ namespace foam::texgen {
 
 namespace {
 
-// The first bytes of every PNG.
-constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 // The following sizes are in bytes.
-constexpr std::size_t kWord = 4;           // the length, the type or the checksum of a chunk
-constexpr std::size_t kSizeBytes = 8;      // width and height, at the start of an IHDR's content
-constexpr std::size_t kFrameControl = 26;  // the content of an fcTL
+constexpr std::size_t kSequenceNumber = 4;  // at the start of an fdAT's content
+constexpr std::size_t kSizeBytes = 8;       // width and height, at the start of an IHDR's content
+constexpr std::size_t kFrameControl = 26;   // the content of an fcTL
 // An acTL chunk with this number of plays requests an endless loop.
 constexpr std::uint32_t kPlayForever = 0;
 
 using Content = std::span<const std::byte>;
 
-struct Chunk {
-    std::string_view type;
-    Content content;
-};
-
 [[noreturn]] void reject_stream() {
     throw std::invalid_argument("a frame is not a PNG stream");
-}
-
-/// Returns the big-endian number in the first 4 bytes. Precondition: there are at least 4 bytes.
-std::uint32_t number_at(Content bytes) {
-    std::uint32_t number = 0;
-    for (const std::byte byte : bytes.first(kWord)) {
-        number = number << 8 | std::to_integer<std::uint32_t>(byte);
-    }
-    return number;
 }
 
 void append(Bytes& to, Content bytes) {
     to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
-/// Appends a number in big-endian byte order.
-template <class Number>
-void append_number(Bytes& to, Number number) {
-    for (int shift = 8 * static_cast<int>(sizeof(Number)) - 8; shift >= 0; shift -= 8) {
-        to.push_back(static_cast<std::byte>(number >> shift));
-    }
-}
-
 /// Appends a chunk: the length of its content, its type, its content, and the CRC of type and
 /// content (section 5.3 of the PNG specification).
 void append_chunk(Bytes& to, std::string_view type, Content content) {
-    append_number(to, static_cast<std::uint32_t>(content.size()));
+    append(to, big_endian(static_cast<std::uint32_t>(content.size())));
     const std::size_t begin = to.size();
     append(to, std::as_bytes(std::span(type)));
     append(to, content);
     const auto* checked = reinterpret_cast<const Bytef*>(to.data() + begin);
-    append_number(to, static_cast<std::uint32_t>(crc32_z(0, checked, to.size() - begin)));
-}
-
-/// Returns the stream without its signature. Throws std::invalid_argument if the stream does not
-/// begin with the signature of PNG.
-Content after_signature(Content png) {
-    const Content signature = std::as_bytes(std::span(kSignature));
-    if (png.size() < signature.size() ||
-        !std::equal(signature.begin(), signature.end(), png.begin())) {
-        reject_stream();
-    }
-    return png.subspan(signature.size());
-}
-
-/// Removes the first chunk from a stream and returns it. Throws std::invalid_argument if the chunk
-/// is incomplete.
-Chunk take_chunk(Content& rest) {
-    if (rest.size() < 3 * kWord || rest.size() - 3 * kWord < number_at(rest)) {
-        reject_stream();
-    }
-    const std::size_t size = number_at(rest);
-    const auto* type = reinterpret_cast<const char*>(rest.data() + kWord);
-    const Chunk chunk{{type, kWord}, rest.subspan(2 * kWord, size)};
-    rest = rest.subspan(3 * kWord + size);
-    return chunk;
+    append(to, big_endian(static_cast<std::uint32_t>(crc32_z(0, checked, to.size() - begin))));
 }
 
 /// Returns all chunks of a PNG. They refer to the bytes of `png`. Throws std::invalid_argument if
 /// the signature is wrong, if a chunk is incomplete, if the first chunk is not IHDR or is shorter
 /// than kSizeBytes, if no chunk is IDAT, or if the PNG has a palette.
-std::vector<Chunk> chunks_of(Content png) {
-    std::vector<Chunk> chunks;
-    for (Content rest = after_signature(png); !rest.empty();) {
-        chunks.push_back(take_chunk(rest));
+std::vector<PngChunk> chunks_of(Content png) {
+    std::optional<Content> rest = after_png_signature(png);
+    std::vector<PngChunk> chunks;
+    while (rest && !rest->empty()) {
+        const std::optional<PngChunk> chunk = take_png_chunk(*rest);
+        if (!chunk) {
+            reject_stream();
+        }
+        chunks.push_back(*chunk);
     }
-    const bool has_data = std::ranges::find(chunks, "IDAT", &Chunk::type) != chunks.end();
+    const bool has_data = std::ranges::find(chunks, "IDAT", &PngChunk::type) != chunks.end();
     if (!has_data || chunks.front().type != "IHDR" || chunks.front().content.size() < kSizeBytes) {
         reject_stream();
     }
-    if (std::ranges::find(chunks, "PLTE", &Chunk::type) != chunks.end()) {
+    if (std::ranges::find(chunks, "PLTE", &PngChunk::type) != chunks.end()) {
         throw std::invalid_argument(
             "a frame has a palette, which is not supported in an animation");
     }
@@ -136,7 +96,7 @@ ApngMuxer::ApngMuxer(int frames, FrameRate rate) : frames_(frames), rate_(rate) 
                         rate.frames,
                         rate.seconds));
     }
-    const Content signature = std::as_bytes(std::span(kSignature));
+    const Content signature = std::as_bytes(std::span(kPngSignature));
     stream_.assign(signature.begin(), signature.end());
 }
 
@@ -145,10 +105,10 @@ void ApngMuxer::add(Content png) {
         throw std::invalid_argument(
             fmt::format("the animation already has all of its {} frames", frames_));
     }
-    const std::vector<Chunk> chunks = chunks_of(png);
+    const std::vector<PngChunk> chunks = chunks_of(png);
     check_header(chunks.front().content);
     bool begun = false;
-    for (const Chunk& chunk : chunks) {
+    for (const PngChunk& chunk : chunks) {
         if (chunk.type == "IDAT") {
             if (!std::exchange(begun, true)) {
                 append_frame();
@@ -180,8 +140,8 @@ void ApngMuxer::check_header(Content header) {
 
 void ApngMuxer::append_animation() {
     Bytes control;
-    append_number(control, static_cast<std::uint32_t>(frames_));
-    append_number(control, kPlayForever);
+    append(control, big_endian(static_cast<std::uint32_t>(frames_)));
+    append(control, big_endian(kPlayForever));
     append_chunk(stream_, "acTL", control);
 }
 
@@ -191,12 +151,13 @@ void ApngMuxer::append_frame() {
     }
     Bytes control;
     control.reserve(kFrameControl);
-    append_number(control, sequence_++);
+    append(control, big_endian(sequence_++));
     append(control, Content(header_).first(kSizeBytes));
-    append_number(control, std::uint64_t{0});  // offset of the frame in x and y
-    append_number(control, static_cast<std::uint16_t>(rate_.seconds));
-    append_number(control, static_cast<std::uint16_t>(rate_.frames));
-    append_number(control, std::uint16_t{0});  // dispose_op none, blend_op source: replace pixels
+    append(control, big_endian(std::uint64_t{0}));  // offset of the frame in x and y
+    append(control, big_endian(static_cast<std::uint16_t>(rate_.seconds)));
+    append(control, big_endian(static_cast<std::uint16_t>(rate_.frames)));
+    append(control,
+           big_endian(std::uint16_t{0}));  // dispose_op none, blend_op source: replace pixels
     append_chunk(stream_, "fcTL", control);
 }
 
@@ -208,8 +169,8 @@ void ApngMuxer::append_data(Content data) {
         return;
     }
     Bytes numbered;
-    numbered.reserve(kWord + data.size());
-    append_number(numbered, sequence_++);
+    numbered.reserve(kSequenceNumber + data.size());
+    append(numbered, big_endian(sequence_++));
     append(numbered, data);
     append_chunk(stream_, "fdAT", numbered);
 }

@@ -2,6 +2,8 @@
 
 #include "texgen/image/deflate.h"
 
+#include "texgen/image/byte_order.h"
+
 #include <isa-l/igzip_lib.h>
 #include <libdeflate.h>
 #include <zlib.h>
@@ -127,13 +129,6 @@ void Deflater::reserve_output(std::size_t size) {
     if (deflated_.size() < size) {
         deflated_.resize(size);
     }
-}
-
-std::array<std::byte, 4> big_endian(std::uint32_t number) {
-    return {static_cast<std::byte>(number >> 24),
-            static_cast<std::byte>(number >> 16),
-            static_cast<std::byte>(number >> 8),
-            static_cast<std::byte>(number)};
 }
 
 std::uint32_t adler32_of(std::span<const std::byte> data) {

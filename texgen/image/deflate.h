@@ -59,9 +59,6 @@ class Deflater {
 /// 32 KiB.
 inline constexpr std::array<std::byte, 2> kZlibHeader = {std::byte{0x78}, std::byte{0x01}};
 
-/// Returns a number as the last four bytes of a zlib stream: the most significant byte first.
-std::array<std::byte, 4> big_endian(std::uint32_t number);
-
 /// Returns the Adler-32 checksum of the data. A zlib stream ends with such a checksum (RFC 1950).
 std::uint32_t adler32_of(std::span<const std::byte> data);
 

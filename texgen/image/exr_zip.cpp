@@ -3,6 +3,7 @@
 #include "texgen/image/exr_zip.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/image/byte_order.h"
 #include "texgen/image/deflate.h"
 
 #include <algorithm>
@@ -24,12 +25,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Appends the bytes of a number, the least significant byte first.
-template <class Number>
-void append_number(Number number, Bytes& to) {
-    for (std::size_t k = 0; k < sizeof(Number); ++k) {
-        to.push_back(static_cast<std::byte>(static_cast<std::uint64_t>(number) >> (8 * k)));
-    }
+void append(std::span<const std::byte> bytes, Bytes& to) {
+    to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
 // The buffers of one thread.
@@ -46,8 +43,7 @@ void gather_rows(const ExrPlanes& planes, int first, int last, Bytes& samples) {
     samples.clear();
     for (int row = first; row < last; ++row) {
         for (const ExrPlane& plane : planes.planes()) {
-            const std::span<const std::byte> bytes = plane.row(row);
-            samples.insert(samples.end(), bytes.begin(), bytes.end());
+            append(plane.row(row), samples);
         }
     }
 }
@@ -81,9 +77,9 @@ Bytes chunk_of(const ExrPlanes& planes, int first, int last, int level, ZipWorke
     const Bytes zlib = worker.deflater.zlib_stream(level, worker.predicted);
     const Bytes& data = zlib.size() < worker.samples.size() ? zlib : worker.samples;
     Bytes chunk;
-    append_number(static_cast<std::uint32_t>(first), chunk);
-    append_number(static_cast<std::uint32_t>(data.size()), chunk);
-    chunk.insert(chunk.end(), data.begin(), data.end());
+    append(little_endian(static_cast<std::uint32_t>(first)), chunk);
+    append(little_endian(static_cast<std::uint32_t>(data.size())), chunk);
+    append(data, chunk);
     return chunk;
 }
 
@@ -102,12 +98,12 @@ void append_zip_chunks(const ExrPlanes& planes, const ExrZip& options, Bytes& fi
     });
     std::size_t offset = file.size() + chunks.size() * sizeof(std::uint64_t);
     for (const Bytes& chunk : chunks) {
-        append_number(std::uint64_t{offset}, file);
+        append(little_endian(std::uint64_t{offset}), file);
         offset += chunk.size();
     }
     file.reserve(offset);
     for (const Bytes& chunk : chunks) {
-        file.insert(file.end(), chunk.begin(), chunk.end());
+        append(chunk, file);
     }
 }
 

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// Options of encode_zip_chunks.
+/// Options of append_zip_chunks.
 struct ExrZip {
     int rows_per_chunk = 16;  // 16 for ZIP, 1 for ZIPS
     int level = 2;            // ExrEncoding::zip_level

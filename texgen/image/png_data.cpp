@@ -3,6 +3,7 @@
 #include "texgen/image/png_data.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/image/byte_order.h"
 
 #include <algorithm>
 

@@ -3,11 +3,11 @@
 #include "texgen/image/input_limits.h"
 #include "texgen/image/memory.h"
 #include "texgen/image/png.h"
+#include "texgen/image/png_chunk.h"
 #include "texgen/image/png_session.h"
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <bit>
 
 namespace foam::texgen {
@@ -41,36 +41,19 @@ void check_stream_length(const PngSession& session, std::size_t left) {
     }
 }
 
-std::uint32_t big_endian_number(std::span<const std::byte> bytes) {
-    std::uint32_t number = 0;
-    for (const std::byte byte : bytes.first(4)) {
-        number = number << 8U | std::to_integer<std::uint32_t>(byte);
-    }
-    return number;
-}
-
 /// Throws InputError if a chunk is longer than the rest of the file. libpng allocates a chunk
 /// before it reads it, so without this check a short file could make it allocate 2 GiB. Bytes after
 /// the last chunk, IEND, are ignored. Files that are no PNG pass, because libpng rejects them.
 void check_chunk_lengths(std::span<const std::byte> file) {
-    constexpr std::size_t kSignature = 8;
-    constexpr std::size_t kBeforeData = 8;  // length and type
-    constexpr std::size_t kAfterData = 4;   // check sum
-    const auto is_at = [&](std::size_t position, std::string_view text) {
-        return std::ranges::equal(file.subspan(position, text.size()),
-                                  std::as_bytes(std::span(text)));
-    };
-    std::size_t begin = kSignature;
-    if (file.size() < kSignature || !is_at(0, "\x89PNG\r\n\x1a\n")) {
-        return;
-    }
-    while (begin + kBeforeData <= file.size() && !is_at(begin + 4, "IEND")) {
-        const std::size_t left = file.size() - begin - kBeforeData;
-        const std::size_t length = big_endian_number(file.subspan(begin));
-        if (length > left) {
+    std::optional<std::span<const std::byte>> rest = after_png_signature(file);
+    while (rest && !rest->empty()) {
+        const std::optional<PngChunk> chunk = take_png_chunk(*rest);
+        if (!chunk) {
             throw InputError("malformed PNG: unexpected end of the data");
         }
-        begin += kBeforeData + length + kAfterData;
+        if (chunk->type == "IEND") {
+            return;
+        }
     }
 }
 
