@@ -204,6 +204,7 @@ Grain draw_grain(FrameLayers& layers, double size, GrainUse use, double mean) {
     const Origins origins = origins_of(layers, use);
     const auto blank = [&] { return Image<float>(grid.width, grid.height, 1); };
     Grain grain{blank(), blank(), blank()};
+    const int octaves = octaves_of(pixels);
     RowPoints points(static_cast<std::size_t>(grid.width));
     for (int y = 0; y < grid.height; ++y) {
         set_points(layers, ids.row(y), origins, pixels, y, points);
@@ -212,7 +213,7 @@ Grain draw_grain(FrameLayers& layers, double size, GrainUse use, double mean) {
             row.value[k] = points.seeds[k] == 0 ? 0.0F : static_cast<float>(mean);
         }
         double height = kNoiseScale;
-        for (int octave = 0; octave < octaves_of(pixels); ++octave) {
+        for (int octave = 0; octave < octaves; ++octave) {
             add_octave(points, octave, height, kNoiseScale / pixels, row);
             height *= 0.5;
         }

@@ -5,6 +5,7 @@
 #include "core/geometry/exponential.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/keys/value_kinds.h"
+#include "texgen/maps/table_lookup.h"
 #include "texgen/raster/simd/kernel.h"
 
 #include <cmath>
@@ -79,7 +80,8 @@ Lighting::Lighting(const LightOptions& options)
 
 // The loop uses pointers, because checked accesses to spans are not vectorized.
 template <bool Reflects>
-void Lighting::shade_points(const ReliefPoints& points, const PointLights& lights) const {
+void Lighting::shade_points(const ReliefPoints<const float>& points,
+                            const PointLights& lights) const {
     at_simd_level([count = points.sky.size(),
                    slopes_x = points.slopes_x.data(),
                    slopes_y = points.slopes_y.data(),
@@ -103,9 +105,7 @@ void Lighting::shade_points(const ReliefPoints& points, const PointLights& light
             const auto sky = static_cast<double>(skies[k]);
             diffuse[k] = static_cast<float>(direct + ambient * (sky - direct));
             const double step = max_value((normal.dot(halfway) - first) * steps_per_cosine, 0.0);
-            const int below = min_value(static_cast<int>(step), kHighlightSteps - 1);
-            const double highlight =
-                highlights[below] + (highlights[below + 1] - highlights[below]) * (step - below);
+            const double highlight = looked_up(highlights, kHighlightSteps, step);
             const double steep = 1.0 - normal.z();
             double sum = highlight + rim * steep * steep * steep;
             if constexpr (Reflects) {
@@ -116,7 +116,7 @@ void Lighting::shade_points(const ReliefPoints& points, const PointLights& light
     });
 }
 
-void Lighting::shade(const ReliefPoints& points, const PointLights& lights) const {
+void Lighting::shade(const ReliefPoints<const float>& points, const PointLights& lights) const {
     if (reflections_.are_none()) {
         shade_points<false>(points, lights);
     } else {

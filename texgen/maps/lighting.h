@@ -4,6 +4,7 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/reflections.h"
+#include "texgen/maps/relief_points.h"
 
 #include <span>
 #include <vector>
@@ -22,13 +23,6 @@ struct LightOptions {
 };
 
 Keys<LightOptions> light_keys();
-
-/// Points of a relief. The spans have one number per point.
-struct ReliefPoints {
-    std::span<const float> slopes_x;  // the gradient of the height, x to the right
-    std::span<const float> slopes_y;  // y up
-    std::span<const float> sky;       // the visible fraction of the sky
-};
 
 /// The light at points of a relief. A surface of the color c has the color diffuse c + shine. The
 /// spans have one number per point.
@@ -55,11 +49,11 @@ class Lighting {
     explicit Lighting(const LightOptions& options);
 
     /// Writes the light at `points` to `lights`.
-    void shade(const ReliefPoints& points, const PointLights& lights) const;
+    void shade(const ReliefPoints<const float>& points, const PointLights& lights) const;
 
   private:
     template <bool Reflects>
-    void shade_points(const ReliefPoints& points, const PointLights& lights) const;
+    void shade_points(const ReliefPoints<const float>& points, const PointLights& lights) const;
 
     double ambient_;
     double rim_;

@@ -137,6 +137,7 @@ using Color = std::array<float, 3>;  // from 0 to kWhite
 // Returns the values of an image of one channel at some pixels.
 std::vector<float> values_at(const Image<float>& image, std::span<const std::uint32_t> pixels) {
     std::vector<float> values;
+    values.reserve(pixels.size());
     for (const std::uint32_t pixel : pixels) {
         values.push_back(image.samples()[pixel]);
     }

@@ -73,17 +73,22 @@ void ReliefSampler::set_distance(std::size_t k, std::size_t pixel) {
 
 // The slope of the grain is the part of the slope at the center that the section does not explain.
 void ReliefSampler::set_grain(std::size_t k, std::size_t pixel) {
+    if (!relief_.has_grain()) {
+        chosen_.grain_x[k] = 0.0F;
+        chosen_.grain_y[k] = 0.0F;
+        return;
+    }
     const double unit = relief_.unit(pixel);
     const double smooth = static_cast<double>(relief_.distance().samples()[pixel]) / unit;
     const double slope = unit > 0.0 ? relief_.strength() * relief_.section().slope(smooth) : 0.0;
     const auto rest = [&](const Image<float>& whole, float gradient) {
         return whole.samples()[pixel] - static_cast<float>(slope * static_cast<double>(gradient));
     };
-    chosen_.grain_x[k] = relief_.has_grain() ? rest(slopes_.x, chosen_.x[k]) : 0.0F;
-    chosen_.grain_y[k] = relief_.has_grain() ? rest(slopes_.y, chosen_.y[k]) : 0.0F;
+    chosen_.grain_x[k] = rest(slopes_.x, chosen_.x[k]);
+    chosen_.grain_y[k] = rest(slopes_.y, chosen_.y[k]);
 }
 
-void ReliefSampler::write(const Vec2& offset, const ReliefSamples& to) const {
+void ReliefSampler::write(const Vec2& offset, const ReliefPoints<float>& to) const {
     relief_.section().visit([&](const auto& section) {
         at_simd_level([section,
                        sky = sky_,

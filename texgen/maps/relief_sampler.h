@@ -5,6 +5,7 @@
 #include "core/geometry/vec2.h"
 #include "texgen/maps/pixel_neighbors.h"
 #include "texgen/maps/relief.h"
+#include "texgen/maps/relief_points.h"
 #include "texgen/maps/visible_sky.h"
 
 #include <cstddef>
@@ -13,13 +14,6 @@
 #include <vector>
 
 namespace foam::texgen {
-
-/// Points of a relief, one number per point.
-struct ReliefSamples {
-    std::span<float> slopes_x;  // the gradient of the height, x to the right
-    std::span<float> slopes_y;  // y up
-    std::span<float> sky;       // the visible fraction of the sky
-};
 
 /// Computes the relief at points within pixels. Borrows everything that it is constructed from.
 class ReliefSampler {
@@ -34,7 +28,7 @@ class ReliefSampler {
     void choose(std::span<const std::uint32_t> pixels);
     /// Writes the relief at the same point of each chosen pixel. `offset` is the position of the
     /// point relative to the center of the pixel, in pixels.
-    void write(const Vec2& offset, const ReliefSamples& to) const;
+    void write(const Vec2& offset, const ReliefPoints<float>& to) const;
 
   private:
     /// The surroundings of the centers of the chosen pixels: one number per pixel.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/maps/relief_section.h"
-#include "texgen/raster/simd/kernel.h"
+#include "texgen/maps/table_lookup.h"
 
 #include <limits>
 #include <vector>
@@ -18,9 +18,7 @@ struct SkyLookup {
     /// Returns the visible fraction at a distance from the film, in the section's unit. The
     /// distance may be infinite. Loops that call this function can be vectorized.
     double at(double distance) const {
-        const double step = min_value(distance * kSteps, static_cast<double>(last));
-        const int below = min_value(static_cast<int>(step), last - 1);
-        const double fraction = table[below] + (table[below + 1] - table[below]) * (step - below);
+        const double fraction = looked_up(table, last, distance * kSteps);
         return distance < std::numeric_limits<double>::infinity() ? fraction : 1.0;
     }
 
