@@ -153,6 +153,7 @@ NewtonSummary solve_whole(Work& work, Progress& progress) {
                                    work.whole,
                                    {.slow_ratio = stops_if_slow ? kSlowRatio : 1.0,
                                     .predicts_t1 = progress.solves_regions,
+                                    .raises_precision_far = !progress.solves_regions,
                                     .thresholds = work.options.thresholds});
     progress.summary.iterations += summary.iterations;
     return summary;

@@ -33,8 +33,8 @@ constexpr double kStepsPerFactor = 6.0;
 // A new factor is kept if the first step with it leaves less than this share of the norm of the
 // residual.
 constexpr double kNewFactorRatio = 0.5;
-// T1s are predicted from the step if all forces, in film tensions, and all relative area errors are
-// below this number.
+// The foam is near equilibrium if all forces, in film tensions, and all relative area errors are
+// below this number. T1s are then predicted from the step.
 constexpr double kNearEquilibrium = 0.05;
 
 // The residual at the foam's present state.
@@ -72,15 +72,18 @@ std::optional<NewtonStatus> ending(const ResidualNorms& norms,
     return is_slow ? std::optional(NewtonStatus::Slow) : std::nullopt;
 }
 
+bool is_near_equilibrium(const ResidualNorms& norms) {
+    return norms.force < kNearEquilibrium && norms.area < kNearEquilibrium;
+}
+
 std::vector<FilmId> films_for_t1(const Foam& foam,
                                  const Unknowns& unknowns,
                                  const Eigen::VectorXd& step,
                                  const ResidualNorms& norms,
                                  const NewtonOptions& options) {
-    const bool is_near =
-        options.predicts_t1 && norms.force < kNearEquilibrium && norms.area < kNearEquilibrium;
-    return is_near ? closing_films(foam, unknowns, step, options.thresholds)
-                   : collapsing_films(foam, unknowns, step, options.thresholds);
+    return options.predicts_t1 && is_near_equilibrium(norms)
+               ? closing_films(foam, unknowns, step, options.thresholds)
+               : collapsing_films(foam, unknowns, step, options.thresholds);
 }
 
 // Moves the foam along the step by the first of the fractions 1, 1/2, 1/4 ... that reduces the
@@ -138,6 +141,10 @@ bool is_worth_keeping(const Advance& advance,
     return log_reduction < -kStepsPerFactor * ieee::log(advance.ratio);
 }
 
+bool may_raise_precision(const ResidualNorms& norms, const NewtonOptions& options) {
+    return options.raises_precision_far || is_near_equilibrium(norms);
+}
+
 }  // namespace
 
 NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& options) {
@@ -159,7 +166,8 @@ NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& opti
         }
         // If a step with a new factor makes no progress, the precision of the factor may be the
         // reason.
-        if (!advance.moved && !is_chord_step && !system.raise_precision(foam)) {
+        if (!advance.moved && !is_chord_step &&
+            !(may_raise_precision(current.norms, options) && system.raise_precision(foam))) {
             end = NewtonStatus::Stalled;
             break;
         }

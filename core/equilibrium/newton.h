@@ -29,6 +29,9 @@ struct NewtonOptions {
     // (closing_films). Otherwise, and always far from equilibrium: only those that the step would
     // shorten by more than half (collapsing_films). Collapsed films always get a T1.
     bool predicts_t1 = true;
+    // If false, the precision of the factor is raised only near equilibrium. Farther away, defects
+    // are a likelier cause of a stall, and a factor in double precision is costly in a large foam.
+    bool raises_precision_far = true;
     TopologyThresholds thresholds{};
 };
 
@@ -37,7 +40,9 @@ enum class NewtonStatus {
     Converged,
     FilmsCollapse,  // films need a T1 before the next step
     Slow,           // see NewtonOptions::slow_ratio
-    Stalled,  // even a step with a new factor in double precision does not reduce the residual
+    // A step with a new factor does not reduce the residual. The factor is in double precision,
+    // unless NewtonOptions::raises_precision_far is false.
+    Stalled,
     IterationLimit,
 };
 

@@ -117,6 +117,24 @@ TEST(Newton, LeavesAFilmThatHasCollapsedToTheT1) {
     EXPECT_TRUE(are_same(c.foam, before));
 }
 
+// Without T1s, Newton's method stalls far from equilibrium. A system that can raise its precision
+// afterwards has not done so before.
+TEST(Newton, RaisesThePrecisionFarFromEquilibriumOnlyIfAllowed) {
+    for (const bool is_allowed : {true, false}) {
+        Foam foam = test::raw_foam(200, 1);
+        NewtonSystem system;
+        system.start(foam, all_unknowns(foam.network), 1);
+        const NewtonSummary summary = newton(foam,
+                                             system,
+                                             {.max_iterations = 1000,
+                                              .raises_precision_far = is_allowed,
+                                              .thresholds = {.t1_distance = 0.0}});
+        EXPECT_EQ(summary.status, NewtonStatus::Stalled);
+        EXPECT_GT(summary.residual, 0.1);
+        EXPECT_EQ(system.raise_precision(foam), !is_allowed);
+    }
+}
+
 // A raw diagram is far outside the region in which full steps of Newton's method converge. Every
 // iteration must nevertheless decrease the sum of squares.
 TEST(Newton, NeverRaisesTheSumOfSquares) {
