@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,16 @@ double measured_memory(const Subject& subject) {
     return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
+// Frames that threads draw at the same time do not always reach their peaks together. The estimate
+// is for the case that they do, which the largest of several bakes comes near.
+double largest_memory(const Subject& subject) {
+    double largest = 0.0;
+    for (int bake = 0; bake < (subject.threads > 1 ? 3 : 1); ++bake) {
+        largest = std::max(largest, measured_memory(subject));
+    }
+    return largest;
+}
+
 TEST(EstimatedMemory, IsRightWithinAFactorOfOneAndAHalf) {
     if (foam::test::kMayHaveSanitizers) {
         GTEST_SKIP() << "sanitizers need memory of their own";
@@ -91,13 +102,10 @@ TEST(EstimatedMemory, IsRightWithinAFactorOfOneAndAHalf) {
     for (const Subject& subject : subjects) {
         const auto estimated = static_cast<double>(estimated_memory(
             preset_of(subject), static_cast<std::size_t>(subject.frames), subject.threads));
-        const double ratio = estimated / measured_memory(subject);
+        const double ratio = estimated / largest_memory(subject);
         const std::string what = joined(subject.maps) + " " + subject.name;
         EXPECT_GT(ratio, 1.0 / 1.5) << what;
-        // Frames that threads draw at the same time do not always reach their peaks together.
-        if (subject.threads == 1) {
-            EXPECT_LT(ratio, 1.5) << what;
-        }
+        EXPECT_LT(ratio, 1.5) << what;
     }
 }
 
