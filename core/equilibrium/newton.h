@@ -41,7 +41,7 @@ enum class NewtonStatus {
     FilmsCollapse,  // films need a T1 before the next step
     Slow,           // see NewtonOptions::slow_ratio
     // A step with a new factor does not reduce the residual. The factor is in double precision,
-    // unless NewtonOptions::raises_precision_far is false.
+    // unless the foam is far from equilibrium and NewtonOptions::raises_precision_far is false.
     Stalled,
     IterationLimit,
 };
