@@ -40,10 +40,6 @@ using Content = std::span<const std::byte>;
     throw std::invalid_argument("a frame is not a PNG stream");
 }
 
-void append(Bytes& to, Content bytes) {
-    to.insert(to.end(), bytes.begin(), bytes.end());
-}
-
 /// Appends a chunk: the length of its content, its type, its content, and the CRC of type and
 /// content (section 5.3 of the PNG specification).
 void append_chunk(Bytes& to, std::string_view type, Content content) {
@@ -156,8 +152,8 @@ void ApngMuxer::append_frame() {
     append(control, big_endian(std::uint64_t{0}));  // offset of the frame in x and y
     append(control, big_endian(static_cast<std::uint16_t>(rate_.seconds)));
     append(control, big_endian(static_cast<std::uint16_t>(rate_.frames)));
-    append(control,
-           big_endian(std::uint16_t{0}));  // dispose_op none, blend_op source: replace pixels
+    // dispose_op none, blend_op source: replace pixels
+    append(control, big_endian(std::uint16_t{0}));
     append_chunk(stream_, "fcTL", control);
 }
 

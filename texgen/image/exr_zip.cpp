@@ -25,10 +25,6 @@ namespace foam::texgen {
 
 namespace {
 
-void append(std::span<const std::byte> bytes, Bytes& to) {
-    to.insert(to.end(), bytes.begin(), bytes.end());
-}
-
 // The buffers of one thread.
 struct ZipWorker {
     Bytes samples;    // of a chunk
@@ -43,7 +39,7 @@ void gather_rows(const ExrPlanes& planes, int first, int last, Bytes& samples) {
     samples.clear();
     for (int row = first; row < last; ++row) {
         for (const ExrPlane& plane : planes.planes()) {
-            append(plane.row(row), samples);
+            append(samples, plane.row(row));
         }
     }
 }
@@ -77,9 +73,9 @@ Bytes chunk_of(const ExrPlanes& planes, int first, int last, int level, ZipWorke
     const Bytes zlib = worker.deflater.zlib_stream(level, worker.predicted);
     const Bytes& data = zlib.size() < worker.samples.size() ? zlib : worker.samples;
     Bytes chunk;
-    append(little_endian(static_cast<std::uint32_t>(first)), chunk);
-    append(little_endian(static_cast<std::uint32_t>(data.size())), chunk);
-    append(data, chunk);
+    append(chunk, little_endian(static_cast<std::uint32_t>(first)));
+    append(chunk, little_endian(static_cast<std::uint32_t>(data.size())));
+    append(chunk, data);
     return chunk;
 }
 
@@ -98,12 +94,12 @@ void append_zip_chunks(const ExrPlanes& planes, const ExrZip& options, Bytes& fi
     });
     std::size_t offset = file.size() + chunks.size() * sizeof(std::uint64_t);
     for (const Bytes& chunk : chunks) {
-        append(little_endian(std::uint64_t{offset}), file);
+        append(file, little_endian(std::uint64_t{offset}));
         offset += chunk.size();
     }
     file.reserve(offset);
     for (const Bytes& chunk : chunks) {
-        append(chunk, file);
+        append(file, chunk);
     }
 }
 

@@ -28,6 +28,10 @@ class OutputError : public std::runtime_error {
 
 using Bytes = std::vector<std::byte>;
 
+inline void append(Bytes& to, std::span<const std::byte> bytes) {
+    to.insert(to.end(), bytes.begin(), bytes.end());
+}
+
 /// Returns the whole content of a file. Throws InputError if the file cannot be read, if it is not
 /// a regular file but, for example, a folder or a pipe, or if it is larger than `kind` allows.
 Bytes read_file(const std::filesystem::path& path, const InputKind& kind = kImageInput);
