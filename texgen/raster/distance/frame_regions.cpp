@@ -41,12 +41,6 @@ PixelRows band_rows(const RasterGrid& grid, int band) {
     return {band * kBandRows, std::min((band + 1) * kBandRows, grid.height)};
 }
 
-std::vector<int> worker_indices(int workers) {
-    std::vector<int> indices(static_cast<std::size_t>(workers));
-    std::iota(indices.begin(), indices.end(), 0);
-    return indices;
-}
-
 // Calls visit(translation) for the copies of a region that overlap the rows of an image. In the
 // plane, the only copy is the region itself. On a torus, copies are moved by whole periods so that
 // Region::first is within the columns of the image; painting wraps columns around. A copy one
@@ -118,11 +112,10 @@ bool is_within(const Region& region, const RasterGrid& grid, int band) {
 // of the grid moves all bands by the same distance. Returns the regions of all other bubbles.
 std::vector<Region> paint_within_bands(const TorusRegions& regions,
                                        const RasterGrid& grid,
-                                       int workers,
+                                       std::vector<int>& workers,
                                        const PaintRegion& paint) {
     std::vector<std::vector<Region>> rest(static_cast<std::size_t>(bands_of(grid)));
-    std::vector<int> indices = worker_indices(workers);
-    parallel_for(bands_of(grid), indices, [&](int worker, int band) {
+    parallel_for(bands_of(grid), workers, [&](int worker, int band) {
         Region region;
         for (const auto& start : regions.starts(band * kBandRows, kBandRows)) {
             regions.trace(start, region);
@@ -148,6 +141,8 @@ void paint_regions(const Frame& frame,
                    const RasterGrid& grid,
                    int workers,
                    const PaintRegion& paint) {
+    std::vector<int> worker_indices(static_cast<std::size_t>(workers));
+    std::iota(worker_indices.begin(), worker_indices.end(), 0);
     std::int32_t shear = 0;
     std::vector<Region> rest;
     if (frame.domain.is_plane()) {
@@ -155,11 +150,10 @@ void paint_regions(const Frame& frame,
     } else {
         const TorusRegions regions(frame, grid, workers);
         shear = regions.shear();
-        rest = paint_within_bands(regions, grid, workers, paint);
+        rest = paint_within_bands(regions, grid, worker_indices, paint);
     }
     const Buckets<RegionCopy> copies = copies_by_band(rest, grid, shear, workers);
-    std::vector<int> indices = worker_indices(workers);
-    parallel_for(bands_of(grid), indices, [&](int worker, int band) {
+    parallel_for(bands_of(grid), worker_indices, [&](int worker, int band) {
         const auto k = static_cast<std::size_t>(band);
         for (const RegionCopy& copy : copies.items_of(k, k + 1)) {
             paint(worker, *copy.region, copy.translation, band_rows(grid, band));

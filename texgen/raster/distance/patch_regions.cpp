@@ -41,7 +41,6 @@ struct Rotation {
 
     Rotation(double cosine, double sine) : c(cosine), s(sine) {}
     explicit Rotation(double angle) : Rotation(ieee::sincos(angle)) {}
-
     explicit Rotation(const ieee::SineAndCosine& angle) : Rotation(angle.cosine, angle.sine) {}
 
     // Returns the rotation by twice the angle.
