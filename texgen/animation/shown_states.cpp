@@ -6,7 +6,8 @@
 #include <cmath>
 
 // Frame n of a loop of N frames shows
-// - in a pingpong the states 1, 2, ..., N/2 + 1, ..., 3, 2; the next frame shows state 1 again;
+// - in a pingpong the state n up to frame N/2 + 1, and the state N + 2 - n after it. (N is even.)
+//   So the frames of the loop show the states 1, 2, ..., N/2 + 1, ..., 3, 2;
 // - in a flow with a fade of A frames the state A + n. Each of the last A frames fades into the
 //   state A + n - N, which is one of the A states before the state of frame 1. In frame N, the last
 //   one, the state A has nearly replaced the state A + N. Frame 1 then shows the state after A;

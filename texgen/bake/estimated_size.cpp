@@ -26,7 +26,7 @@ struct MeasuredSize {
 };
 
 // Means over frame 1 of the presets sea_foam, potion and lava at 1024 x 1024 pixels, with the
-// default compression and without texts:
+// default compression and without the texts that name the program, preset and seed:
 //   foamtex bake PRESET --set loop.kind=none --set frames.count=1 --set frames.warm_up=0
 //     --set output.texts=left-out --maps ... --out '{map}.png' (or '{map}.exr')
 // Most maps varied by less than 20 % between the presets.

@@ -11,7 +11,8 @@
 namespace foam::texgen {
 
 /// Percentile limits, written "99.9=0.01" (at least 99.9 percent of the pixels differ by at most
-/// 0.01), or several of them, separated by commas. A kind of values (keys/value_kinds.h).
+/// 0.01), or several of them, separated by commas. This struct is one of the kinds of values that
+/// keys accept (keys/value_kinds.h).
 struct PercentileLimits {
     std::string allowed() const;
     std::string schema() const;

@@ -48,12 +48,13 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
         const double e = 0.25 * chord - (qx * qx + qy * qy) * inverse_chord;
         const double curvature = 2.0 * inverse_chord * sine;
         const double along_curvature = 2.0 * inverse_chord * cosine;
-        const double half_width = 0.5 * chord * cosine - sine * left;
+        // The mean of past_tail and before_head, which ArcFunctions (pixel_batch.h) explains.
+        const double mean_of_both = 0.5 * chord * cosine - sine * left;
         const double twice_value = 2.0 * (sine * e + cosine * left);
         const double slope_x = -curvature * qx - cosine * direction_y;
         const double slope_y = -curvature * qy + cosine * direction_x;
-        const double past_tail = half_width + cosine * forward;
-        const double before_head = half_width - cosine * forward;
+        const double past_tail = mean_of_both + cosine * forward;
+        const double before_head = mean_of_both - cosine * forward;
         b.twice_value[k] = static_cast<float>(twice_value);
         b.slope_x[k] = static_cast<float>(slope_x);
         b.slope_y[k] = static_cast<float>(slope_y);
