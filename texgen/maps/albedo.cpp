@@ -26,7 +26,7 @@ ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
                        width);
 }
 
-// Multiplies each color by 1 plus the value of the grain.
+// Multiplies each color by 1 plus `options.grain` times the value of the grain.
 void add_grain(FrameLayers& layers, const AlbedoOptions& options, ColorPixels& colors) {
     const Grain grain = draw_grain(layers, options.grain_size, GrainUse::Albedo);
     change_colors(
