@@ -150,7 +150,6 @@ class Reader {
     }
 
     static std::int32_t periods(const JsonItem& item) {
-        constexpr double kMaxPeriods = 1e6;
         return static_cast<std::int32_t>(item.integer(-kMaxPeriods, kMaxPeriods));
     }
 

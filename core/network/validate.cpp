@@ -2,6 +2,7 @@
 
 #include "core/network/validate.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <sstream>
@@ -22,6 +23,11 @@ Fault fault(const char* kind, Id id, const char* what) {
     std::ostringstream text;
     text << kind << ' ' << index_of(id) << ' ' << what;
     return text.str();
+}
+
+bool exceeds_max_periods(LatticeOffset offset) {
+    return std::max(offset.i, offset.j) > kMaxPeriods ||
+           std::min(offset.i, offset.j) < -kMaxPeriods;
 }
 
 Fault half_edge_fault(const Network& network, HalfEdgeId h) {
@@ -68,6 +74,9 @@ Fault loop_fault(const Network& network, BubbleId bubble) {
     HalfEdgeId h = network.first(bubble);
     for (int side = 0; side < network.sides(bubble); ++side) {
         const LatticeOffset to = at + network.offset(h);
+        if (exceeds_max_periods(to)) {
+            return fault("bubble", bubble, "has a boundary that leads too many periods away");
+        }
         const LatticeOffset tail = is_forward(h) ? at : to;
         if (!seen.insert({index_of(film_of(h)),
                           static_cast<std::size_t>(tail.i),
@@ -243,6 +252,9 @@ Fault plane_fault(const Network& network) {
 
 std::optional<std::string> find_fault(const Network& network) {
     for (const FilmId film : network.films()) {
+        if (exceeds_max_periods(network.offset(forward_side(film)))) {
+            return fault("film", film, "has a lattice offset of too many periods");
+        }
         for (const HalfEdgeId h : {forward_side(film), twin(forward_side(film))}) {
             if (Fault found = half_edge_fault(network, h)) {
                 return found;

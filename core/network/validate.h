@@ -4,10 +4,16 @@
 
 #include "core/network/network.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 namespace foam {
+
+/// The largest number of periods, along either axis, of the lattice offset of a film, and of the
+/// way around a bubble from its first half-edge to any other. Sums of two offsets within this limit
+/// do not overflow.
+inline constexpr std::int32_t kMaxPeriods = 1'000'000;
 
 /// Returns a description of the first broken invariant, or nothing if the network is valid. The
 /// invariants, for V junctions, E films and F bubbles (without the ghost), are:
@@ -16,6 +22,7 @@ namespace foam {
 ///   is not checked);
 /// - every bubble has at least two sides; the loop around it closes after sides() half-edges, and
 ///   the lattice offsets of these half-edges add up to zero, so that the bubble is a disc;
+/// - no lattice offset, and no sum of the offsets along a loop, exceeds kMaxPeriods;
 /// - no film has the same copy of a bubble on both sides;
 /// - all numbers of sides add up to 2 E, and 3 V = 2 E;
 /// - Euler's relation holds: on a torus V - E + F = 0;

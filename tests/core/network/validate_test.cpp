@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -161,6 +163,25 @@ TEST(Validate, FindsABoundaryThatDoesNotClose) {
     EXPECT_EQ(find_fault(network),
               "bubble 0 has a boundary that does not close: its lattice offsets do not add up to "
               "zero");
+}
+
+// Files may contain any offsets; their sums must not overflow.
+TEST(Validate, FindsOffsetsThatAreTooLarge) {
+    Network network = hexagons();
+    const LatticeOffset offset = network.offset(kFirst);
+    network.set_offset(kFirst, {std::numeric_limits<std::int32_t>::min(), 0});
+    EXPECT_EQ(find_fault(network), "film 0 has a lattice offset of too many periods");
+    network.set_offset(kFirst, {0, kMaxPeriods + 1});
+    EXPECT_EQ(find_fault(network), "film 0 has a lattice offset of too many periods");
+    network.set_offset(kFirst, offset);
+    EXPECT_EQ(find_fault(network), std::nullopt);
+}
+
+TEST(Validate, FindsALoopThatLeadsTooFarAway) {
+    Network network = hexagons();
+    network.set_offset(kFirst, {kMaxPeriods, 0});
+    network.set_offset(network.next(kFirst), {kMaxPeriods, 0});
+    EXPECT_EQ(find_fault(network), "bubble 0 has a boundary that leads too many periods away");
 }
 
 // The half-edges of bubble 1 are assigned to bubble 0, which then has two loops.
