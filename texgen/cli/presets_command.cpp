@@ -9,6 +9,7 @@
 #include "texgen/preset/shipped_presets.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
@@ -63,6 +64,11 @@ ExitCode print_presets_as_json() {
 }
 
 ExitCode show_preset(const std::string& name) {
+    if (is_preset_path(name)) {
+        throw PresetError(fmt::format(
+            "'{}': must be the name of a shipped preset; 'foamtex presets' lists all of them",
+            name));
+    }
     write_stdout(find_shipped_preset(name).toml);
     return ExitCode::Success;
 }

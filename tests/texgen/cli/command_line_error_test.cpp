@@ -77,6 +77,7 @@ TEST(CommandLineError, EveryChoiceHasASuggestion) {
              {"maps albedo --jsn", "did you mean '--json'?"},
              {"presets keys looop", "did you mean [loop]?"},
              {"presets show sea_fom", "did you mean 'sea_foam'?"},
+             {"presets show presets/sea_foam.toml", "must be the name of a shipped preset"},
              {"completion bsh", "did you mean 'bash'?"},
              {"bake sea_fom", "did you mean 'sea_foam'?"},
              {"simulate sea_fom --cache foam", "did you mean 'sea_foam'?"},
