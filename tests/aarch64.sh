@@ -40,6 +40,4 @@ unpack_libraries() {
 
 ensure_packages "${foam_build_packages[@]}" g++-aarch64-linux-gnu qemu-user
 [[ -d $system ]] || unpack_libraries
-export PKG_CONFIG_SYSROOT_DIR=$system
-export PKG_CONFIG_LIBDIR=$system/usr/lib/aarch64-linux-gnu/pkgconfig:$system/usr/share/pkgconfig
 FOAM_RUNNER="qemu-aarch64 -L $system" tests/same_pixels.sh release aarch64
