@@ -1,17 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures how long users wait: frames of maps, first frames of presets, a whole animation.
+"""Measures how long users wait: frames of maps, first frames of presets, a whole animation, foams from files and seeds.
 
     tests/bench/user_table.py                                   # all rows, with build/release/texgen/foamtex
     tests/bench/user_table.py --against OLD/foamtex lit exr     # rows whose names contain lit or exr, and the ratio to OLD
 
-Every row is measured over several presets. With --against, the two programs run alternately, so that other work on the
-machine affects both. Times of maps are processor times of one frame, drawn with one thread from a cache and written;
-all other times are elapsed times with all threads. Memory is the largest of all runs of a row.
+Every row is measured over several presets, files or seeds. With --against, the two programs run alternately, so that
+other work on the machine affects both. Times of maps are processor times of one frame, drawn with one thread from a cache
+and written. Times of raw diagrams and of files of Surface Evolver are processor times of all threads, from file to file for
+the latter; beside them is the time of Surface Evolver, if it is installed. All other times are elapsed times with all
+threads. Memory is the largest of all runs of a row. Raw diagrams need the program raw_table, which is run if it was built
+with the program. raster_peers and png_bench, which compare with cairo, AGG, OpenCV and libpng, print tables of their own.
 """
 import argparse
 import os
 import pathlib
+import shutil
 import statistics
 import subprocess
 import sys
@@ -20,12 +24,29 @@ import time
 
 EIGHT_MAPS = "albedo,height,normal,occlusion,curvature,roughness,motion,id"
 RELIEF_MAPS = "height,normal,occlusion,curvature"
+EVOLVER_FILES = pathlib.Path(__file__).resolve().parents[1] / "data" / "evolver"
+# The commands with which Surface Evolver made the reference foams in EVOLVER_FILES.
+EVOLVER_COMMANDS = """M 2
+augmented_hessian on
+conj_grad on
+g 10
+conj_grad off
+hessian_seek
+hessian_seek
+hessian_seek
+hessian
+hessian
+print total_energy
+q
+q
+"""
 
 
-def run(arguments, folder):
+def run(arguments, folder, stdin=None, errors=None):
     """Runs a command; returns elapsed seconds, processor seconds and the peak memory in MB."""
     start = time.monotonic()
-    with subprocess.Popen(arguments, cwd=folder, stdout=subprocess.DEVNULL) as process:
+    with subprocess.Popen(arguments, cwd=folder, stdin=stdin, stdout=subprocess.DEVNULL,
+                          stderr=errors) as process:
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
@@ -53,6 +74,19 @@ class Lab:
     def first_frame(self, program, preset):
         return run([program, "bake", preset, "--frames", "1", "--size", "1024", "-q", "--out", "out/{map}.png"],
                    self.folder)
+
+    def relax(self, program, name):
+        return run([program, "relax", EVOLVER_FILES / f"{name}.fe", "-o", "relaxed.fe", "-q"], self.folder)
+
+    def evolver(self, name):
+        """Brings a foam to equilibrium with Surface Evolver; returns processor seconds, or None without Evolver."""
+        evolver = shutil.which("evolver-nox-d") or shutil.which("evolver")
+        if evolver is None:
+            return None
+        with tempfile.TemporaryFile("w+") as commands:
+            commands.write(EVOLVER_COMMANDS)
+            commands.seek(0)
+            return run([evolver, EVOLVER_FILES / f"{name}.fe"], self.folder, commands, subprocess.DEVNULL)[1]
 
     def animation(self, program, preset):
         return run([program, "simulate", preset, "--force", "-q", "--cache", "animation"], self.folder)
@@ -85,11 +119,12 @@ def rows_of(lab):
                      lambda program, preset, suffix=suffix: lab.frame(program, preset, EIGHT_MAPS, suffix, 2)))
     rows.append(("first frame, 1024²", presets_of(lab.program), 0, lab.first_frame))
     rows.append(("simulation of coarsening, 96 frames", ["coarsening"], 0, lab.animation))
+    rows.append(("relax a file of Surface Evolver", ["torus1024", "cluster331"], 1, lab.relax, lab.evolver))
     return rows
 
 
 def print_row(row, program, against, repeats):
-    name, presets, kind, measure = row
+    name, presets, kind, measure, *peer = row
     seconds, ratios, memory = {}, [], 0.0
     for preset in presets:
         ours, theirs = [], []
@@ -106,7 +141,18 @@ def print_row(row, program, against, repeats):
     cells = [name, f"{statistics.median(seconds.values()):.2f} s", f"{seconds[worst]:.2f} s ({worst})", f"{memory:.0f} MB"]
     if against:
         cells.append(f"{min(ratios):.1f} to {max(ratios):.1f}")
+    times = {preset: peer[0](preset) for preset in presets} if peer else {}
+    cells.append(", ".join(f"{preset}: {time:.2f} s, {time / seconds[preset]:.0f} x" for preset, time in times.items()
+                           if time is not None))
     print(f"| {' | '.join(cells)} |", flush=True)
+
+
+def print_raw_row(raw_table, bubbles, against):
+    """Prints the row of raw diagrams of the seeds 1 to 5."""
+    printed = subprocess.run([raw_table, "5", str(bubbles)], check=True, capture_output=True, text=True).stdout
+    _, _, reached, median, worst, _, memory, _ = (cell.strip() for cell in printed.splitlines()[-1].split("|"))
+    cells = [f"equilibrium from a raw diagram, {bubbles:,} bubbles ({reached} seeds)", median, worst, memory]
+    print(f"| {' | '.join(cells + ([''] if against else []) + [''])} |", flush=True)
 
 
 def main():
@@ -119,11 +165,15 @@ def main():
     program = os.path.abspath(arguments.program)
     against = os.path.abspath(arguments.against) if arguments.against else None
     with tempfile.TemporaryDirectory() as folder:
-        titles = ["what a user does", "median of presets", "worst preset", "memory"] + (["ratio"] if against else [])
+        titles = ["what a user does", "median", "worst", "memory"] + (["ratio"] if against else []) + ["Surface Evolver"]
         print(f"| {' | '.join(titles)} |\n|{'---|' * len(titles)}")
         for row in rows_of(Lab(program, folder)):
             if not arguments.rows or any(word in row[0] for word in arguments.rows):
                 print_row(row, program, against, arguments.repeats)
+        raw_table = pathlib.Path(program).parents[1] / "tests" / "bench" / "raw_table"
+        if raw_table.exists() and (not arguments.rows or any(word in "raw diagram" for word in arguments.rows)):
+            for bubbles in (1000, 10000, 20000, 30000, 100000):
+                print_raw_row(raw_table, bubbles, against)
 
 
 if __name__ == "__main__":
