@@ -4,6 +4,7 @@
 
 #include "core/foam/measure.h"
 #include "core/foam/random.h"
+#include "core/foam/t1_rule.h"
 #include "tests/core/foams.h"
 
 #include <gtest/gtest.h>
@@ -66,14 +67,40 @@ TEST(EquilibrateGiven, RelaxesWithoutT1WhereNewtonFails) {
     EXPECT_NEAR(energy(foam), energy(test::equilibrated_foam(60, 8)), 1e-9 * energy(foam));
 }
 
-// There is no equilibrium with the topology of this raw diagram, so that T1s are needed.
+// A bubble of eight sides cannot become this small without T1s. At the start, T1s are due at one
+// film at most.
 TEST(EquilibrateGiven, MakesT1sAsALastResort) {
+    Foam foam = test::equilibrated_foam(60, 8);
+    BubbleId shrinking{0};
+    BubbleId growing{0};
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const int sides = foam.network.sides(bubble);
+        shrinking = sides > foam.network.sides(shrinking) ? bubble : shrinking;
+        growing = sides < foam.network.sides(growing) ? bubble : growing;
+    }
+    ASSERT_GE(foam.network.sides(shrinking), 8);
+    foam.target_areas[growing] += foam.target_areas[shrinking] - 0.02;
+    foam.target_areas[shrinking] = 0.02;
+    EXPECT_LE(short_films(foam, {}).size(), 1U);
+    const EquilibriumSummary summary = equilibrate_given(foam, 1);
+    EXPECT_TRUE(summary.converged());
+    EXPECT_GT(summary.t1, 0);
+    EXPECT_LT(equilibrium_errors(foam).angle, 1e-9);
+}
+
+// There is no equilibrium with the topology of a raw diagram, so that no attempt is made to find
+// one.
+TEST(EquilibrateGiven, SolvesARawDiagramLikeASeededFoam) {
     Foam foam = test::raw_foam(200, 1);
+    Foam seeded = foam;
     const EquilibriumSummary summary = equilibrate_given(foam, 1);
     EXPECT_TRUE(summary.converged());
     EXPECT_GT(summary.t1, 0);
     EXPECT_TRUE(test::is_valid(foam.network));
-    EXPECT_LT(equilibrium_errors(foam).angle, 1e-9);
+    const EquilibriumSummary expected = equilibrate(seeded, {});
+    EXPECT_EQ(summary.iterations, expected.iterations);
+    EXPECT_EQ(summary.sweeps, expected.sweeps);
+    EXPECT_TRUE(test::are_same(foam, seeded));
 }
 
 // The positions of events are in the units of the foam: on its torus, which is 30 times larger.
