@@ -236,6 +236,9 @@ void check_exr_header(std::span<const std::byte> content) {
     const auto channels = static_cast<double>(count_channels(header));
     const auto bytes = static_cast<double>(content.size());
     const Size block = block_of(header, image);
+    if (block.width < 1 || block.height < 1) {
+        reject("a tile or a block of rows has no pixels");
+    }
     const std::int64_t columns = (image.width + block.width - 1) / block.width;
     const std::int64_t rows = (image.height + block.height - 1) / block.height;
     // The smallest samples, half floats, have 2 bytes.

@@ -80,6 +80,17 @@ TEST(ExrHeader, RejectsHugeTiles) {
     EXPECT_EQ(fault_of(file), "the blocks of rows or the tiles are too large");
 }
 
+// OpenEXR checks the size of tiles only if the flag of tiled images is set. The flag is in the
+// sixth byte of the file.
+TEST(ExrHeader, RejectsTilesWithoutPixels) {
+    for (const auto& size : {std::array<std::uint32_t, 2>{0, 8}, {8, 0}, {0, 0}}) {
+        Bytes file = encoded({.mip_levels = true});
+        put(file, value_of(file, "tiles", "tiledesc"), size);
+        file[5] = std::byte{0};
+        EXPECT_EQ(fault_of(file), "a tile or a block of rows has no pixels");
+    }
+}
+
 TEST(ExrHeader, RejectsAttributesOfTheWrongSize) {
     Bytes file = encoded();
     put(file, value_of(file, "displayWindow", "box2i") - 4, std::array<std::uint32_t, 1>{1});
