@@ -60,11 +60,16 @@ void write_by_identity(const std::vector<double>& values,
     }
 }
 
+// Returns the number of elements of a vector whose indices are the identities of these bubbles.
+std::size_t size_by_identity(const std::vector<BubbleIdentity>& bubbles) {
+    const auto largest = std::ranges::max_element(bubbles);
+    return largest == bubbles.end() ? 0 : std::size_t{*largest} + 1;
+}
+
 std::vector<double> read_by_identity(const std::vector<BubbleIdentity>& bubbles,
                                      ByteReader& reader) {
-    std::vector<double> values;
+    std::vector<double> values(size_by_identity(bubbles), 0.0);
     for (const BubbleIdentity bubble : bubbles) {
-        values.resize(std::max(values.size(), std::size_t{bubble} + 1), 0.0);
         values[bubble] = take_number(reader, "the time of a birth or of a change of neighbors");
     }
     return values;
@@ -136,8 +141,8 @@ RecentAverages read_averages(const std::vector<BubbleIdentity>& bubbles, ByteRea
         return averages;
     }
     averages.mean_area = take_number(reader, "the mean area");
+    averages.bubbles.resize(size_by_identity(bubbles));
     for (const BubbleIdentity bubble : bubbles) {
-        averages.bubbles.resize(std::max(averages.bubbles.size(), std::size_t{bubble} + 1));
         BubbleValues& values = averages.bubbles[bubble];
         values.pressure = take_number(reader, "an average pressure");
         values.area = take_number(reader, "an average area");

@@ -41,6 +41,6 @@ inline constexpr std::int64_t kMaxImageExtent = 1'000'000;
 
 /// Identities of bubbles in a cache must be below this number, because maps need memory in
 /// proportion to the largest identity.
-inline constexpr std::uint32_t kMaxIdentity = 1U << 24U;
+inline constexpr std::uint32_t kMaxIdentity = 1U << 23U;
 
 }  // namespace foam::texgen
