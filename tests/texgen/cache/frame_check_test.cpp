@@ -67,7 +67,7 @@ TEST(FrameCheck, TheFaultNamesTheElement) {
               }),
               "junction 5 has an impossible position, (1000000000, 0.5)");
     EXPECT_EQ(fault_after([](Frame& frame) { frame.bubbles[BubbleId{2}].identity = kMaxIdentity; }),
-              "the identity 16777216 of a bubble must be below 8388608");
+              "the identity 8388608 of a bubble must be below 8388608");
     EXPECT_EQ(fault_after([](Frame& frame) {
                   frame.bubbles[BubbleId{2}].identity = frame.bubbles[BubbleId{7}].identity;
               }),
