@@ -11,14 +11,15 @@
 namespace foam {
 
 void spread_areas(std::span<double> areas, double ratio) {
-    std::vector<std::size_t> rank(areas.size());
-    std::iota(rank.begin(), rank.end(), std::size_t{0});
-    std::stable_sort(rank.begin(), rank.end(), [&](std::size_t a, std::size_t b) {
+    // The indices of the areas, from the smallest area to the largest.
+    std::vector<std::size_t> by_size(areas.size());
+    std::iota(by_size.begin(), by_size.end(), std::size_t{0});
+    std::stable_sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b) {
         return areas[a] < areas[b];
     });
-    const double last = std::max<double>(1.0, static_cast<double>(rank.size()) - 1.0);
-    for (std::size_t k = 0; k < rank.size(); ++k) {
-        areas[rank[k]] = ieee::pow(ratio, static_cast<double>(k) / last);
+    const double last = std::max<double>(1.0, static_cast<double>(by_size.size()) - 1.0);
+    for (std::size_t k = 0; k < by_size.size(); ++k) {
+        areas[by_size[k]] = ieee::pow(ratio, static_cast<double>(k) / last);
     }
 }
 
