@@ -15,15 +15,15 @@ import tempfile
 NOBODY = 65534  # the id of the user without rights
 SKIPPED = 77  # the exit code that ctest counts as a skipped test
 DOCUMENTED = {0, 2, 3, 4, 5, 6, 130, 143}  # the exit codes of the program, except 1, which means a bug or too little memory
-PROCESSOR_TIME_LIMIT = 60  # seconds
+PROCESSOR_TIME_LIMIT = 60  # seconds; the signal SIGXCPU ends a run that takes more
 TIME_LIMIT = 1200  # seconds; a run that takes longer counts as a hang
 
 # Options of a bake that takes a second or less.
 SMALL = ["--set", "foam.bubbles=24", "--set", "foam.lloyd=2", "--size", "48", "--threads", "2", "-q"]
 
 
-def limit_processor_time(seconds):
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
+def limit_processor_time():
+    resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_TIME_LIMIT, PROCESSOR_TIME_LIMIT + 5))
 
 
 @dataclasses.dataclass
@@ -39,7 +39,6 @@ class Lab:
     def __init__(self, arguments):
         self.random = random.Random(arguments.seed)
         self.long = arguments.long
-        self.processor_time_limit = PROCESSOR_TIME_LIMIT  # seconds; the signal SIGXCPU ends a run that takes more
         self.user = None  # id of the user who runs the program; None: the present user
         self.root = pathlib.Path(tempfile.mkdtemp(prefix="foamtex-attack-"))
         self.root.chmod(0o755)
@@ -64,7 +63,7 @@ class Lab:
         options.setdefault("stdin", subprocess.DEVNULL)
         # The new process sets its own limit, because only a privileged user may set the limit of another user's process.
         prepare = options.pop("preexec_fn", lambda: None)
-        options["preexec_fn"] = lambda: (limit_processor_time(self.processor_time_limit), prepare())
+        options["preexec_fn"] = lambda: (limit_processor_time(), prepare())
         return subprocess.Popen([self.program, *map(str, arguments)], cwd=cwd, **options)
 
     def run(self, arguments, cwd, **options):
