@@ -85,6 +85,7 @@ TEST(EquilibrateGiven, MakesT1sAsALastResort) {
     const EquilibriumSummary summary = equilibrate_given(foam, 1);
     EXPECT_TRUE(summary.converged());
     EXPECT_GT(summary.t1, 0);
+    EXPECT_TRUE(test::is_valid(foam.network));
     EXPECT_LT(equilibrium_errors(foam).angle, 1e-9);
 }
 
@@ -97,6 +98,7 @@ TEST(EquilibrateGiven, SolvesARawDiagramLikeASeededFoam) {
     EXPECT_TRUE(summary.converged());
     EXPECT_GT(summary.t1, 0);
     EXPECT_TRUE(test::is_valid(foam.network));
+    EXPECT_LT(equilibrium_errors(foam).angle, 1e-9);
     const EquilibriumSummary expected = equilibrate(seeded, {});
     EXPECT_EQ(summary.iterations, expected.iterations);
     EXPECT_EQ(summary.sweeps, expected.sweeps);
