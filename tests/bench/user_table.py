@@ -25,7 +25,7 @@ import time
 EIGHT_MAPS = "albedo,height,normal,occlusion,curvature,roughness,motion,id"
 RELIEF_MAPS = "height,normal,occlusion,curvature"
 EVOLVER_FILES = pathlib.Path(__file__).resolve().parents[1] / "data" / "evolver"
-# The commands with which Surface Evolver made the reference foams in EVOLVER_FILES.
+# Commands with which Surface Evolver brings the foams in EVOLVER_FILES to equilibrium.
 EVOLVER_COMMANDS = """M 2
 augmented_hessian on
 conj_grad on
@@ -141,17 +141,17 @@ def print_row(row, program, against, repeats):
     cells = [name, f"{statistics.median(seconds.values()):.2f} s", f"{seconds[worst]:.2f} s ({worst})", f"{memory:.0f} MB"]
     if against:
         cells.append(f"{min(ratios):.1f} to {max(ratios):.1f}")
-    times = {preset: peer[0](preset) for preset in presets} if peer else {}
-    cells.append(", ".join(f"{preset}: {time:.2f} s, {time / seconds[preset]:.0f} x" for preset, time in times.items()
-                           if time is not None))
+    peer_seconds = {preset: peer[0](preset) for preset in presets} if peer else {}
+    cells.append(", ".join(f"{preset}: {theirs:.2f} s, {theirs / seconds[preset]:.0f} x"
+                           for preset, theirs in peer_seconds.items() if theirs is not None))
     print(f"| {' | '.join(cells)} |", flush=True)
 
 
-def print_raw_row(raw_table, bubbles, against):
+def print_raw_row(name, raw_table, bubbles, against):
     """Prints the row of raw diagrams of the seeds 1 to 5."""
     printed = subprocess.run([raw_table, "5", str(bubbles)], check=True, capture_output=True, text=True).stdout
     _, _, reached, median, worst, _, memory, _ = (cell.strip() for cell in printed.splitlines()[-1].split("|"))
-    cells = [f"equilibrium from a raw diagram, {bubbles:,} bubbles ({reached} seeds)", median, worst, memory]
+    cells = [f"{name} ({reached} seeds)", median, worst, memory]
     print(f"| {' | '.join(cells + ([''] if against else []) + [''])} |", flush=True)
 
 
@@ -164,16 +164,22 @@ def main():
     arguments = parser.parse_args()
     program = os.path.abspath(arguments.program)
     against = os.path.abspath(arguments.against) if arguments.against else None
+
+    def is_wanted(name):
+        return not arguments.rows or any(word in name for word in arguments.rows)
+
     with tempfile.TemporaryDirectory() as folder:
         titles = ["what a user does", "median", "worst", "memory"] + (["ratio"] if against else []) + ["Surface Evolver"]
         print(f"| {' | '.join(titles)} |\n|{'---|' * len(titles)}")
         for row in rows_of(Lab(program, folder)):
-            if not arguments.rows or any(word in row[0] for word in arguments.rows):
+            if is_wanted(row[0]):
                 print_row(row, program, against, arguments.repeats)
         raw_table = pathlib.Path(program).parents[1] / "tests" / "bench" / "raw_table"
-        if raw_table.exists() and (not arguments.rows or any(word in "raw diagram" for word in arguments.rows)):
+        if raw_table.exists():
             for bubbles in (1000, 10000, 20000, 30000, 100000):
-                print_raw_row(raw_table, bubbles, against)
+                name = f"equilibrium from a raw diagram, {bubbles:,} bubbles"
+                if is_wanted(name):
+                    print_raw_row(name, raw_table, bubbles, against)
 
 
 if __name__ == "__main__":
