@@ -17,6 +17,7 @@ inline constexpr MapTraits kAlbedoMap = {
     .meaning = "color of bubbles, by pressure or another property, and of films",
     .unit = "light",
     .channels = "R G B",
+    .kind = MapKind::Color,
     .smooth_distance = SmoothDistance::UsedByFilms};
 
 /// Draws the colors of bubbles and films. If films have the same width everywhere

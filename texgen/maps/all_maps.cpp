@@ -85,7 +85,8 @@ bool shows_maze(std::span<const std::string> names, const MapOptions& options) {
     const bool has_walls = options.relief.films == ReliefFilms::Walls;
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
         const bool is_maze = name == kMazeMap.name || name == kMazeSolutionMap.name;
-        const bool has_maze_colors = name == kLitMap.name && options.lit.colors == LitColors::Maze;
+        const bool shows_lit_colors = name == kLitMap.name || name == kEmissionMap.name;
+        const bool has_maze_colors = shows_lit_colors && options.lit.colors == LitColors::Maze;
         return is_maze || has_maze_colors || (has_walls && find_map(name).shows_relief);
     });
 }

@@ -10,6 +10,7 @@
 #include "texgen/maps/contour.h"
 #include "texgen/maps/curvature.h"
 #include "texgen/maps/distance.h"
+#include "texgen/maps/emission.h"
 #include "texgen/maps/event.h"
 #include "texgen/maps/film.h"
 #include "texgen/maps/growth.h"
@@ -19,6 +20,7 @@
 #include "texgen/maps/lit.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/maze.h"
+#include "texgen/maps/metallic.h"
 #include "texgen/maps/motion.h"
 #include "texgen/maps/normal.h"
 #include "texgen/maps/occlusion.h"
@@ -43,6 +45,7 @@ struct MapOptions {
     PressureOptions pressure;
     AreaOptions area;
     RoughnessOptions roughness;
+    MetallicOptions metallic;
     AgeOptions age;
     GrowthOptions growth;
     EventMapOptions event_map;
@@ -54,7 +57,7 @@ struct MapOptions {
     OcclusionOptions occlusion;
     CurvatureOptions curvature;
     ThinFilmOptions thin_film;
-    MazeOptions maze;  // used by maze, maze_solution, lit, and ReliefFilms::Walls
+    MazeOptions maze;  // used by maze, maze_solution, lit, emission, and ReliefFilms::Walls
     ContourOptions contour;
     CausticsOptions caustics;
 };
@@ -70,6 +73,7 @@ Keys<M> map_keys() {
                    nested_keys("pressure", &M::pressure, pressure_keys()),
                    nested_keys("area", &M::area, area_keys()),
                    nested_keys("roughness", &M::roughness, roughness_keys()),
+                   nested_keys("metallic", &M::metallic, metallic_keys()),
                    nested_keys("age", &M::age, age_keys()),
                    nested_keys("growth", &M::growth, growth_keys()),
                    nested_keys("event_map", &M::event_map, event_map_keys()),
@@ -130,6 +134,11 @@ inline constexpr std::array kMaps = [] {
                                 all.lit,
                                 {all.albedo, all.thin_film, {all.relief, all.maze}, all.occlusion});
             }},
+        Map{kEmissionMap,
+            [](FrameLayers& layers, const M& all) -> MapImage {
+                return draw_emission(
+                    layers, {all.lit.colors, all.albedo, all.thin_film, all.maze}, all.lit.glow);
+            }},
         map_of<draw_opacity, &M::albedo>(kOpacityMap),
         map_of<draw_film, &M::albedo>(kFilmMap),
         map_of<draw_distance, &M::distance, &M::albedo>(kDistanceMap),
@@ -141,6 +150,7 @@ inline constexpr std::array kMaps = [] {
         relief_map_of<draw_occlusion, &M::occlusion>(kOcclusionMap),
         relief_map_of<draw_curvature, &M::curvature>(kCurvatureMap),
         map_of<draw_roughness, &M::roughness, &M::albedo>(kRoughnessMap),
+        map_of<draw_metallic, &M::metallic, &M::albedo>(kMetallicMap),
         map_of<draw_pressure, &M::pressure>(kPressureMap),
         map_of<draw_area, &M::area>(kAreaMap),
         map_of<draw_sides>(kSidesMap),

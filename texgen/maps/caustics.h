@@ -18,6 +18,7 @@ inline constexpr MapTraits kCausticsMap = {
     .meaning = "light on the floor of a pool whose water surface is the relief",
     .unit = "light",
     .channels = "R G B",
+    .kind = MapKind::Color,
     .png_filter = PngFilter::Up,
     .shows_relief = true};
 

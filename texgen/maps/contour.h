@@ -17,6 +17,7 @@ inline constexpr MapTraits kContourMap = {
         "line art: the films between different levels of pressure, and the outline of a patch",
     .unit = "light",
     .channels = "R G B",
+    .kind = MapKind::Color,
     .png_filter = PngFilter::Up};
 
 struct ContourOptions {

@@ -4,7 +4,6 @@
 
 #include "core/parallel/simd_level.h"
 #include "texgen/image/bleed.h"
-#include "texgen/maps/cell_fill.h"
 #include "texgen/maps/color_loops.h"
 #include "texgen/maps/smooth_step.h"
 
@@ -118,6 +117,24 @@ Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options) {
         }
     });
     return shade;
+}
+
+Image<float> fill_numbers(FrameLayers& layers,
+                          const CellNumbers& numbers,
+                          const AlbedoOptions& options) {
+    if (options.film_profile == FilmProfile::Even) {
+        const double width = film_width_in_pixels(options, layers.grid(), layers.frame().domain);
+        return fill_numbers(layers, numbers, width);
+    }
+    Image<float> image = fill_numbers(layers, numbers.bubbles);
+    const Image<float> coverage = film_coverage(layers, options);
+    const Image<float> foam = foam_coverage(layers, options, coverage);
+    for (std::size_t k = 0; k < image.samples().size(); ++k) {
+        const float whole = foam.samples()[k];
+        const float part = whole > 0.0F ? coverage.samples()[k] / whole : 0.0F;
+        image.samples()[k] = std::lerp(image.samples()[k], static_cast<float>(numbers.film), part);
+    }
+    return image;
 }
 
 DistanceNeeds film_distance_needs(const AlbedoOptions& options) {

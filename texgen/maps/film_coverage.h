@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/maps/albedo_options.h"
+#include "texgen/maps/cell_fill.h"
 #include "texgen/maps/frame_layers.h"
 #include "texgen/maps/map_image.h"
 
@@ -28,6 +29,13 @@ Image<float> foam_coverage(FrameLayers& layers,
 /// image has one channel. Precondition: options.shade > 0, because otherwise the distance field may
 /// lack the smooth distance.
 Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options);
+
+/// Returns an image whose pixels are means of the numbers of the bubbles and films in them,
+/// weighted by the part of the pixel that each of them covers. The options give the width and the
+/// shape of films. Pixels around a patch are 0. The image has one channel.
+Image<float> fill_numbers(FrameLayers& layers,
+                          const CellNumbers& numbers,
+                          const AlbedoOptions& options);
 
 /// Returns which images of the distance field the functions of this file need.
 DistanceNeeds film_distance_needs(const AlbedoOptions& options);

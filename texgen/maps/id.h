@@ -11,6 +11,7 @@ inline constexpr MapTraits kIdMap = {
     .meaning = "permanent id of a bubble plus 1, not averaged; 0 around a patch",
     .unit = "PNG: lowest 16 bits",
     .channels = "Y",
+    .kind = MapKind::Id,
     .png_bits = 16};
 
 /// Draws the identity of the bubble at the center of every pixel, plus 1; pixels around a patch are

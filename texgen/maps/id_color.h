@@ -12,7 +12,9 @@ inline constexpr MapTraits kIdColorMap = {
     .name = "id_color",
     .meaning = "a distinct color for every bubble, constant for its life",
     .unit = "light",
-    .channels = "R G B"};
+    .channels = "R G B",
+    .kind = MapKind::Color,
+};
 
 /// Returns the color that a bubble has for life. Consecutive identities have very different
 /// hues, and different lightnesses: hue and lightness in OKLCh (Ottosson 2020) follow a

@@ -5,9 +5,7 @@
 #include "core/parallel/simd_level.h"
 #include "texgen/image/bleed.h"
 #include "texgen/keys/value_kinds.h"
-#include "texgen/maps/albedo.h"
 #include "texgen/maps/color_loops.h"
-#include "texgen/maps/film_coverage.h"
 #include "texgen/maps/lighting.h"
 #include "texgen/maps/pixel_contrast.h"
 #include "texgen/maps/pixel_neighbors.h"
@@ -36,37 +34,6 @@ namespace {
 // pixel. These pixels are found by their contrast (D. P. Mitchell, "Generating antialiased images
 // at low sampling densities", 1987), and the relief at their points is computed from the smooth
 // distance around the center (relief_sampler.h).
-
-// Returns the fraction of every pixel's color that is emitted light.
-Image<float> glow_of(FrameLayers& layers, const LitOptions& lit, const LitSurface& surface) {
-    const AlbedoOptions& albedo = surface.albedo;
-    const bool is_maze = lit.colors == LitColors::Maze;
-    Image<float> shining =
-        is_maze ? maze_wall_coverage(layers, surface.relief.maze) : film_coverage(layers, albedo);
-    const Image<float> shade =
-        albedo.shade > 0.0 && !is_maze ? film_shade(layers, albedo) : shining;
-    std::transform(shining.samples().begin(),
-                   shining.samples().end(),
-                   shade.samples().begin(),
-                   shining.samples().begin(),
-                   [&](float film, float beside) {
-                       return static_cast<float>(lit.glow) * std::max(film, beside);
-                   });
-    return shining;
-}
-
-// Draws the colors without light.
-ColorPixels draw_colors(FrameLayers& layers, LitColors colors, const LitSurface& surface) {
-    switch (colors) {
-        case LitColors::Albedo:
-            return draw_albedo(layers, surface.albedo);
-        case LitColors::ThinFilm:
-            return draw_thin_film(layers, surface.thin_film, surface.albedo);
-        case LitColors::Maze:
-            return draw_maze(layers, surface.relief.maze);
-    }
-    return {};
-}
 
 // The light at points: one number for each of them (PointLights).
 struct Light {
@@ -238,7 +205,7 @@ Keys<LitOptions> lit_keys() {
           key("glow",
               kFractions,
               "fraction of the color of films, of the shade beside films, and of the walls of a "
-              "maze that is emitted light and therefore not shaded",
+              "maze that is emitted light: the map emission shows it, and lit does not shade it",
               &Options::glow)
               .in("fraction of the color"),
           key("samples",
@@ -251,12 +218,17 @@ Keys<LitOptions> lit_keys() {
 }
 
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& source) {
-    ColorPixels colors = draw_colors(layers, options.colors, source);
+    const SurfaceColors surface_colors{
+        options.colors, source.albedo, source.thin_film, source.relief.maze};
+    ColorPixels colors = draw_surface_colors(layers, surface_colors);
+    Image<float> glow = options.glow > 0.0
+                            ? glow_fractions(layers, surface_colors, colors, options.glow)
+                            : Image<float>();
     const Relief relief(layers, source.relief, ReliefSection::kSkyReach);
     const VisibleSky sky(relief.section(), relief.strength(), source.occlusion.strength);
     Surface surface{relief.slopes(),
                     occlusion_of(relief, sky.lookup()),
-                    options.glow > 0.0 ? glow_of(layers, options, source) : Image<float>(),
+                    std::move(glow),
                     std::move(colors.pixels)};
     const Lighting lighting(options.light);
     const Light light = light_at_centers(surface, lighting);

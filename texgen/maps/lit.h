@@ -4,6 +4,7 @@
 
 #include "texgen/keys/key.h"
 #include "texgen/maps/albedo_options.h"
+#include "texgen/maps/glow.h"
 #include "texgen/maps/lighting.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/occlusion.h"
@@ -17,20 +18,15 @@ inline constexpr MapTraits kLitMap = {
     .meaning = "albedo, thin_film or maze, shaded by a light on the relief",
     .unit = "light",
     .channels = "R G B",
+    .kind = MapKind::Color,
     .png_filter = PngFilter::Up,
     .smooth_distance = SmoothDistance::Used,
     .shows_relief = true};
 
-/// The map whose colors are lit.
-enum class LitColors { Albedo, ThinFilm, Maze };
-
 struct LitOptions {
     LitColors colors = LitColors::Albedo;
     LightOptions light{};
-    // The fraction of the color of films that is emitted light. At each pixel it is multiplied by
-    // the coverage of films or by the weight of the shade beside them (AlbedoOptions::shade),
-    // whichever is larger. For LitColors::Maze it is multiplied by the coverage of walls instead.
-    double glow = 0.0;
+    double glow = 0.0;  // the fraction of the color of films that is emitted (glow_fractions)
     // The number of points, in each direction, whose mean a pixel shows where the light varies
     // strongly: at creases, in small highlights and at the borders of reflected windows. Elsewhere
     // a pixel shows the light at its center.

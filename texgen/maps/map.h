@@ -27,12 +27,20 @@ enum class SmoothDistance {
     UsedByFilms,  // used if films have the wet profile or a shade (film_distance_needs)
 };
 
+/// The kind of the samples of a map, which is also the alternative of MapImage that the map draws.
+enum class MapKind {
+    Color,   // ColorPixels
+    Number,  // NumberPixels
+    Id,      // IdPixels
+};
+
 /// The properties of a map that do not depend on options.
 struct MapTraits {
-    std::string_view name;                   // part of file names
-    std::string_view meaning;                // a description in a few words
-    std::string_view unit;                   // unit of the values, and what a PNG stores
-    std::string_view channels;               // such as "R G B"; colors of a patch also have "A"
+    std::string_view name;      // part of file names
+    std::string_view meaning;   // a description in a few words
+    std::string_view unit;      // unit of the values, and what a PNG stores
+    std::string_view channels;  // such as "R G B"; colors of a patch also have "A"
+    MapKind kind = MapKind::Number;
     int png_bits = 8;                        // bits per sample of a PNG
     PngFilter png_filter = PngFilter::None;  // PngEncoding::filter of its PNGs
     bool needs_next = false;                 // true if drawing needs the next frame

@@ -16,12 +16,14 @@ inline constexpr MapTraits kMazeMap = {
     .meaning = "maze of the foam: bubbles are rooms, films are walls or open",
     .unit = "light",
     .channels = "R G B",
+    .kind = MapKind::Color,
     .png_filter = PngFilter::Up};
 
 inline constexpr MapTraits kMazeSolutionMap = {.name = "maze_solution",
                                                .meaning = "maze, and its solution as a smooth line",
                                                .unit = "light",
                                                .channels = "R G B",
+                                               .kind = MapKind::Color,
                                                .png_filter = PngFilter::Up};
 
 struct MazeOptions {

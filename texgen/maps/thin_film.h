@@ -13,6 +13,7 @@ inline constexpr MapTraits kThinFilmMap = {
     .meaning = "interference colors of a soap film across every bubble",
     .unit = "light",
     .channels = "R G B",
+    .kind = MapKind::Color,
     .png_filter = PngFilter::Up,
     .smooth_distance = SmoothDistance::Used};
 

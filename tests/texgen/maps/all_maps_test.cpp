@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <ostream>
@@ -84,12 +85,22 @@ MapOptions maze_walls_in_relief(ReliefProfile profile) {
     return options;
 }
 
+// By default, the maps emission and metallic are 0 everywhere. These options make them visible.
+MapOptions visible() {
+    MapOptions options;
+    options.lit.glow = 0.7;
+    options.metallic = {.cell = 0.2, .film = 0.9};
+    return options;
+}
+
 std::vector<MapCase> all_cases() {
     std::vector<MapCase> cases;
     for (const std::string_view map : map_names()) {
-        cases.push_back({std::string(map)});
+        const bool is_dark = map == "emission" || map == "metallic";
+        cases.push_back({std::string(map), "", is_dark ? visible() : MapOptions{}});
     }
-    for (const char* map : {"albedo", "thin_film", "lit", "film", "opacity", "roughness"}) {
+    for (const char* map :
+         {"albedo", "thin_film", "lit", "emission", "film", "opacity", "roughness"}) {
         cases.push_back({map, "wet", wet_and_shaded()});
     }
     for (const char* map : {"albedo", "lit", "height", "normal"}) {
@@ -188,6 +199,11 @@ void visit_numbers(const MapImage& image, const Visit& visit) {
     } else {
         GTEST_SKIP();
     }
+}
+
+TEST_P(EveryMap, DrawsSamplesOfItsKind) {
+    const MapImage image = draw_case(GetParam(), test::torus_subject(), test::torus_grid(kSize));
+    EXPECT_EQ(image.index(), static_cast<std::size_t>(find_map(GetParam().map).kind));
 }
 
 TEST_P(EveryMap, HasNoSeam) {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/maps/glow.h"
+#include "texgen/maps/map.h"
+
+namespace foam::texgen {
+
+inline constexpr MapTraits kEmissionMap = {
+    .name = "emission",
+    .meaning = "light that the surface emits: the glow of the map lit (lit.glow), else black",
+    .unit = "light",
+    .channels = "R G B",
+    .kind = MapKind::Color,
+    .png_filter = PngFilter::Up,
+    .smooth_distance = SmoothDistance::Used};
+
+/// Draws the emitted light of a surface: the fraction of its colors that glow_fractions returns.
+/// The map lit shows the same light. The surroundings of a patch are transparent.
+ColorPixels draw_emission(FrameLayers& layers, const SurfaceColors& surface, double glow);
+
+}  // namespace foam::texgen
