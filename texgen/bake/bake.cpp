@@ -9,6 +9,10 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/format.h"
+#include "texgen/preset/drawn_images.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
@@ -103,7 +107,8 @@ class FrameWriter {
     // Precondition: `file.numbers` is set. The file then stores codes, so it has only one map, and
     // this map has a range.
     void add_numbers(const WrittenFile& file) {
-        const auto& [map, samples] = file.maps.front();
+        const auto& [image, samples] = file.images.front();
+        const Map* const map = image.map();
         const auto found = std::ranges::find(numbers_, map, &WrittenNumbers::map);
         if (found == numbers_.end()) {
             numbers_.push_back({map, *samples.range, *file.numbers});
@@ -120,6 +125,20 @@ class FrameWriter {
     ProgressMeter meter_;
 };
 
+// Throws std::invalid_argument if a format cannot store a packing.
+void check_packings(const std::vector<DrawnImage>& images, const ImageFormat& format) {
+    for (const DrawnImage& image : images) {
+        if (image.packs_colors() && format.samples == FormatSamples::Numbers) {
+            throw std::invalid_argument(
+                fmt::format("packing '{}': {} files store colors multiplied by A, so a packing of "
+                            "colors cannot be stored; bake the maps as {} layers instead",
+                            image.name(),
+                            format.name,
+                            format.name));
+        }
+    }
+}
+
 }  // namespace
 
 void check_bake(const Preset& preset, const BakeOptions& options) {
@@ -128,8 +147,11 @@ void check_bake(const Preset& preset, const BakeOptions& options) {
         throw std::invalid_argument(
             "at least one frame is needed, and frame numbers must be at least 1");
     }
-    FilePattern(preset.output.pattern)
-        .check_distinct(options.frames.size(), preset.image.maps.size());
+    const FilePattern pattern(preset.output.pattern);
+    const std::vector<DrawnImage> images = drawn_images(preset);
+    pattern.check_distinct(options.frames.size(), images.size());
+    check_file_words(preset);
+    check_packings(images, pattern.format());
     for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
         check_writable(path.parent_path());
     }

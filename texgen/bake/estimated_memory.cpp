@@ -5,7 +5,7 @@
 #include "core/parallel/parallel_for.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/image/format.h"
-#include "texgen/maps/all_maps.h"
+#include "texgen/preset/drawn_images.h"
 
 #include <algorithm>
 #include <array>
@@ -49,16 +49,28 @@ constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per b
 // frame.
 constexpr double kCrossFade = 1.8;
 
-double bytes_per_pixel(const std::string& map, bool is_png) {
+// A packing keeps the images of its maps, as 4 bytes per sample, until it is drawn.
+constexpr double kPackedSample = 4.0;
+
+double map_bytes_per_pixel(std::string_view map, bool is_png) {
     const auto* const found = std::ranges::find(kMeasured, map, &MeasuredMemory::map);
     const MeasuredMemory& memory = found != kMeasured.end() ? *found : kOther;
     return is_png ? memory.png : memory.exr;
 }
 
-// Returns the number of channels of a map, without the opacity channel of a patch.
-double channels_of(const std::string& map) {
-    const std::string_view channels = find_map(map).channels;
-    return static_cast<double>(std::ranges::count(channels, ' ') + 1);
+// Returns the number of channels of an image, without the opacity channel of a patch.
+double channels_of(const MapTraits& traits) {
+    return static_cast<double>(std::ranges::count(traits.channels, ' ') + 1);
+}
+
+double bytes_per_pixel(const DrawnImage& image, bool is_png) {
+    double largest = 0.0;
+    double kept = 0.0;
+    for (const Map* const map : image.sources()) {
+        largest = std::max(largest, map_bytes_per_pixel(map->name, is_png));
+        kept += image.map() == nullptr ? kPackedSample * channels_of(*map) : 0.0;
+    }
+    return largest + kept;
 }
 
 // Returns the memory, in bytes, for each sample of a file that stores all maps: 4 for the sample as
@@ -79,9 +91,9 @@ std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int thr
     const bool is_png = pattern.format().samples == FormatSamples::Codes;
     double largest = 0.0;
     double shared = 0.0;
-    for (const std::string& map : preset.image.maps) {
-        largest = std::max(largest, bytes_per_pixel(map, is_png));
-        shared += channels_of(map) * bytes_per_layer_sample(preset.output.exr_numbers);
+    for (const DrawnImage& image : drawn_images(preset)) {
+        largest = std::max(largest, bytes_per_pixel(image, is_png));
+        shared += channels_of(image.traits()) * bytes_per_layer_sample(preset.output.exr_numbers);
     }
     const double per_pixel = (preset.loop.is_cross_faded() ? kCrossFade : 1.0) *
                              (largest + (pattern.stores_all_maps_in_one_file() ? shared : 0.0));

@@ -6,6 +6,7 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
+#include "texgen/preset/drawn_images.h"
 
 #include <algorithm>
 #include <array>
@@ -53,12 +54,12 @@ constexpr double kMipLevels = 4.0 / 3.0;
 
 // Returns the size without compression, in bytes per pixel. Each channel of an EXR counts as a
 // float of 4 bytes.
-double raw_bytes_per_pixel(const Map& map, bool stores_codes) {
+double raw_bytes_per_pixel(const MapTraits& map, bool stores_codes) {
     const auto channels = static_cast<double>(std::ranges::count(map.channels, ' ') + 1);
     return channels * (stores_codes ? map.png_bits / 8.0 : 4.0);
 }
 
-double bytes_per_pixel(const Map& map, const Preset& preset) {
+double map_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
     const OutputOptions& output = preset.output;
     const bool stores_codes = FilePattern(output.pattern).format().samples == FormatSamples::Codes;
     const double levels =
@@ -73,15 +74,24 @@ double bytes_per_pixel(const Map& map, const Preset& preset) {
     return levels * (stores_codes ? size.png : size.exr);
 }
 
+// Returns the sum over the maps of an image. This is the size of a map, and about that of a
+// packing.
+double bytes_per_pixel(const DrawnImage& image, const Preset& preset) {
+    double bytes = 0.0;
+    for (const Map* const map : image.sources()) {
+        bytes += map_bytes_per_pixel(*map, preset);
+    }
+    return bytes;
+}
+
 }  // namespace
 
 std::uint64_t estimated_size(const Preset& preset, const std::vector<int>& frames) {
     const FrameFiles files(preset);
     const double pixels = static_cast<double>(preset.image.width) * preset.image.height;
     std::vector<std::uint64_t> sizes;
-    for (const std::string& map : preset.image.maps) {
-        sizes.push_back(
-            static_cast<std::uint64_t>(pixels * bytes_per_pixel(find_map(map), preset)));
+    for (const DrawnImage& image : drawn_images(preset)) {
+        sizes.push_back(static_cast<std::uint64_t>(pixels * bytes_per_pixel(image, preset)));
     }
     if (FilePattern(preset.output.pattern).stores_all_maps_in_one_file()) {
         sizes = {std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0})};

@@ -9,6 +9,7 @@
 #include "texgen/image/format.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/maps/number_extent.h"
+#include "texgen/preset/drawn_images.h"
 
 #include <algorithm>
 #include <array>
@@ -35,13 +36,22 @@ struct MeasuredMap {
     double largest = 0.0;
 };
 
+// Returns the maps whose automatic ranges a bake needs: the maps that are stored as codes. Packings
+// store codes, or fractions of a range, in every format.
 std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
+    const ImageFormat& format = FilePattern(preset.output.pattern).format();
     std::vector<MeasuredMap> measured;
-    for (const std::string& name : preset.image.maps) {
-        const Map& map = find_map(name);
-        const AutoReal* const range = range_option_of(map, preset.maps);
-        if (range != nullptr && range->is_automatic) {
-            measured.push_back({&map});
+    for (const DrawnImage& image : drawn_images(preset)) {
+        if (format.samples != FormatSamples::Codes && image.map() != nullptr) {
+            continue;
+        }
+        for (const Map* const map : image.sources()) {
+            const AutoReal* const range = range_option_of(*map, preset.maps);
+            const bool is_known =
+                std::ranges::find(measured, map, &MeasuredMap::map) != measured.end();
+            if (range != nullptr && range->is_automatic && !is_known) {
+                measured.push_back({map});
+            }
         }
     }
     return measured;
@@ -123,8 +133,7 @@ class RangeMeter {
 }  // namespace
 
 bool has_automatic_ranges(const Preset& preset) {
-    const ImageFormat& format = FilePattern(preset.output.pattern).format();
-    return format.samples == FormatSamples::Codes && !maps_to_measure(preset).empty();
+    return !maps_to_measure(preset).empty();
 }
 
 RunOutcome fit_automatic_ranges(Preset& preset,

@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// Returns true if a map of the preset has an automatic range (AutoReal), and the files store
-/// codes (integers, as in a PNG), which need a range.
+/// Returns true if a map of the preset has an automatic range (AutoReal), and this range is needed
+/// because the files store codes (integers, as in a PNG), or because the map is packed.
 bool has_automatic_ranges(const Preset& preset);
 
 /// Fits the automatic ranges of the maps of a preset to the numbers in the given frames. These are

@@ -5,12 +5,13 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/written_file.h"
 #include "texgen/image/picture.h"
-#include "texgen/maps/all_maps.h"
 #include "texgen/maps/cross_fade.h"
+#include "texgen/maps/drawn_image.h"
 #include "texgen/preset/preset.h"
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace foam::texgen {
@@ -26,11 +27,12 @@ class FrameFiles {
     /// malformed.
     explicit FrameFiles(const Preset& preset);
 
-    /// Returns the paths of the files of a frame: one per map, or one for all maps if the file
-    /// pattern stores them in one file (FilePattern::stores_all_maps_in_one_file).
+    /// Returns the paths of the files of a frame: one per image (drawn_images), or one for all
+    /// images if the file pattern stores them in one file
+    /// (FilePattern::stores_all_maps_in_one_file).
     std::vector<std::filesystem::path> paths(int frame) const;
 
-    /// Draws all maps of a frame and writes their files. Creates missing folders. Returns
+    /// Draws all images of a frame and writes their files. Creates missing folders. Returns
     /// descriptions of the files, in the order of `paths`. Throws OutputError if a file cannot be
     /// written.
     std::vector<WrittenFile> write(ShownLayers& shown) const;
@@ -42,17 +44,18 @@ class FrameFiles {
     bool needs_next() const;
 
   private:
-    WrittenFile write_maps(std::span<const Map* const> maps, ShownLayers& shown) const;
-    Picture picture_of(std::span<const Map* const> maps,
+    WrittenFile write_images(std::span<const DrawnImage> images, ShownLayers& shown) const;
+    Picture picture_of(std::span<const DrawnImage> images,
                        ShownLayers& shown,
                        WrittenFile& written) const;
-    ImageMetadata metadata_of(std::span<const Map* const> maps) const;
-    std::filesystem::path path(const Map& map, int frame) const;
+    ImageMetadata metadata_of(std::span<const DrawnImage> images) const;
+    std::filesystem::path path(const DrawnImage& image, int frame) const;
 
     const Preset& preset_;
     FilePattern pattern_;
-    std::vector<const Map*> maps_;
-    ImageMetadata metadata_;  // common to all files
+    std::vector<DrawnImage> images_;
+    std::vector<std::string> map_names_;  // of the maps that the images show
+    ImageMetadata metadata_;              // common to all files
 };
 
 }  // namespace foam::texgen

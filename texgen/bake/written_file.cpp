@@ -26,10 +26,11 @@ bool is_color(const MapImage& image) {
     return std::holds_alternative<ColorPixels>(image);
 }
 
-MapSamples common_samples(const Map& map, const MapImage& image) {
+MapSamples common_samples(const DrawnImage& drawn, const MapImage& image) {
     MapSamples samples;
     samples.kind = kind_of(image);
-    samples.channels = std::string(map.channels) + (has_opacity(image) ? " A" : "");
+    samples.channels = std::string(drawn.traits().channels) +
+                       (has_opacity(image) && !drawn.packs_colors() ? " A" : "");
     samples.color_space = "data";
     samples.alpha = "none";
     if (const auto* numbers = std::get_if<NumberPixels>(&image)) {
@@ -60,19 +61,22 @@ void describe_numbers(const MapImage& image, SampleType numbers, MapSamples& sam
 
 }  // namespace
 
-int code_bits(const Map& map, const ImageFormat& format) {
-    return std::min(map.png_bits, format.code_bits);
+int code_bits(const DrawnImage& image, const ImageFormat& format) {
+    return std::min(image.traits().png_bits, format.code_bits);
 }
 
-MapSamples describe_samples(const Map& map,
-                            const MapImage& image,
+MapSamples describe_samples(const DrawnImage& image,
+                            const MapImage& pixels,
                             const ImageFormat& format,
                             SampleType numbers) {
-    MapSamples samples = common_samples(map, image);
+    MapSamples samples = common_samples(image, pixels);
     if (format.samples == FormatSamples::Codes) {
-        describe_codes(image, code_bits(map, format), samples);
+        describe_codes(pixels, code_bits(image, format), samples);
     } else {
-        describe_numbers(image, numbers, samples);
+        describe_numbers(pixels, numbers, samples);
+    }
+    if (image.packs_colors()) {
+        samples.alpha = "none";  // the channel A is no opacity
     }
     return samples;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/image/format.h"
-#include "texgen/maps/all_maps.h"
+#include "texgen/maps/drawn_image.h"
 #include "texgen/maps/map_image.h"
 #include "texgen/maps/number_extent.h"
 
@@ -33,26 +33,27 @@ struct MapSamples {
     friend bool operator==(const MapSamples&, const MapSamples&) = default;
 };
 
-/// Returns a description of the samples of a map in a file of the given format. `image` is any
-/// image of the map. `numbers` is the sample type that is used in a format that stores
+/// Returns a description of the samples of an image in a file of the given format. `pixels` is the
+/// image of any frame. `numbers` is the sample type that is used in a format that stores
 /// floating-point numbers instead of codes.
-MapSamples describe_samples(const Map& map,
-                            const MapImage& image,
+MapSamples describe_samples(const DrawnImage& image,
+                            const MapImage& pixels,
                             const ImageFormat& format,
                             SampleType numbers);
 
-/// Returns the number of bits of each code of a map in the given format; 0 if the format stores
+/// Returns the number of bits of each code of an image in the given format; 0 if the format stores
 /// floating-point numbers.
-int code_bits(const Map& map, const ImageFormat& format);
+int code_bits(const DrawnImage& image, const ImageFormat& format);
 
 /// One image file of a bake.
 struct WrittenFile {
     std::filesystem::path path;
-    std::vector<std::pair<const Map*, MapSamples>> maps;  // one map, or one map per layer
-    std::uint64_t bytes = 0;                              // size of the file in bytes
-    std::string pixels;                                   // pixel_hash of the picture
+    std::vector<std::pair<DrawnImage, MapSamples>> images;  // one image, or one per layer
+    std::uint64_t bytes = 0;                                // size of the file in bytes
+    std::string pixels;                                     // pixel_hash of the picture
     // The extent of the numbers that the codes represent; nullopt if the file stores floating-point
-    // numbers, or if no key of the preset sets the range of its map (Map::full_key is empty).
+    // numbers, if no key of the preset sets the range of its
+    // map (Map::full_key is empty), or if the image is a packing.
     std::optional<NumberExtent> numbers{};
     // The height that the largest code represents, as a fraction of the width of the image; only
     // for codes of the map height.

@@ -17,11 +17,13 @@
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
-#include "texgen/maps/normal.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/preset/drawn_images.h"
 #include "texgen/stats/files.h"
 #include "texgen/stats/record.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -35,18 +37,19 @@ namespace foam::texgen {
 
 namespace {
 
-/// Prints one line per map, or one line if all maps share a file. For a single frame, the line is
-/// the name of the file. Otherwise it is the file name pattern of the map and the frame range, such
-/// as "out/foam_lit.####.png 1-48", which programs for movie production understand.
+/// Prints one line per image, or one line if all images share a file. For a single frame, the line
+/// is the name of the file. Otherwise it is the file name pattern of the image and the frame range,
+/// such as "out/foam_lit.####.png 1-48", which programs for movie production understand.
 void print_images(const Preset& preset,
                   const FilePattern& pattern,
                   const std::vector<int>& frames) {
-    for (const std::string& map : preset.image.maps) {
+    for (const DrawnImage& image : drawn_images(preset)) {
+        const std::string word = file_word(preset, image.name());
         if (frames.size() == 1) {
-            print_stdout("{}\n", pattern.path(preset.name, map, frames.front()).string());
+            print_stdout("{}\n", pattern.path(preset.name, word, frames.front()).string());
         } else {
             print_stdout(
-                "{} {}\n", pattern.path_pattern(preset.name, map), format_frame_range(frames));
+                "{} {}\n", pattern.path_pattern(preset.name, word), format_frame_range(frames));
         }
         if (pattern.stores_all_maps_in_one_file()) {
             return;
@@ -75,8 +78,8 @@ void note_clipped(const BakeSummary& summary, const Preset& preset) {
 
 /// Prints a note if --normal-y is given, but no map depends on it.
 void note_unused_normal_y(const ImageArguments& arguments, const Preset& preset) {
-    if (arguments.normal_y &&
-        std::ranges::find(preset.image.maps, kNormalMap.name) == preset.image.maps.end()) {
+    const std::vector<const Map*> maps = source_maps(preset);
+    if (arguments.normal_y && std::ranges::find(maps, kNormalMap.name, &Map::name) == maps.end()) {
         print_stderr(
             "foamtex: note: --normal-y has no effect, because the map normal is not drawn");
     }
@@ -97,14 +100,31 @@ void print_report(const Preset& preset,
 }
 
 std::filesystem::path statistics_folder(const Preset& preset, const FilePattern& pattern) {
-    const std::filesystem::path image = pattern.path(preset.name, preset.image.maps.front(), 1);
+    const std::filesystem::path image =
+        pattern.path(preset.name, file_word(preset, preset.image.maps.front()), 1);
     return image.parent_path() / (preset.name + "_stats");
+}
+
+// Returns the assignment that the options --pack make.
+Assignment pack_assignment(const std::vector<std::string>& packings) {
+    Value::List list;
+    std::string location;
+    for (const std::string& packing : packings) {
+        location += fmt::format("{}--pack {}", location.empty() ? "" : " ", packing);
+        list.push_back({packing});
+    }
+    return {location, "output.pack", {std::move(list)}};
 }
 
 }  // namespace
 
 void add_image_options(CLI::App& command, ImageArguments& arguments) {
     add_maps_option(command, arguments.maps, "Maps to draw, separated by commas");
+    command
+        .add_option(
+            "--pack", arguments.pack, "Also draw an image whose channels are maps; may be repeated")
+        ->allow_extra_args(false)
+        ->option_text("NAME=R,G,B[,A]");
     command
         .add_option(
             "--normal-y", arguments.normal_y, "Direction of green in normals: gl (up) or dx (down)")
@@ -130,6 +150,9 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
     std::vector<Assignment> assignments;
     if (arguments.maps) {
         assignments.push_back(maps_assignment(*arguments.maps));
+    }
+    if (!arguments.pack.empty()) {
+        assignments.push_back(pack_assignment(arguments.pack));
     }
     if (arguments.normal_y) {
         assignments.push_back(

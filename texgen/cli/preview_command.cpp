@@ -124,6 +124,7 @@ Preset preset_to_bake(const PreviewArguments& arguments, const std::filesystem::
     }
     Preset preset = preset_of(arguments.run, assignments);
     preset.image.maps.resize(arguments.maps ? preset.image.maps.size() : 1);
+    preset.output.pack.clear();
     preset.output.pattern = (folder / "{map}.######.png").string();
     return preset;
 }
@@ -144,8 +145,8 @@ BakeCallbacks checks_of(const PreviewOptions& options,
             .on_baked =
                 [](const BakedFrame& baked) {
                     for (const WrittenFile& file : baked.files) {
-                        for (const auto& [map, samples] : file.maps) {
-                            check_shown_map(std::string(map->name), samples.kind);
+                        for (const auto& [image, samples] : file.images) {
+                            check_shown_map(std::string(image.name()), samples.kind);
                         }
                     }
                 }};

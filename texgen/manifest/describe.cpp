@@ -5,7 +5,7 @@
 #include "core/foam/statistics.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/image/pixel_hash.h"
-#include "texgen/maps/all_maps.h"
+#include "texgen/preset/drawn_images.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_keys.h"
 
@@ -66,14 +66,15 @@ std::string parameters_of(Preset preset) {
 std::vector<ManifestMap> maps_of(const Preset& preset, std::vector<int> frames) {
     std::ranges::sort(frames);
     std::vector<ManifestMap> maps;
-    for (const std::string& name : preset.image.maps) {
-        const Map& map = find_map(name);
-        maps.push_back({.name = name,
-                        .meaning = std::string(map.meaning),
-                        .unit = std::string(map.unit),
-                        .note = map.note != nullptr ? map.note(preset.maps) : "",
+    for (const DrawnImage& image : drawn_images(preset)) {
+        const MapTraits& traits = image.traits();
+        maps.push_back({.name = std::string(traits.name),
+                        .meaning = std::string(traits.meaning),
+                        .unit = std::string(traits.unit),
+                        .note = image.note(preset.maps),
                         .frames = frames,
-                        .samples = {}});
+                        .samples = {},
+                        .packed = image.packed_channels()});
     }
     return maps;
 }
@@ -102,16 +103,16 @@ ManifestFile file_of(const WrittenFile& written, int frame, const std::filesyste
                       .pixels = written.pixels,
                       .numbers = written.numbers,
                       .displacement = written.displacement};
-    for (const auto& [map, samples] : written.maps) {
-        file.maps.emplace_back(map->name);
+    for (const auto& [image, samples] : written.images) {
+        file.maps.emplace_back(image.name());
     }
     return file;
 }
 
 // For each map in a written file, records the format of its samples in the set.
 void store_sample_formats(BakedSet& set, const WrittenFile& written) {
-    for (const auto& [map, samples] : written.maps) {
-        std::ranges::find(set.maps, map->name, &ManifestMap::name)->samples = samples;
+    for (const auto& [image, samples] : written.images) {
+        std::ranges::find(set.maps, image.name(), &ManifestMap::name)->samples = samples;
     }
 }
 

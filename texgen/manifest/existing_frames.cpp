@@ -6,6 +6,7 @@
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/manifest/describe.h"
+#include "texgen/preset/drawn_images.h"
 
 #include <algorithm>
 #include <iterator>
@@ -42,13 +43,14 @@ std::set<int> existing_frames_of(const Preset& preset,
         return {};
     }
     // A layered EXR with further maps is not the file that a bake of these maps writes.
+    const std::vector<DrawnImage> images = drawn_images(preset);
     const auto is_wanted = [&](const std::string& map) {
-        return std::ranges::find(preset.image.maps, map) != preset.image.maps.end();
+        return std::ranges::find(images, map, &DrawnImage::name) != images.end();
     };
     std::set<int> present;
     std::ranges::copy_if(frames, std::inserter(present, present.end()), [&](int frame) {
-        return std::ranges::all_of(preset.image.maps, [&](const std::string& map) {
-            const ManifestFile* const file = set->find_file(map, frame);
+        return std::ranges::all_of(images, [&](const DrawnImage& image) {
+            const ManifestFile* const file = set->find_file(image.name(), frame);
             return file != nullptr && std::ranges::all_of(file->maps, is_wanted) &&
                    has_recorded_pixels(*file, folder);
         });

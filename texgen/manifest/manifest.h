@@ -19,7 +19,7 @@ inline constexpr int kManifestVersion = 1;
 /// The value of the member "format" of every manifest.
 inline constexpr std::string_view kManifestFormat = "foamtex-manifest";
 
-/// One map of a set.
+/// One map, or one packed image (maps/packing.h), of a set.
 struct ManifestMap {
     std::string name;
     std::string meaning;
@@ -27,6 +27,8 @@ struct ManifestMap {
     std::string note;         // additional information, such as the direction of y; may be empty
     std::vector<int> frames;  // requested frames, in increasing order
     std::optional<MapSamples> samples;  // nullopt until the first file of the map is written
+    // The content of each channel of a packed image, such as "1-roughness"; empty for a map.
+    std::vector<std::string> packed{};
 
     friend bool operator==(const ManifestMap&, const ManifestMap&) = default;
 };

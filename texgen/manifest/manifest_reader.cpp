@@ -61,6 +61,14 @@ std::optional<MapSamples> samples_in(const JsonValue& value) {
     return samples;
 }
 
+std::vector<std::string> texts_in(const std::optional<JsonValue>& list) {
+    std::vector<std::string> texts;
+    for (const JsonValue& item : list ? list->items() : std::vector<JsonValue>()) {
+        texts.push_back(item.text());
+    }
+    return texts;
+}
+
 ManifestMap map_in(const JsonValue& value) {
     const auto note = value.find("note");
     return {.name = value["name"].name(),
@@ -68,7 +76,8 @@ ManifestMap map_in(const JsonValue& value) {
             .unit = value["unit"].text(),
             .note = note ? note->text() : "",
             .frames = frames_in(value["frames"]),
-            .samples = samples_in(value)};
+            .samples = samples_in(value),
+            .packed = texts_in(value.find("packed"))};
 }
 
 std::optional<NumberExtent> numbers_in(const JsonValue& file) {
@@ -102,9 +111,7 @@ ManifestFile file_in(const JsonValue& value) {
     if (const auto displacement = value.find("displacement")) {
         file.displacement = displacement->number();
     }
-    for (const JsonValue& map : value["maps"].items()) {
-        file.maps.push_back(map.text());
-    }
+    file.maps = texts_in(value["maps"]);
     if (file.maps.empty()) {
         value["maps"].reject("at least one map");
     }

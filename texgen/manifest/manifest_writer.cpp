@@ -15,6 +15,9 @@ Json to_value(const ManifestMap& map) {
     if (!map.note.empty()) {
         value["note"] = map.note;
     }
+    if (!map.packed.empty()) {
+        value["packed"] = map.packed;
+    }
     value["frames"] = format_frame_range(map.frames);
     if (map.samples) {
         value["kind"] = map.samples->kind;

@@ -10,6 +10,8 @@
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/existing_frames.h"
 #include "texgen/manifest/manifest_file.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/preset/drawn_images.h"
 
 #include <fmt/core.h>
 
@@ -103,8 +105,8 @@ RunOutcome fit_ranges(Preset& preset,
 
 // Changes the automatic ranges of the maps of a preset to fixed numbers.
 void make_ranges_fixed(Preset& preset) {
-    for (const std::string& name : preset.image.maps) {
-        if (AutoReal* const full = range_option_of(find_map(name), preset.maps)) {
+    for (const Map* const map : source_maps(preset)) {
+        if (AutoReal* const full = range_option_of(*map, preset.maps)) {
             full->is_automatic = false;
         }
     }

@@ -3,10 +3,83 @@
 #include "texgen/preset/output_options.h"
 
 #include "texgen/keys/value_kinds.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/maps/packing.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
 
 namespace foam::texgen {
 
 namespace {
+
+// Lists of texts, each of which a function parses. A single text may be written without brackets.
+// `Parse` throws std::invalid_argument for a text that is not allowed.
+template <auto parse>
+struct ParsedTexts {
+    std::string_view description;
+
+    std::string allowed() const { return std::string(description); }
+    std::string schema() const {
+        return any_of_schema(Text{}.schema(), list_schema(Text{}.schema(), 0, 0));
+    }
+    bool read(const Value& value, std::vector<std::string>& member) const {
+        const auto* const list = std::get_if<Value::List>(&value.data);
+        std::vector<std::string> found;
+        for (const Value& item : list != nullptr ? *list : Value::List{value}) {
+            if (!Text{}.read(item, found.emplace_back()) || !fault_of(found.back()).empty()) {
+                return false;
+            }
+        }
+        member = std::move(found);
+        return true;
+    }
+    Value write(const std::vector<std::string>& member) const {
+        Value::List list;
+        for (const std::string& text : member) {
+            list.push_back({text});
+        }
+        return {std::move(list)};
+    }
+    std::string fault(const Value& value) const {
+        const auto* const list = std::get_if<Value::List>(&value.data);
+        for (const Value& item : list != nullptr ? *list : Value::List{value}) {
+            const auto* const text = std::get_if<std::string>(&item.data);
+            if (text != nullptr && !fault_of(*text).empty()) {
+                return fault_of(*text);
+            }
+        }
+        return {};
+    }
+
+  private:
+    static std::string fault_of(const std::string& text) {
+        try {
+            static_cast<void>(parse(text));
+            return {};
+        } catch (const std::invalid_argument& error) {
+            return error.what();
+        }
+    }
+};
+
+Keys<OutputOptions> name_keys() {
+    return {
+        key("pack",
+            ParsedTexts<parse_packing>{"a list of packings NAME=R,G,B or NAME=R,G,B,A, such as "
+                                       "\"ORM=occlusion,roughness,metallic\""},
+            "packed images, drawn besides image.maps: each channel is a map such as roughness, "
+            "1-roughness, a channel such as normal.X, or a constant from 0 to 1; NAME:16= "
+            "gives 16 bits per sample",
+            &OutputOptions::pack),
+        key("names",
+            ParsedTexts<parse_named_map>{"a list of words for maps, such as \"albedo=BaseColor\""},
+            "words that replace the names of maps in file names ({map})",
+            &OutputOptions::names)};
+}
 
 Keys<OutputOptions> file_keys() {
     constexpr Choices<FileTexts> kTexts = {
@@ -71,8 +144,25 @@ Keys<OutputOptions> exr_keys() {
 
 }  // namespace
 
+NamedMap parse_named_map(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos) {
+        throw std::invalid_argument(
+            fmt::format("'{}' must be MAP=WORD, such as albedo=BaseColor", text));
+    }
+    const NamedMap named{std::string(find_map(text.substr(0, equals)).name),
+                         std::string(text.substr(equals + 1))};
+    if (!is_file_word(named.word)) {
+        throw std::invalid_argument(
+            fmt::format("'{}': the word must have 1 to {} letters, digits, '_' or '-'",
+                        text,
+                        kLongestFileWord));
+    }
+    return named;
+}
+
 Keys<OutputOptions> output_keys() {
-    return joined({file_keys(), exr_keys()});
+    return joined({file_keys(), name_keys(), exr_keys()});
 }
 
 }  // namespace foam::texgen

@@ -7,6 +7,8 @@
 #include "texgen/keys/key.h"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -16,10 +18,22 @@ enum class FileTexts { Written, LeftOut };
 /// The order of the pixels in an EXR file: rows of the full image, or tiles of all mip levels.
 enum class ExrLayout { Rows, MipLevels };
 
-/// The names and the encoding of image files. These options do not change what is drawn. However,
-/// `exr_numbers` = Half rounds the numbers in EXR files.
+/// The word for a map in file names.
+struct NamedMap {
+    std::string map;
+    std::string word;
+};
+
+/// Parses an item of OutputOptions::names, such as "albedo=BaseColor". Throws std::invalid_argument
+/// if the text has another form, if the map is unknown, or if the word has other characters than
+/// letters, digits, '_' and '-'.
+NamedMap parse_named_map(std::string_view text);
+
+/// The names, the channels and the encoding of image files.
 struct OutputOptions {
     std::string pattern = "out/{preset}_{map}.####.png";  // see FilePattern (bake/file_pattern.h)
+    std::vector<std::string> pack = {};   // packed images (parse_packing in maps/packing.h)
+    std::vector<std::string> names = {};  // words for maps in file names (parse_named_map)
     FileTexts texts = FileTexts::Written;
     int frames_per_second = 24;  // stored in EXR files and in manifest.json
     Compression png_compression = Compression::Fast;

@@ -87,6 +87,9 @@ Json image_value(const SheetImage& image, const BakedSet& set, std::span<const i
     if (!map.note.empty()) {
         value["note"] = map.note;
     }
+    if (!map.packed.empty()) {
+        value["packed"] = map.packed;
+    }
     value["kind"] = map.samples->kind;
     value["channels"] = map.samples->channels;
     value["type"] = map.samples->type;

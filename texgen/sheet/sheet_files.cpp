@@ -3,7 +3,7 @@
 #include "texgen/sheet/sheet_files.h"
 
 #include "texgen/image/format.h"
-#include "texgen/maps/map.h"
+#include "texgen/maps/all_maps.h"
 #include "texgen/sheet/map_frame.h"
 #include "texgen/sheet/place_frame.h"
 

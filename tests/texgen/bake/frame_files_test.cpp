@@ -14,6 +14,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -108,6 +111,52 @@ TEST(FrameFiles, FilesOfMapsDescribeTheirNumbers) {
     EXPECT_TRUE(has("Note", "y down (DirectX)"));
     EXPECT_TRUE(has("Unit", std::string(find_map("normal").unit)));
     EXPECT_EQ(read_picture(summary.files.back()).groups.front().type, SampleType::Uint16);
+}
+
+// The mean of a packed channel is the mean of the file of its map, because both store the same
+// codes.
+TEST(FrameFiles, APackedImageHoldsTheCodesOfItsMaps) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"film", "roughness"};
+    preset.output.pack = {"P=film,1-roughness,1,0.2"};
+    preset.output.names = {"film=mask"};
+    preset.output.pattern = (folder.path() / "{map}.png").string();
+    const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"P.png", "mask.png", "roughness.png"}));
+    const Image<std::uint8_t> film = codes8(read_picture(folder.path() / "mask.png"));
+    const Image<std::uint8_t> roughness = codes8(read_picture(folder.path() / "roughness.png"));
+    const Picture picture = read_picture(folder.path() / "P.png");
+    const Image<std::uint8_t> packed = codes8(picture);
+    EXPECT_FALSE(picture.metadata.color);
+    for (std::size_t k = 0; k < film.samples().size(); ++k) {
+        EXPECT_EQ(packed.samples()[4 * k], film.samples()[k]);
+        EXPECT_NEAR(packed.samples()[4 * k + 1], 255 - roughness.samples()[k], 1);
+        EXPECT_EQ(packed.samples()[4 * k + 2], 255);
+        EXPECT_EQ(packed.samples()[4 * k + 3], 51);
+    }
+}
+
+// In a file of layers, a packed image is a layer.
+TEST(FrameFiles, APackedImageIsALayerOfAnExr) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"film"};
+    preset.output.pack = {"P=film,0,1"};
+    preset.output.pattern = (folder.path() / "layers.exr").string();
+    const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
+    EXPECT_EQ(channel_names(read_picture(summary.files.front())),
+              (std::vector<std::string>{"P.B", "P.G", "P.R", "film.Y"}));
+}
+
+TEST(FrameFiles, APackingOfColorsIsNoExr) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.output.pack = {"P=albedo.R,albedo.G,albedo.B,film"};
+    preset.output.pattern = (folder.path() / "{map}.exr").string();
+    EXPECT_THROW(check_bake(preset, {.frames = {1}}), std::invalid_argument);
+    preset.output.pattern = (folder.path() / "{map}.png").string();
+    EXPECT_NO_THROW(check_bake(preset, {.frames = {1}}));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include "texgen/bake/written_file.h"
 
+#include "texgen/maps/all_maps.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,7 +13,8 @@ namespace foam::texgen {
 namespace {
 
 MapSamples described(const char* map, const MapImage& image, const char* suffix) {
-    return describe_samples(find_map(map), image, *find_format(suffix), SampleType::Float);
+    return describe_samples(
+        DrawnImage(find_map(map)), image, *find_format(suffix), SampleType::Float);
 }
 
 TEST(WrittenFile, DescribesColors) {
@@ -46,10 +49,10 @@ TEST(WrittenFile, TwoChannelsOfCodesArePadded) {
 
 TEST(WrittenFile, AFormatLimitsTheBitsOfACode) {
     ImageFormat format = *find_format(".png");
-    EXPECT_EQ(code_bits(find_map("height"), format), 16);
+    EXPECT_EQ(code_bits(DrawnImage(find_map("height")), format), 16);
     format.code_bits = 8;
-    EXPECT_EQ(code_bits(find_map("height"), format), 8);
-    EXPECT_EQ(code_bits(find_map("albedo"), format), 8);
+    EXPECT_EQ(code_bits(DrawnImage(find_map("height")), format), 8);
+    EXPECT_EQ(code_bits(DrawnImage(find_map("albedo")), format), 8);
 }
 
 }  // namespace

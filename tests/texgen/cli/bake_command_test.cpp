@@ -27,6 +27,23 @@ TEST(BakeCommand, BakesTheFramesAskedFor) {
                   "out/manifest.json", "out/sea_foam_lit.0001.png", "out/sea_foam_lit.0003.png"}));
 }
 
+TEST(BakeCommand, PacksChannels) {
+    const Outcome outcome = run_program(
+        "bake sea_foam --set foam.bubbles=16 --frames 1 --size 16 --maps albedo "
+        "--pack ORM=occlusion,roughness,metallic --pack R=1-roughness,0,0");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              "out/sea_foam_albedo.0001.png\nout/sea_foam_ORM.0001.png\nout/sea_foam_R.0001.png\n");
+    expect_rejected("bake sea_foam --pack ORM=occlusion,roughness",
+                    "--pack ORM=occlusion,roughness: key 'output.pack' = "
+                    "[\"ORM=occlusion,roughness\"]: must be a list of packings NAME=R,G,B or "
+                    "NAME=R,G,B,A, such as \"ORM=occlusion,roughness,metallic\"; packing 'ORM': "
+                    "has 2 channels instead of 3 or 4: R, G, B and A");
+    expect_rejected("bake sea_foam --pack A=0,0,0 --pack A=0,0,1",
+                    "two images would have the word 'A' in their file names; see output.pack and "
+                    "output.names");
+}
+
 TEST(BakeCommand, BakesAndMeasuresAPatch) {
     const std::string patch =
         " soap_raft --set foam.bubbles=16 --set foam.outline='POLYGON((0 0, 3 0, 3 1, 0 1))'"

@@ -6,6 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
 namespace foam::texgen {
 namespace {
 
@@ -13,6 +18,31 @@ TEST(OutputOptions, LimitsHoldOnBothSides) {
     test::expect_limits(
         output_keys(),
         {{"frames_per_second", "0", "1", "1000", "1001"}, {"exr_level", "0", "1", "9", "10"}});
+}
+
+TEST(OutputOptions, NamesAreWordsForMaps) {
+    EXPECT_EQ(parse_named_map("albedo=Base-Color_1").map, "albedo");
+    EXPECT_EQ(parse_named_map("albedo=Base-Color_1").word, "Base-Color_1");
+    for (const char* wrong : {"albedo", "albdo=A", "albedo=", "albedo=a/b", "=A", "ORM=A"}) {
+        EXPECT_THROW(parse_named_map(wrong), std::invalid_argument) << wrong;
+    }
+}
+
+TEST(OutputOptions, PackingsAndNamesAreListsOrSingleTexts) {
+    for (const auto& [name, text] : {std::pair("pack", "X=0,0,1"), std::pair("names", "id=I")}) {
+        const Keys<OutputOptions> keys = output_keys();
+        const auto key = std::ranges::find(keys, name, &KeyInfo::path);
+        ASSERT_NE(key, keys.end());
+        OutputOptions options;
+        EXPECT_TRUE(key->read({text}, options));
+        EXPECT_EQ(to_toml(*key->write(options)), '[' + to_toml(Value{text}) + ']');
+        EXPECT_TRUE(key->read({Value::List{{text}}}, options));
+        EXPECT_FALSE(key->read({"X"}, options));
+        EXPECT_FALSE(key->read({Value::List{{text}, {"X"}}}, options));
+        EXPECT_NE(key->fault({Value::List{{text}, {"X"}}}), "");
+        EXPECT_TRUE(key->read({Value::List{}}, options));
+        EXPECT_TRUE(key->is_default(options));
+    }
 }
 
 TEST(OutputOptions, ChoicesHaveTheirWords) {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/maps/drawn_image.h"
+
+#include "texgen/maps/all_maps.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::string_view kChannelNames = "RGBA";
+
+// Returns a description of the packed numbers of a channel, such as "height / height.full (0.63)".
+std::string describe(const PackedChannel& channel, const MapOptions& options) {
+    const AutoReal* const range =
+        channel.map != nullptr ? range_option_of(*channel.map, options) : nullptr;
+    return range == nullptr
+               ? channel.text
+               : fmt::format("{} with {} = {}", channel.text, channel.map->full_key, range->value);
+}
+
+}  // namespace
+
+DrawnImage::Packed::Packed(Packing source)
+    : packing(std::move(source)),
+      traits{.name = packing.name,
+             .meaning = "channels of several maps",
+             .unit = packing.is_color ? "light" : "0 to 1",
+             .channels = packing.channels.size() > 3 ? "R G B A" : "R G B",
+             .kind = packing.is_color ? MapKind::Color : MapKind::Number,
+             .png_bits = packing.bits,
+             .png_filter = PngFilter::Up} {}
+
+DrawnImage::DrawnImage(const Map& map) : maps_{&map} {}
+
+DrawnImage::DrawnImage(Packing packing)
+    : maps_(maps_in(packing)), packed_(std::make_shared<Packed>(std::move(packing))) {}
+
+const MapTraits& DrawnImage::traits() const {
+    return packed_ ? packed_->traits : *maps_.front();
+}
+
+std::vector<std::string> DrawnImage::packed_channels() const {
+    std::vector<std::string> texts;
+    if (packed_) {
+        std::ranges::transform(
+            packed_->packing.channels, std::back_inserter(texts), &PackedChannel::text);
+    }
+    return texts;
+}
+
+MapImage DrawnImage::draw(ShownLayers& shown, const MapOptions& options) const {
+    return packed_ ? draw_packed(packed_->packing, shown, options)
+                   : texgen::draw(*maps_.front(), shown, options);
+}
+
+std::string DrawnImage::note(const MapOptions& options) const {
+    if (!packed_) {
+        return maps_.front()->note != nullptr ? maps_.front()->note(options) : "";
+    }
+    std::string text;
+    for (std::size_t k = 0; k < packed_->packing.channels.size(); ++k) {
+        text += fmt::format("{}{}: {}",
+                            k > 0 ? "; " : "",
+                            kChannelNames[k],
+                            describe(packed_->packing.channels[k], options));
+    }
+    for (const Map* const map : maps_) {
+        text += map->note != nullptr ? fmt::format("; {}", map->note(options)) : "";
+    }
+    return text;
+}
+
+}  // namespace foam::texgen

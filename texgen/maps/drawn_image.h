@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/maps/packing.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam::texgen {
+
+/// An image that is drawn for every frame: a map, or a packing of channels of several maps.
+class DrawnImage {
+  public:
+    explicit DrawnImage(const Map& map);
+    explicit DrawnImage(Packing packing);
+
+    /// Returns the name, unit, channels and bits of the image. For a map, these are its own traits.
+    /// The result is valid as long as a copy of this object exists.
+    const MapTraits& traits() const;
+    std::string_view name() const { return traits().name; }
+
+    /// Returns the map, or nullptr for a packing.
+    const Map* map() const { return packed_ ? nullptr : maps_.front(); }
+    /// Returns the maps whose samples the image contains, each once. A packing of constants has
+    /// none.
+    std::span<const Map* const> sources() const { return maps_; }
+    /// Returns the texts of the channels of a packing (PackedChannel::text); empty for a map.
+    std::vector<std::string> packed_channels() const;
+    /// Returns true if the image is a packing of colors (Packing::is_color).
+    bool packs_colors() const { return packed_ && packed_->packing.is_color; }
+
+    MapImage draw(ShownLayers& shown, const MapOptions& options) const;
+
+    /// Returns the text of Map::note, or, for a packing, a list of its channels with the ranges of
+    /// their maps. May be empty.
+    std::string note(const MapOptions& options) const;
+
+  private:
+    struct Packed {
+        explicit Packed(Packing source);
+
+        Packing packing;
+        MapTraits traits;  // refers to the name in `packing`
+    };
+
+    std::vector<const Map*> maps_;
+    std::shared_ptr<const Packed> packed_;  // nullptr for a map
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/maps/drawn_image.h"
+#include "texgen/preset/preset.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns the images that are drawn for every frame of a preset: the maps of image.maps, then the
+/// packings of output.pack.
+std::vector<DrawnImage> drawn_images(const Preset& preset);
+
+/// Returns the maps that are drawn for these images, each once.
+std::vector<const Map*> source_maps(const Preset& preset);
+
+/// Returns the names of these maps.
+std::vector<std::string> source_map_names(const Preset& preset);
+
+/// Returns the word that takes the place of {map} in the file names of an image: the word that
+/// output.names gives, or else the name of the image.
+std::string file_word(const Preset& preset, std::string_view image);
+
+/// Throws std::invalid_argument if two images of a preset have the same word in their file names,
+/// or if two packings have the same name.
+void check_file_words(const Preset& preset);
+
+}  // namespace foam::texgen
