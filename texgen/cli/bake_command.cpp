@@ -18,13 +18,11 @@ constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake sea_foam --size 2048 --seed 7 --out 'foam/{map}.####.png'
   foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
   foamtex bake sea_foam --maps albedo,film --out 'out/layers.####.exr'
-  foamtex bake coarsening --progress json 2> progress.jsonl
+  foamtex bake lava --for unreal
 The loop of a preset has frames.count frames; --set frames.count=N changes its length.
---progress json prints JSON objects, one per line, with these members: phase; done and total, in
-units of the phase (such as steps or frames); seconds since the start; seconds_left until the phase
-ends; frame, the number of the last frame that is done; bubbles; and, while cycles of a loop are
-simulated until it closes, cycle and measure (the closing error in mean bubble diameters). Unknown
-values are null.
+--progress json prints one JSON object per line: phase; done and total, in units of the phase;
+seconds since the start; seconds_left of the phase; frame; bubbles; and, while a loop is closed,
+cycle and measure (the closing error in mean bubble diameters). Unknown values are null.
 Keys for --set: foamtex presets keys)";
 
 struct BakeArguments {
@@ -51,6 +49,7 @@ void add_bake_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("bake", "Bake the frames of a preset into image files");
     const auto arguments = std::make_shared<BakeArguments>();
     add_preset_options(*command, arguments->run);
+    add_profile_option(*command, arguments->run);
     add_image_options(*command, arguments->images);
     add_run_options(*command, arguments->run);
     command->footer(kBakeExamples);

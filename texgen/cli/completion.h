@@ -17,12 +17,14 @@ struct CompletionWords {
     std::vector<std::string> keys;  // keys of presets, such as "foam.seed"
     // The words that are values of a key, such as "viridis" for "albedo.colormap".
     std::map<std::string, std::vector<std::string>> values_of_keys{};
-    std::vector<std::string> tables{};  // tables of presets, such as "foam"
+    std::vector<std::string> tables{};    // tables of presets, such as "foam"
+    std::vector<std::string> profiles{};  // shipped profiles of engines, such as "unreal"
 };
 
 /// Return a script that completes the command lines of a program, for bash and for zsh. The script
 /// offers:
 ///
+/// - the names of profiles after --for, and for the positional argument PROFILE;
 /// - the names of maps after --map and --maps, and for the positional argument MAP;
 /// - keys after --set and, after the '=', the values of the key that are words;
 /// - preset names and files for the positional argument PRESET (in bash, files only if no preset

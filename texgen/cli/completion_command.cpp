@@ -6,6 +6,7 @@
 #include "texgen/cli/grammar.h"
 #include "texgen/cli/standard_output.h"
 #include "texgen/maps/all_maps.h"
+#include "texgen/material/shipped_profiles.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_keys.h"
 #include "texgen/preset/shipped_presets.h"
@@ -29,6 +30,9 @@ CompletionWords completion_words() {
     CompletionWords words;
     for (const ShippedPreset& preset : shipped_presets()) {
         words.presets.emplace_back(preset.name);
+    }
+    for (const ShippedProfile& profile : shipped_profiles()) {
+        words.profiles.emplace_back(profile.name);
     }
     words.maps.assign(map_names().begin(), map_names().end());
     for (const auto& key : preset_keys()) {

@@ -37,6 +37,9 @@ Values values_of(const ArgumentGrammar& argument, const CompletionWords& words) 
     if (name == "PRESET" || name == "NAME") {
         return {ValueKind::Words, words.presets};
     }
+    if (name == "--for" || name == "PROFILE") {
+        return {ValueKind::Words, words.profiles};
+    }
     if (name == "TABLE") {
         return {ValueKind::Words, words.tables};
     }

@@ -76,6 +76,7 @@ void add_render_command(CLI::App& app, Action& action) {
         ->required()
         ->option_text(" ");
     add_frame_options(*command, arguments->run);
+    add_profile_option(*command, arguments->run);
     add_image_options(*command, arguments->images);
     add_run_options(*command, arguments->run);
     command->footer(kRenderExamples);

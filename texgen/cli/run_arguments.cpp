@@ -6,6 +6,7 @@
 #include "texgen/cache/cache_files.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
+#include "texgen/material/profile.h"
 #include "texgen/preset/conditions.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_io.h"
@@ -65,14 +66,29 @@ std::vector<Assignment> in_order(std::vector<Assignment> first,
     return first;
 }
 
-/// Applies the assignments of the command line and `more` to a preset. `own` are the assignments in
-/// the file of the preset, which have been applied already. Unless output is quiet, prints a note
-/// for each key that any of these assignments sets without effect (unused_keys).
+/// Returns the assignments of a profile for a preset. They depend on the preset after the
+/// assignments of the command line, except that the colors are those of the preset's own maps.
+std::vector<Assignment> profile_assignments(const std::string& profile,
+                                            const Preset& preset,
+                                            const std::vector<Assignment>& command_line) {
+    Preset changed = preset;
+    assign(changed, command_line);
+    changed.image.maps = preset.image.maps;
+    return assignments_for(load_profile(profile), changed);
+}
+
+/// Applies the assignments of the profile, of the command line and `more` to a preset. `own` are
+/// the assignments in the file of the preset, which have been applied already. Unless output is
+/// quiet, prints a note for each key that any of these assignments sets without effect
+/// (unused_keys).
 Preset assigned(Preset preset,
                 const std::vector<Assignment>& own,
                 const RunArguments& arguments,
                 const std::vector<Assignment>& more) {
     const std::vector<Assignment> assignments = in_order(assignments_of(arguments), more);
+    if (arguments.profile) {
+        assign(preset, profile_assignments(*arguments.profile, preset, assignments));
+    }
     assign(preset, assignments);
     if (!arguments.quiet) {
         for (const std::string& line : unused_keys(preset, in_order(own, assignments))) {
@@ -115,6 +131,14 @@ void add_frame_options(CLI::App& command, RunArguments& arguments) {
         ->option_text("KEY=VALUE");
     add_frames_option(command, arguments.frames);
     command.add_option("--size", arguments.size, "Image size in pixels")->option_text("W[xH]");
+}
+
+void add_profile_option(CLI::App& command, RunArguments& arguments) {
+    command
+        .add_option("--for",
+                    arguments.profile,
+                    "Maps, packing and names for an engine: unreal, blender, ...; or a .toml file")
+        ->option_text("PROFILE");
 }
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {

@@ -22,8 +22,9 @@ namespace foam::texgen {
 struct RunArguments {
     std::string preset;             // positional argument: a preset, a cache, or a folder of images
     std::vector<std::string> sets;  // the values KEY=VALUE of all --set
-    std::optional<std::string> frames;  // a range in the notation of parse_frame_range
-    std::optional<std::string> size;    // "W" or "WxH", pixels
+    std::optional<std::string> profile;  // the value of --for
+    std::optional<std::string> frames;   // a range in the notation of parse_frame_range
+    std::optional<std::string> size;     // "W" or "WxH", pixels
     std::optional<std::string> seed;
     int threads = 0;
     bool quiet = false;
@@ -44,11 +45,15 @@ void add_run_options(CLI::App& command, RunArguments& arguments);
 /// `maps` is the text "A,B".
 Assignment maps_assignment(const std::string& maps);
 
-/// Returns the preset that the arguments name, after assignments in this order: every `--set`, the
-/// other options that set a key, and `more`. Later assignments override earlier ones. Throws
-/// PresetError if the preset is missing or invalid, or if a value is not allowed. Unless -q is
-/// given, prints a note on stderr for each key that an assignment, or the file of the preset, sets
-/// without effect (unused_keys).
+/// Adds --for, the profile of an engine (material/profile.h). The arguments must outlive the
+/// parsing.
+void add_profile_option(CLI::App& command, RunArguments& arguments);
+
+/// Returns the preset that the arguments name, after assignments in this order: those of the
+/// profile, every `--set`, the other options that set a key, and `more`. Later assignments override
+/// earlier ones. Throws PresetError if the preset or the profile is missing or invalid, or if a
+/// value is not allowed. Unless -q is given, prints a note on stderr for each key that an
+/// assignment, or the file of the preset, sets without effect (unused_keys).
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});
 
 /// Returns the given preset after the same assignments as in preset_of. Throws PresetError if a

@@ -13,7 +13,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 TEST(CompletionValues, FollowFromTheArgument) {
-    const CompletionWords words{{"sea_foam"}, {"albedo"}, {"foam.seed"}, {}, {"foam"}};
+    const CompletionWords words{{"sea_foam"}, {"albedo"}, {"foam.seed"}, {}, {"foam"}, {"unreal"}};
     const auto values = [&](const char* name, const char* value) {
         return values_of({{name}, value, ""}, words);
     };
@@ -26,6 +26,8 @@ TEST(CompletionValues, FollowFromTheArgument) {
     EXPECT_EQ(values("--set", "KEY=VALUE").kind, ValueKind::Key);
     EXPECT_EQ(values("--set", "KEY=VALUE").words, Words{"foam.seed"});
     EXPECT_EQ(values("PRESET", "").words, Words{"sea_foam"});
+    EXPECT_EQ(values("--for", "PROFILE").words, Words{"unreal"});
+    EXPECT_EQ(values("PROFILE", "").words, Words{"unreal"});
     EXPECT_EQ(values("--normal-y", "gl|dx").words, (Words{"gl", "dx"}));
     EXPECT_EQ(values("--out", "PATTERN").kind, ValueKind::Path);
     EXPECT_EQ(joined({"a", "b"}), "a b");

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/preset/assignment.h"
+#include "texgen/preset/preset.h"
+
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The conventions of an engine or a program for materials: which maps it needs, how their channels
+/// are packed, the direction of y in normals, and the names and formats of files. A profile is a
+/// TOML document with the keys of presets, and a description in the table [profile]:
+///
+///     [profile]
+///     description = "An engine of our own"
+///
+///     [image]
+///     maps = ["albedo", "normal"]
+///
+///     [output]
+///     pack = ["ORM=occlusion,roughness,metallic"]
+///
+/// It may set all keys except those that change the foam.
+struct Profile {
+    std::string name;  // name of the shipped profile, or name of the file without ".toml"
+    std::string description;
+    std::vector<Assignment> assignments;  // of keys of presets
+};
+
+/// Loads the profile in the file with the given path, or the shipped profile with the given name;
+/// paths and names are told apart as for presets (is_preset_path). Throws PresetError if the file
+/// is missing, unreadable or malformed, or if it sets a key that changes the foam.
+Profile load_profile(const std::string& name_or_path);
+
+/// Returns the assignments of a profile for a preset. They are those of the profile, with two
+/// changes:
+///
+/// - Where the profile names the map albedo, the assignments name the map that has the colors of
+///   the preset (base_color_map).
+/// - The map emission is left out of image.maps if nothing in the preset glows (lit.glow is 0).
+std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
+
+/// Returns the name of the map that has the colors of a preset without light: the first map of
+/// image.maps that shows colors of the foam. The map lit stands for the map whose colors it shows.
+/// Returns "albedo" if there is no such map.
+std::string base_color_map(const Preset& preset);
+
+}  // namespace foam::texgen
