@@ -58,17 +58,12 @@ double map_bytes_per_pixel(std::string_view map, bool is_png) {
     return is_png ? memory.png : memory.exr;
 }
 
-// Returns the number of channels of an image, without the opacity channel of a patch.
-double channels_of(const MapTraits& traits) {
-    return static_cast<double>(std::ranges::count(traits.channels, ' ') + 1);
-}
-
 double bytes_per_pixel(const DrawnImage& image, bool is_png) {
     double largest = 0.0;
     double kept = 0.0;
     for (const Map* const map : image.sources()) {
         largest = std::max(largest, map_bytes_per_pixel(map->name, is_png));
-        kept += image.map() == nullptr ? kPackedSample * channels_of(*map) : 0.0;
+        kept += image.map() == nullptr ? kPackedSample * channel_count(*map) : 0.0;
     }
     return largest + kept;
 }
@@ -93,7 +88,7 @@ std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int thr
     double shared = 0.0;
     for (const DrawnImage& image : drawn_images(preset)) {
         largest = std::max(largest, bytes_per_pixel(image, is_png));
-        shared += channels_of(image.traits()) * bytes_per_layer_sample(preset.output.exr_numbers);
+        shared += channel_count(image.traits()) * bytes_per_layer_sample(preset.output.exr_numbers);
     }
     const double per_pixel = (preset.loop.is_cross_faded() ? kCrossFade : 1.0) *
                              (largest + (pattern.stores_all_maps_in_one_file() ? shared : 0.0));

@@ -55,12 +55,24 @@ constexpr double kMipLevels = 4.0 / 3.0;
 // Returns the size without compression, in bytes per pixel. Each channel of an EXR counts as a
 // float of 4 bytes.
 double raw_bytes_per_pixel(const MapTraits& map, bool stores_codes) {
-    const auto channels = static_cast<double>(std::ranges::count(map.channels, ' ') + 1);
-    return channels * (stores_codes ? map.png_bits / 8.0 : 4.0);
+    return channel_count(map) * (stores_codes ? map.png_bits / 8.0 : 4.0);
+}
+
+// Returns the bytes per pixel of a texture for graphics hardware with all mip levels.
+double texture_bytes_per_pixel(const MapTraits& map, const OutputOptions& output) {
+    const bool is_compressed = output.block_compression == BlockCompression::Auto &&
+                               map.png_bits == 8 && map.kind != MapKind::Id;
+    const int channels = channel_count(map);
+    const double bytes = is_compressed ? (channels == 1 ? 0.5 : 1.0)
+                                       : (channels == 3 ? 4 : channels) * map.png_bits / 8.0;
+    return bytes * (output.mip_levels ? kMipLevels : 1.0);
 }
 
 double map_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
     const OutputOptions& output = preset.output;
+    if (FilePattern(output.pattern).format().is_lossy) {
+        return texture_bytes_per_pixel(map, output);
+    }
     const bool stores_codes = FilePattern(output.pattern).format().samples == FormatSamples::Codes;
     const double levels =
         !stores_codes && output.exr_layout == ExrLayout::MipLevels ? kMipLevels : 1.0;

@@ -36,11 +36,23 @@ Texts texts_of(const Preset& preset) {
             {"Preset", to_toml(preset)}};
 }
 
+TexelMeaning meaning_of(const MapTraits& traits) {
+    if (traits.kind == MapKind::Id) {
+        return TexelMeaning::Ids;
+    }
+    return traits.mixing == Mixing::Slopes ? TexelMeaning::Normals : TexelMeaning::Numbers;
+}
+
 EncodingOptions encoding_of(const OutputOptions& output, const DrawnImage& image) {
-    return {.png = {.filter = image.traits().png_filter, .compression = output.png_compression},
+    const MapTraits& traits = image.traits();
+    return {.png = {.filter = traits.png_filter, .compression = output.png_compression},
             .exr = {.compression = output.exr_compression,
                     .zip_level = output.exr_level,
-                    .mip_levels = output.exr_layout == ExrLayout::MipLevels}};
+                    .mip_levels = output.exr_layout == ExrLayout::MipLevels},
+            .gpu = {.blocks = output.block_compression,
+                    .mip_levels = output.mip_levels,
+                    .meaning = meaning_of(traits),
+                    .used_channels = channel_count(traits)}};
 }
 
 ChannelGroup coded(const MapImage& image, int bits) {
@@ -107,7 +119,8 @@ WrittenFile FrameFiles::write_images(std::span<const DrawnImage> images, ShownLa
     make_folders(written.path.parent_path());
     write_file(written.path, stream);
     written.bytes = stream.size();
-    written.pixels = pixel_hash(picture);
+    const ImageFormat& format = pattern_.format();
+    written.pixels = pixel_hash(format.is_lossy ? format.decode(stream) : picture);
     return written;
 }
 

@@ -29,6 +29,7 @@ constexpr const char* kFlipbookExamples = R"(Examples:
   foamtex flipbook out                          one sheet per map, and sea_foam_sheet.json
   foamtex flipbook out --maps albedo --gutter 4 --columns 6
   foamtex flipbook out --strip --frames 1-48x2  for texture arrays
+  foamtex flipbook out --dds                    texture arrays, as games load them
   foamtex flipbook out --out sheets             into another folder
 Without --preset, --size and --seed, the newest images of the folder are used.)";
 
@@ -48,7 +49,10 @@ struct FlipbookArguments {
     std::string progress;
 };
 
-void warn_of_size(const SheetLayout& layout) {
+void warn_of_size(const FlipbookArguments& arguments, const SheetLayout& layout) {
+    if (!arguments.options.array_suffix.empty()) {
+        return;
+    }
     if (layout.width() > kLargestTexture || layout.height() > kLargestTexture) {
         print_stderr(
             "foamtex: warning: the sheet is {} x {} pixels; graphics hardware usually supports at "
@@ -98,7 +102,7 @@ ExitCode run_flipbook(const FlipbookArguments& arguments) {
         return write_flipbook(
             set, folder, options, arguments.out.value_or(folder), reporter.callback());
     }();
-    warn_of_size(flipbook.layout);
+    warn_of_size(arguments, flipbook.layout);
     if (!arguments.quiet) {
         note_unlisted(flipbook);
     }
@@ -135,10 +139,26 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
                 "periodically if it tiles and otherwise repeats its edge pixels (default: 0)")
             ->check(CLI::Range(0, kLargestGutter))
             ->option_text("PX");
-    command.add_flag("--strip", arguments.options.strip, "Use one column, for texture arrays")
-        ->excludes(columns)
-        ->excludes(gutter)
-        ->option_text(" ");
+    CLI::Option* strip =
+        command.add_flag("--strip", arguments.options.strip, "Use one column, for texture arrays")
+            ->excludes(columns)
+            ->excludes(gutter)
+            ->option_text(" ");
+    CLI::Option* dds = nullptr;
+    for (const auto& [name, suffix] : {std::pair("--dds", ".dds"), std::pair("--ktx2", ".ktx2")}) {
+        CLI::Option* const array =
+            command
+                .add_flag_callback(
+                    name,
+                    [&arguments, suffix] { arguments.options.array_suffix = suffix; },
+                    fmt::format("Write array textures ({}) with mip levels instead of sheets",
+                                suffix))
+                ->excludes(columns)
+                ->excludes(gutter)
+                ->excludes(strip)
+                ->option_text(" ");
+        dds = dds != nullptr ? array->excludes(dds) : array;
+    }
     add_out_folder_option(command, arguments.out, "Folder for the sheets (default: DIR)");
     CLI::Option* const quiet =
         add_quiet_option(command, arguments.quiet, "Print only errors (and --json)");

@@ -19,6 +19,7 @@
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/preset/drawn_images.h"
+#include "texgen/sheet/flipbook.h"
 #include "texgen/stats/files.h"
 #include "texgen/stats/record.h"
 
@@ -88,6 +89,7 @@ void note_unused_normal_y(const ImageArguments& arguments, const Preset& preset)
 void print_report(const Preset& preset,
                   const BakeOptions& options,
                   const BakeSummary& summary,
+                  const std::vector<std::filesystem::path>& sheets,
                   const std::vector<std::filesystem::path>& statistics) {
     Json report = json_report(summary.outcome);
     report["preset"] = preset.name;
@@ -95,6 +97,7 @@ void print_report(const Preset& preset,
     report["kept"] = summary.kept;
     report["manifest"] = (manifest_folder(preset) / kManifestName).string();
     report["files"] = path_list(summary.files);
+    report["sheets"] = path_list(sheets);
     report["statistics"] = path_list(statistics);
     print_json(report);
 }
@@ -199,6 +202,11 @@ ExitCode run_images(const Preset& preset,
             throw OutOfMemory(memory_needed(memory));
         }
     }();
+    std::vector<std::filesystem::path> sheets;
+    if (preset.output.sheets != SheetKind::None && summary.outcome.status == RunStatus::Complete) {
+        ProgressReporter reporter(progress);
+        sheets = write_sheets(preset, options.frames, reporter.callback()).files;
+    }
     StatisticsFiles statistics;
     if (arguments.stats) {
         statistics = write_statistics(recorder.run(), statistics_folder(preset, pattern));
@@ -208,13 +216,14 @@ ExitCode run_images(const Preset& preset,
         warn_of_missing_bubbles(preset, summary.outcome);
     }
     if (arguments.json) {
-        print_report(preset, options, summary, statistics.paths);
+        print_report(preset, options, summary, sheets, statistics.paths);
     }
     if (summary.outcome.status != RunStatus::Complete) {
         return report_failure(summary.outcome);
     }
     if (verbosity != Verbosity::Quiet && !arguments.json) {
         print_images(preset, pattern, options.frames);
+        print_files(sheets);
         print_files(statistics.paths);
         note_missing_charts(statistics);
     }

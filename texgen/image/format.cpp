@@ -2,6 +2,8 @@
 
 #include "texgen/image/format.h"
 
+#include "texgen/image/texture_file.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,6 +12,31 @@
 namespace foam::texgen {
 
 namespace {
+
+// Returns the row of a format for textures of graphics hardware, which `find` returns.
+template <const TextureFormat* (*find)()>
+constexpr ImageFormat texture_row(std::string_view name, std::string_view suffix) {
+    return {
+        .name = name,
+        .suffix = suffix,
+        .samples = FormatSamples::Codes,
+        .code_bits = 16,
+        .is_lossy = true,
+        .encode =
+            [](const Picture& picture, const EncodingOptions& options) {
+                return encode_picture(*find(), picture, options.gpu);
+            },
+        .decode =
+            [](std::span<const std::byte> content) { return decode_picture(*find(), content); }};
+}
+
+const TextureFormat* find_dds() {
+    return find_texture_format(".dds");
+}
+
+const TextureFormat* find_ktx2() {
+    return find_texture_format(".ktx2");
+}
 
 constexpr std::array kFormats = {
     ImageFormat{
@@ -28,6 +55,8 @@ constexpr std::array kFormats = {
         .encode = [](const Picture& picture,
                      const EncodingOptions& options) { return encode_exr(picture, options.exr); },
         .decode = [](std::span<const std::byte> content) { return decode_exr(content); }},
+    texture_row<find_dds>("DDS", ".dds"),
+    texture_row<find_ktx2>("KTX2", ".ktx2"),
 };
 
 /// Returns the values of one member of all formats as a text such as "a, b or c".

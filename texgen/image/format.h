@@ -4,6 +4,7 @@
 
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/gpu_texture.h"
 #include "texgen/image/picture.h"
 #include "texgen/image/png.h"
 
@@ -15,11 +16,12 @@
 
 namespace foam::texgen {
 
-/// The encoding options of all formats. Each format reads only its own options. No option changes a
-/// pixel.
+/// The encoding options of all formats. Each format reads only its own options. Only the block
+/// compression of textures (GpuEncoding::blocks) changes pixels.
 struct EncodingOptions {
     PngEncoding png = {};
     ExrEncoding exr = {};
+    GpuEncoding gpu = {};
 };
 
 /// The kind of samples that a format stores.
@@ -40,6 +42,7 @@ struct ImageFormat {
     FormatSamples samples = FormatSamples::Codes;
     int code_bits = 0;        // the largest number of bits of a code; 0 for numbers
     bool has_layers = false;  // true if one file can store several maps
+    bool is_lossy = false;    // true if a decoded picture may differ from the encoded one
 
     /// Returns the content of a file that stores the picture. Throws std::invalid_argument if the
     /// format cannot store the picture, and OutputError if encoding fails.

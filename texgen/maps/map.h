@@ -54,6 +54,15 @@ struct MapTraits {
     std::string_view full_key{};
 };
 
+/// Returns the number of channels of a map, without the opacity of a patch.
+constexpr int channel_count(const MapTraits& traits) {
+    int spaces = 0;
+    for (const char c : traits.channels) {
+        spaces += c == ' ' ? 1 : 0;
+    }
+    return spaces + 1;
+}
+
 /// A map: its traits, and the functions that depend on options. Each function gets the options of
 /// all maps and uses those that it needs.
 struct Map : MapTraits {

@@ -142,6 +142,59 @@ Keys<OutputOptions> exr_keys() {
                 .used_with("output.pattern", {"*.exr"})};
 }
 
+// The paths of sheets, which have {map} in their file name.
+struct SheetPatterns {
+    std::string allowed() const {
+        return "a path without suffix whose file name contains {map}, such as "
+               "\"out/{preset}_sheet_{map}\"";
+    }
+    std::string schema() const { return R"({"type": "string", "pattern": "\\{map\\}[^/]*$"})"; }
+    bool read(const Value& value, std::string& member) const {
+        std::string text;
+        const bool allowed = Text{}.read(value, text) &&
+                             text.find("{map}", text.find_last_of('/') + 1) != std::string::npos;
+        member = allowed ? text : member;
+        return allowed;
+    }
+    Value write(const std::string& member) const { return {member}; }
+};
+
+Keys<OutputOptions> sheet_keys() {
+    constexpr Choices<SheetKind, 5> kKinds = {{{{"none", SheetKind::None},
+                                                {"grid", SheetKind::Grid},
+                                                {"strip", SheetKind::Strip},
+                                                {"dds", SheetKind::Dds},
+                                                {"ktx2", SheetKind::Ktx2}}}};
+    return {key("sheets",
+                kKinds,
+                "what bake and render join their frames to: sheets in rows (grid), sheets of one "
+                "column (strip), or array textures (dds, ktx2)",
+                &OutputOptions::sheets),
+            key("sheet_pattern",
+                SheetPatterns{},
+                "paths of these sheets, without suffix: {preset} and {map} are replaced",
+                &OutputOptions::sheet_pattern)
+                .unused_with("output.sheets", {"none"})};
+}
+
+Keys<OutputOptions> texture_keys() {
+    constexpr Choices<BlockCompression> kBlocks = {
+        {{{"auto", BlockCompression::Auto}, {"none", BlockCompression::None}}}};
+    constexpr Choices<bool> kSwitch = {{{{"on", true}, {"off", false}}}};
+    return {key("block_compression",
+                kBlocks,
+                "block compression of DDS and KTX2 files: auto compresses images of 8 bits, except "
+                "ids, with "
+                "a small loss; none stores all samples exactly",
+                &OutputOptions::block_compression)
+                .used_with("output.pattern", {"*.dds", "*.ktx2"}),
+            key("mip_levels",
+                kSwitch,
+                "whether DDS and KTX2 files contain all mip levels",
+                &OutputOptions::mip_levels)
+                .used_with("output.pattern", {"*.dds", "*.ktx2"})};
+}
+
 }  // namespace
 
 NamedMap parse_named_map(std::string_view text) {
@@ -162,7 +215,7 @@ NamedMap parse_named_map(std::string_view text) {
 }
 
 Keys<OutputOptions> output_keys() {
-    return joined({file_keys(), name_keys(), exr_keys()});
+    return joined({file_keys(), name_keys(), sheet_keys(), exr_keys(), texture_keys()});
 }
 
 }  // namespace foam::texgen

@@ -4,6 +4,7 @@
 
 #include "texgen/image/deflate.h"
 #include "texgen/image/exr.h"
+#include "texgen/image/gpu_texture.h"
 #include "texgen/keys/key.h"
 
 #include <string>
@@ -29,11 +30,23 @@ struct NamedMap {
 /// letters, digits, '_' and '-'.
 NamedMap parse_named_map(std::string_view text);
 
+/// What a bake joins its frames to, after the last frame.
+enum class SheetKind {
+    None,
+    Grid,   // one image per map with all frames in rows
+    Strip,  // one image per map with all frames in one column
+    Dds,    // one array texture per map, a DDS file
+    Ktx2,   // one array texture per map, a KTX2 file
+};
+
 /// The names, the channels and the encoding of image files.
 struct OutputOptions {
     std::string pattern = "out/{preset}_{map}.####.png";  // see FilePattern (bake/file_pattern.h)
     std::vector<std::string> pack = {};   // packed images (parse_packing in maps/packing.h)
     std::vector<std::string> names = {};  // words for maps in file names (parse_named_map)
+    SheetKind sheets = SheetKind::None;
+    // The paths of sheets without a suffix. {preset} and {map} are replaced.
+    std::string sheet_pattern = "out/{preset}_sheet_{map}";
     FileTexts texts = FileTexts::Written;
     int frames_per_second = 24;  // stored in EXR files and in manifest.json
     Compression png_compression = Compression::Fast;
@@ -42,6 +55,8 @@ struct OutputOptions {
     int exr_level = 2;
     SampleType exr_numbers = SampleType::Float;  // Float or Half; colors are always Half
     ExrLayout exr_layout = ExrLayout::Rows;
+    BlockCompression block_compression = BlockCompression::Auto;  // of DDS and KTX2 files
+    bool mip_levels = true;                                       // of DDS and KTX2 files
 };
 
 Keys<OutputOptions> output_keys();

@@ -4,6 +4,11 @@
 
 #include "texgen/animation/progress_meter.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/format.h"
+#include "texgen/manifest/bake_recorder.h"
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/preset/drawn_images.h"
+#include "texgen/sheet/array_files.h"
 #include "texgen/sheet/earlier_sheets.h"
 #include "texgen/sheet/flipbook_json.h"
 #include "texgen/sheet/map_sequence.h"
@@ -11,12 +16,25 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace foam::texgen {
 
 namespace {
+
+bool is_array(const FlipbookOptions& options) {
+    return !options.array_suffix.empty();
+}
+
+std::string array_suffix_of(SheetKind sheets) {
+    return sheets == SheetKind::Dds ? ".dds" : sheets == SheetKind::Ktx2 ? ".ktx2" : "";
+}
 
 std::vector<std::string> maps_of(const BakedSet& set, const FlipbookOptions& options) {
     std::vector<std::string> maps = options.maps;
@@ -29,20 +47,62 @@ std::vector<std::string> maps_of(const BakedSet& set, const FlipbookOptions& opt
 }
 
 SheetLayout layout_of(const BakedSet& set, const FlipbookOptions& options, std::size_t frames) {
-    if (options.strip && (options.gutter != 0 || options.columns > 1)) {
-        throw std::invalid_argument("a strip must have one column and no gutter");
+    if ((options.strip || is_array(options)) && (options.gutter != 0 || options.columns > 1)) {
+        throw std::invalid_argument("a strip or an array must have one column and no gutter");
     }
     SheetLayout layout{.frames = static_cast<int>(frames),
                        .frame_width = set.width,
                        .frame_height = set.height,
-                       .columns = options.strip ? 1 : options.columns,
+                       .columns = options.strip || is_array(options) ? 1 : options.columns,
                        .gutter = options.gutter};
     if (layout.columns == 0) {
         layout.columns =
             near_square_columns(layout.frames, layout.cell_width(), layout.cell_height());
     }
-    check_layout(layout);
+    if (!is_array(options)) {
+        check_layout(layout);
+    }
     return layout;
+}
+
+std::string replaced(std::string text, std::string_view word, std::string_view replacement) {
+    for (std::size_t k = text.find(word); k != std::string::npos;
+         k = text.find(word, k + replacement.size())) {
+        text.replace(k, word.size(), replacement);
+    }
+    return text;
+}
+
+// Returns the file name of every sheet without suffix, in which {map} stands for the map.
+std::string names_of(const BakedSet& set, const FlipbookOptions& options) {
+    const std::string kind = is_array(options) ? "array" : options.strip ? "strip" : "sheet";
+    return replaced(options.names.empty() ? "{preset}_" + kind + "_{map}" : options.names,
+                    "{preset}",
+                    set.preset);
+}
+
+// Returns the file name of a sheet or an array.
+std::string file_name_of(const MapSequence& sequence,
+                         const std::string& names,
+                         const FlipbookOptions& options) {
+    const std::string suffix =
+        is_array(options) ? options.array_suffix : sequence.files.front().path.extension().string();
+    if (!is_array(options) && find_format(suffix)->is_lossy) {
+        throw std::invalid_argument(
+            fmt::format("a sheet of {} files would be compressed twice; with --dds or --ktx2, "
+                        "flipbook joins the "
+                        "files to an array without any change",
+                        suffix));
+    }
+    const auto word = options.words.find(sequence.map.name);
+    return replaced(
+               names, "{map}", word != options.words.end() ? word->second : sequence.map.name) +
+           suffix;
+}
+
+// Returns the name of the JSON file.
+std::string json_name_of(const std::string& names) {
+    return replaced(replaced(names, "_{map}", ""), "{map}", "sheets") + ".json";
 }
 
 }  // namespace
@@ -54,7 +114,7 @@ Flipbook write_flipbook(const BakedSet& set,
                         const ProgressCallback& on_progress) {
     const std::vector<int> frames = options.frames.empty() ? set.frames() : options.frames;
     Flipbook flipbook{{}, layout_of(set, options, frames.size()), {}};
-    const std::string stem = set.preset + (options.strip ? "_strip" : "_sheet");
+    const std::string names = names_of(set, options);
     std::vector<MapSequence> sequences;
     for (const std::string& map : maps_of(set, options)) {
         sequences.push_back(map_sequence(set, folder, map, frames));
@@ -66,14 +126,16 @@ Flipbook write_flipbook(const BakedSet& set,
     std::vector<StagedFile> staged;
     std::vector<SheetImage> images;
     for (const MapSequence& sequence : sequences) {
-        const std::string name = fmt::format(
-            "{}_{}{}", stem, sequence.map.name, sequence.files.front().path.extension().string());
-        staged.push_back(stage_sheet(sequence, flipbook.layout, to / name, progress));
+        const std::string name = file_name_of(sequence, names, options);
+        staged.push_back(is_array(options)
+                             ? stage_array(sequence, to / name, progress)
+                             : stage_sheet(sequence, flipbook.layout, to / name, progress));
         flipbook.files.push_back(to / name);
         images.push_back({name, sequence});
     }
-    flipbook.files.push_back(to / (stem + ".json"));
-    Json description = flipbook_json(set, frames, flipbook.layout, images);
+    flipbook.files.push_back(to / json_name_of(names));
+    Json description = is_array(options) ? array_json(set, frames, images)
+                                         : flipbook_json(set, frames, flipbook.layout, images);
     flipbook.unlisted = keep_earlier_sheets(description, flipbook.files.back());
     const std::string json = indented(description);
     staged.emplace_back(flipbook.files.back(), std::as_bytes(std::span(json)));
@@ -81,6 +143,24 @@ Flipbook write_flipbook(const BakedSet& set,
         file.publish();
     }
     return flipbook;
+}
+
+Flipbook write_sheets(const Preset& preset,
+                      std::vector<int> frames,
+                      const ProgressCallback& on_progress) {
+    std::ranges::sort(frames);
+    const std::filesystem::path pattern = preset.output.sheet_pattern;
+    FlipbookOptions options{.frames = std::move(frames),
+                            .strip = preset.output.sheets == SheetKind::Strip,
+                            .array_suffix = array_suffix_of(preset.output.sheets),
+                            .names = pattern.filename().string()};
+    for (const DrawnImage& image : drawn_images(preset)) {
+        options.maps.emplace_back(image.name());
+        options.words.emplace(image.name(), file_word(preset, image.name()));
+    }
+    const std::filesystem::path folder = manifest_folder(preset);
+    const std::string to = replaced(pattern.parent_path().string(), "{preset}", preset.name);
+    return write_flipbook(read_manifest(folder).sets.back(), folder, options, to, on_progress);
 }
 
 }  // namespace foam::texgen

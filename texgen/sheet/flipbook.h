@@ -4,9 +4,11 @@
 
 #include "texgen/animation/progress.h"
 #include "texgen/manifest/manifest.h"
+#include "texgen/preset/preset.h"
 #include "texgen/sheet/layout.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,16 @@ struct FlipbookOptions {
     /// expect a strip. No gutter is needed, because each frame becomes a separate layer of the
     /// texture.
     bool strip = false;
+    /// The suffix of the files of array textures (TextureFormat), which are written instead of
+    /// sheets: each frame is a layer with all mip levels. Layers can repeat as tiles, which frames
+    /// in a sheet cannot. An array has no columns and no gutters. Empty for sheets.
+    std::string array_suffix = {};
+    /// The names of the files without suffix, in which {preset} and {map} are replaced. Empty for
+    /// {preset}_sheet_{map}, {preset}_strip_{map} or {preset}_array_{map}. The JSON file has the
+    /// same name without _{map}.
+    std::string names = {};
+    /// Words that replace the names of maps in file names, by map.
+    std::map<std::string, std::string> words = {};
 };
 
 /// The result of write_flipbook.
@@ -36,18 +48,27 @@ struct Flipbook {
 };
 
 /// Writes a flipbook of a baked set into the folder `to`. The folder is created if needed. Each map
-/// becomes an image {preset}_sheet_{map} or {preset}_strip_{map} in the format of the set's files.
-/// {preset}_sheet.json or {preset}_strip.json describes these images (flipbook_json.h), and the
-/// images of other maps that it already lists, if they belong to an earlier flipbook of the same
-/// frames and layout (keep_earlier_sheets). `folder` is the folder of the manifest. `on_progress`
-/// receives the phase Sheets. If an exception is thrown before the last sheet is complete, there is
-/// no new file. Throws std::invalid_argument if a strip has a gutter or several columns. Also
-/// throws the exceptions of map_sequence, check_layout, stage_sheet and keep_earlier_sheets, and
-/// OutputError if the JSON file cannot be written.
+/// becomes an image {preset}_sheet_{map} or {preset}_strip_{map} in the format of the set's files,
+/// or an array {preset}_array_{map} with the suffix options.array_suffix. {preset}_sheet.json (or
+/// _strip, _array) describes these images (flipbook_json.h), and the images of other maps that it
+/// already lists, if they belong to an earlier flipbook of the same frames and layout
+/// (keep_earlier_sheets). `folder` is the folder of the manifest. `on_progress` receives the phase
+/// Sheets. If an exception is thrown before the last sheet is complete, there is no new file.
+/// Throws std::invalid_argument if a strip or an array has a gutter or several columns, and if a
+/// sheet would be compressed with a loss (ImageFormat::is_lossy). Also throws the exceptions of
+/// map_sequence, check_layout, stage_sheet, stage_array and keep_earlier_sheets, and OutputError if
+/// the JSON file cannot be written.
 Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& folder,
                         const FlipbookOptions& options,
                         const std::filesystem::path& to,
                         const ProgressCallback& on_progress = {});
+
+/// Joins the frames of a bake of a preset, which has just ended, as output.sheets says. `frames`
+/// are the numbers of the frames. Throws the exceptions of write_flipbook. Precondition:
+/// output.sheets is not None.
+Flipbook write_sheets(const Preset& preset,
+                      std::vector<int> frames,
+                      const ProgressCallback& on_progress = {});
 
 }  // namespace foam::texgen

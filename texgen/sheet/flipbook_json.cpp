@@ -3,6 +3,7 @@
 #include "texgen/sheet/flipbook_json.h"
 
 #include "texgen/bake/frame_range.h"
+#include "texgen/image/pixel_format.h"
 #include "texgen/json/json_writer.h"
 #include "texgen/maps/height.h"
 
@@ -108,12 +109,17 @@ bool all_tile(std::span<const SheetImage> images) {
     return std::ranges::all_of(images, [](const auto& image) { return image.sequence.tiles(); });
 }
 
-}  // namespace
+Json array_layout_value(const BakedSet& set, std::span<const int> frames) {
+    return {{"frame_size", {set.width, set.height}},
+            {"layers", frames.size()},
+            {"mip_levels", full_level_count(set.width, set.height)},
+            {"order", "layer 0 is the first frame"}};
+}
 
-Json flipbook_json(const BakedSet& set,
-                   std::span<const int> frames,
-                   const SheetLayout& layout,
-                   std::span<const SheetImage> images) {
+Json description_of(const BakedSet& set,
+                    std::span<const int> frames,
+                    const Json& layout,
+                    std::span<const SheetImage> images) {
     const FrameRate rate = playing_rate(set, frames);
     Json json{{"format", "foamtex-flipbook"},
               {"version", 1},
@@ -127,12 +133,27 @@ Json flipbook_json(const BakedSet& set,
               {"tiles", all_tile(images)},
               {"loop", loop_value(set, frames)},
               {"conventions", conventions_value(set.conventions)},
-              {"layout", layout_value(layout, all_tile(images))},
+              {"layout", layout},
               {"images", Json::array()}};
     for (const SheetImage& image : images) {
         json["images"].push_back(image_value(image, set, frames));
     }
     return json;
+}
+
+}  // namespace
+
+Json flipbook_json(const BakedSet& set,
+                   std::span<const int> frames,
+                   const SheetLayout& layout,
+                   std::span<const SheetImage> images) {
+    return description_of(set, frames, layout_value(layout, all_tile(images)), images);
+}
+
+Json array_json(const BakedSet& set,
+                std::span<const int> frames,
+                std::span<const SheetImage> images) {
+    return description_of(set, frames, array_layout_value(set, frames), images);
 }
 
 }  // namespace foam::texgen

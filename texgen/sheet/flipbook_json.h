@@ -25,4 +25,9 @@ Json flipbook_json(const BakedSet& set,
                    const SheetLayout& layout,
                    std::span<const SheetImage> images);
 
+/// Returns a JSON description of array textures. Each frame is a layer, in the order of `frames`.
+Json array_json(const BakedSet& set,
+                std::span<const int> frames,
+                std::span<const SheetImage> images);
+
 }  // namespace foam::texgen

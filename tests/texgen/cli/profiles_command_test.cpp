@@ -41,5 +41,19 @@ TEST(ProfilesCommand, AProfileSelectsTheFilesOfABake) {
               "out/lava_baseColor.0001.png\nout/lava_normal.0001.png\n");
 }
 
+// The frames are joined to array textures, whose names are those of the engine.
+TEST(ProfilesCommand, AProfileJoinsTheFramesToArrays) {
+    const Outcome outcome = run_program(
+        "bake lava --set foam.bubbles=16 --set frames.count=2 --size 16 --threads 1 --for unreal");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              "out/frames/T_lava_BC.####.png 1-2\nout/frames/T_lava_N.####.png 1-2\n"
+              "out/frames/T_lava_H.####.png 1-2\nout/frames/T_lava_E.####.png 1-2\n"
+              "out/frames/T_lava_ORM.####.png 1-2\n"
+              "out/T_lava_BC.dds\nout/T_lava_N.dds\nout/T_lava_H.dds\nout/T_lava_E.dds\n"
+              "out/T_lava_ORM.dds\nout/T_lava.json\n");
+    EXPECT_EQ(outcome.written.size(), 10U + 1U + 6U);
+}
+
 }  // namespace
 }  // namespace foam::texgen

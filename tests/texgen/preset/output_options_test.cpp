@@ -28,6 +28,17 @@ TEST(OutputOptions, NamesAreWordsForMaps) {
     }
 }
 
+TEST(OutputOptions, SheetPatternsNeedTheMapInTheirFileName) {
+    const Keys<OutputOptions> keys = output_keys();
+    const auto key = std::ranges::find(keys, "sheet_pattern", &KeyInfo::path);
+    OutputOptions options;
+    EXPECT_TRUE(key->read({"a/{preset}/{map}_x"}, options));
+    EXPECT_EQ(options.sheet_pattern, "a/{preset}/{map}_x");
+    EXPECT_FALSE(key->read({"a/{map}/x"}, options));
+    EXPECT_FALSE(key->read({"x"}, options));
+    EXPECT_FALSE(key->read({true}, options));
+}
+
 TEST(OutputOptions, PackingsAndNamesAreListsOrSingleTexts) {
     for (const auto& [name, text] : {std::pair("pack", "X=0,0,1"), std::pair("names", "id=I")}) {
         const Keys<OutputOptions> keys = output_keys();
@@ -51,6 +62,9 @@ TEST(OutputOptions, ChoicesHaveTheirWords) {
     test::expect_words(output_keys(), "exr_compression", {"zip", "zips", "piz", "rle", "none"});
     test::expect_words(output_keys(), "exr_numbers", {"float", "half"});
     test::expect_words(output_keys(), "exr_layout", {"rows", "mip-levels"});
+    test::expect_words(output_keys(), "sheets", {"none", "grid", "strip", "dds", "ktx2"});
+    test::expect_words(output_keys(), "block_compression", {"auto", "none"});
+    test::expect_words(output_keys(), "mip_levels", {"on", "off"});
 }
 
 }  // namespace

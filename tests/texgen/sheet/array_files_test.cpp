@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/sheet/array_files.h"
+
+#include "tests/texgen/pictures.h"
+#include "tests/texgen/sheet/small_bake.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/dds.h"
+#include "texgen/image/ktx2.h"
+#include "texgen/sheet/flipbook.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+GpuTexture array_in(const TemporaryFolder& folder, const char* map) {
+    return decode_dds(
+        read_file(folder.path() / ("small_array_" + std::string(map) + ".dds"), kImageInput));
+}
+
+// A layer holds the pixels of its frame. Samples of 16 bits and ids are not compressed.
+TEST(ArrayFiles, EveryFrameIsALayer) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"height", "id", "motion", "albedo"});
+    write_flipbook(set, folder.path(), {.array_suffix = ".dds"}, folder.path());
+    for (const char* map : {"height", "id", "motion"}) {
+        GpuTexture array = array_in(folder, map);
+        EXPECT_TRUE(array.is_array);
+        EXPECT_EQ(array.levels(), 6);
+        ASSERT_EQ(array.layers.size(), 4U);
+        for (std::size_t k = 0; k < 4; ++k) {
+            GpuTexture layer = array;
+            layer.layers = {array.layers[k]};
+            const std::string name =
+                "small_" + std::string(map) + ".000" + std::to_string(k + 1) + ".png";
+            EXPECT_EQ(codes16(picture_of(layer)), codes16(read_picture(folder.path() / name)))
+                << name;
+        }
+    }
+    EXPECT_EQ(array_in(folder, "albedo").format, PixelFormat::Bc7Srgb);
+    EXPECT_EQ(array_in(folder, "motion").format, PixelFormat::Rg16);
+}
+
+TEST(ArrayFiles, DdsFramesAreCopied) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path(), ".dds"), {"albedo"});
+    write_flipbook(set, folder.path(), {.frames = {3, 1}, .array_suffix = ".dds"}, folder.path());
+    const GpuTexture array = array_in(folder, "albedo");
+    ASSERT_EQ(array.layers.size(), 2U);
+    const auto frame = [&](const char* name) {
+        return decode_dds(read_file(folder.path() / name, kImageInput)).layers.front();
+    };
+    EXPECT_EQ(array.layers[0], frame("small_albedo.0003.dds"));
+    EXPECT_EQ(array.layers[1], frame("small_albedo.0001.dds"));
+    EXPECT_THROW(write_flipbook(set, folder.path(), {}, folder.path()), std::invalid_argument);
+}
+
+TEST(ArrayFiles, TheJsonDescribesLayers) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"height"});
+    write_flipbook(set, folder.path(), {.array_suffix = ".dds"}, folder.path());
+    std::ifstream file(folder.path() / "small_array.json");
+    const auto json = nlohmann::json::parse(file);
+    EXPECT_EQ(json["layout"]["layers"], 4);
+    EXPECT_EQ(json["layout"]["mip_levels"], 6);
+    EXPECT_EQ(json["layout"]["frame_size"], (std::vector<int>{32, 24}));
+    EXPECT_EQ(json["images"][0]["file"], "small_array_height.dds");
+    EXPECT_EQ(json["loop"]["closes"], true);
+}
+
+TEST(ArrayFiles, NumbersAreRejected) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path(), ".exr"), {"height"});
+    EXPECT_THROW(write_flipbook(set, folder.path(), {.array_suffix = ".dds"}, folder.path()),
+                 InputError);
+}
+
+TEST(ArrayFiles, AnArrayHasNoGutter) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"height"});
+    EXPECT_THROW(
+        write_flipbook(set, folder.path(), {.gutter = 1, .array_suffix = ".dds"}, folder.path()),
+        std::invalid_argument);
+}
+
+// A KTX2 array holds the same images as a DDS array.
+TEST(ArrayFiles, AreWrittenAsKtx2) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
+    write_flipbook(set, folder.path(), {.array_suffix = ".dds"}, folder.path());
+    write_flipbook(set, folder.path(), {.array_suffix = ".ktx2"}, folder.path());
+    const GpuTexture array =
+        decode_ktx2(read_file(folder.path() / "small_array_albedo.ktx2", kImageInput));
+    EXPECT_TRUE(array.is_array);
+    EXPECT_EQ(array.layers, array_in(folder, "albedo").layers);
+}
+
+}  // namespace
+}  // namespace foam::texgen

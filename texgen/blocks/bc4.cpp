@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/blocks/bc4.h"
+
+#include <squish.h>
+
+// libsquish 1.15 compresses BC4 and BC5, but its function Decompress reads them as blocks of
+// colors. They are therefore decompressed here, as the Khronos Data Format Specification says
+// (chapter "RGTC Compressed Texture Image Formats"). A block of one channel has two endpoints of 8
+// bits, and indices of 3 bits, the first of them in the lowest bits.
+
+namespace foam::texgen {
+
+namespace {
+
+template <std::size_t bytes>
+std::array<std::uint8_t, bytes> compressed(const TexelBlock& texels, int format) {
+    std::array<std::uint8_t, bytes> block{};
+    squish::Compress(texels.front().data(), block.data(), format);
+    return block;
+}
+
+// Returns the eight values of a block. If the first endpoint is not the larger one, the last two
+// values are 0 and 255.
+std::array<int, 8> palette_of(int first, int second) {
+    std::array<int, 8> palette = {first, second, 0, 0, 0, 0, 0, 255};
+    const int steps = first > second ? 7 : 5;
+    for (int k = 1; k < steps; ++k) {
+        palette[static_cast<std::size_t>(k + 1)] =
+            ((steps - k) * first + k * second + steps / 2) / steps;
+    }
+    return palette;
+}
+
+void decode_channel(std::span<const std::uint8_t, kBc4Bytes> block,
+                    std::size_t channel,
+                    TexelBlock& texels) {
+    const std::array<int, 8> palette = palette_of(block[0], block[1]);
+    std::uint64_t indices = 0;
+    for (std::size_t k = block.size() - 1; k >= 2; --k) {
+        indices = indices << 8U | block[k];
+    }
+    for (std::array<std::uint8_t, 4>& texel : texels) {
+        texel[channel] = static_cast<std::uint8_t>(palette[indices & 7U]);
+        indices >>= 3U;
+    }
+}
+
+TexelBlock black_block() {
+    TexelBlock texels{};
+    for (std::array<std::uint8_t, 4>& texel : texels) {
+        texel[3] = 255;
+    }
+    return texels;
+}
+
+}  // namespace
+
+std::array<std::uint8_t, kBc4Bytes> encode_bc4(const TexelBlock& texels) {
+    return compressed<kBc4Bytes>(texels, squish::kBc4);
+}
+
+std::array<std::uint8_t, kBc5Bytes> encode_bc5(const TexelBlock& texels) {
+    return compressed<kBc5Bytes>(texels, squish::kBc5);
+}
+
+TexelBlock decode_bc4(std::span<const std::uint8_t, kBc4Bytes> block) {
+    TexelBlock texels = black_block();
+    decode_channel(block, 0, texels);
+    return texels;
+}
+
+TexelBlock decode_bc5(std::span<const std::uint8_t, kBc5Bytes> block) {
+    TexelBlock texels = black_block();
+    decode_channel(block.first<kBc4Bytes>(), 0, texels);
+    decode_channel(block.last<kBc4Bytes>(), 1, texels);
+    return texels;
+}
+
+}  // namespace foam::texgen

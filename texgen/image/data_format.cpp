@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/image/data_format.h"
+
+#include "texgen/image/byte_reader.h"
+
+#include <cstdint>
+
+namespace foam::texgen {
+
+namespace {
+
+// Numbers of the Khronos Data Format Specification.
+constexpr std::uint32_t kModelRgba = 1;
+constexpr std::uint32_t kModelBc4 = 131;
+constexpr std::uint32_t kModelBc5 = 132;
+constexpr std::uint32_t kModelBc7 = 134;
+constexpr std::uint32_t kPrimariesBt709 = 1;
+constexpr std::uint32_t kTransferLinear = 1;
+constexpr std::uint32_t kTransferSrgb = 2;
+constexpr std::uint32_t kAlphaChannel = 15;
+constexpr std::uint32_t kLinearSample = 0x10;  // qualifier of alpha in an sRGB format
+
+std::uint32_t model_of(PixelFormat format) {
+    switch (format) {
+        case PixelFormat::Bc4:
+            return kModelBc4;
+        case PixelFormat::Bc5:
+            return kModelBc5;
+        case PixelFormat::Bc7:
+        case PixelFormat::Bc7Srgb:
+            return kModelBc7;
+        default:
+            return kModelRgba;
+    }
+}
+
+// Appends the description of a sample: its position in a texel or block, and its channel.
+void append_sample(
+    Bytes& bytes, int offset, int bits, std::uint32_t channel, std::uint32_t largest) {
+    append(bytes,
+           static_cast<std::uint32_t>(offset) | static_cast<std::uint32_t>(bits - 1) << 16U |
+               channel << 24U);
+    append(bytes, std::uint32_t{0});  // position within the texel
+    append(bytes, std::uint32_t{0});  // smallest value
+    append(bytes, largest);
+}
+
+Bytes samples_of(const PixelFormatFacts& facts) {
+    Bytes samples;
+    if (facts.is_compressed) {
+        const int count = facts.format == PixelFormat::Bc5 ? 2 : 1;
+        const int bits = 8 * static_cast<int>(facts.unit_bytes) / count;
+        for (int k = 0; k < count; ++k) {
+            append_sample(samples, k * bits, bits, static_cast<std::uint32_t>(k), ~0U);
+        }
+        return samples;
+    }
+    for (int channel = 0; channel < facts.channels; ++channel) {
+        const bool is_alpha = channel == 3;
+        append_sample(samples,
+                      channel * facts.bits,
+                      facts.bits,
+                      is_alpha ? kAlphaChannel | (facts.is_srgb ? kLinearSample : 0)
+                               : static_cast<std::uint32_t>(channel),
+                      facts.bits == 8 ? 0xffU : 0xffffU);
+    }
+    return samples;
+}
+
+}  // namespace
+
+Bytes data_format_descriptor(PixelFormat format) {
+    const PixelFormatFacts& facts = facts_of(format);
+    const Bytes samples = samples_of(facts);
+    const auto block_bytes = static_cast<std::uint32_t>(24 + samples.size());
+    Bytes bytes;
+    append(bytes, block_bytes + 4);          // size of the descriptor
+    append(bytes, std::uint32_t{0});         // basic descriptor of Khronos
+    append(bytes, 2U | block_bytes << 16U);  // version of the descriptor
+    append(bytes,
+           model_of(format) | kPrimariesBt709 << 8U |
+               (facts.is_srgb ? kTransferSrgb : kTransferLinear) << 16U);
+    append(bytes, facts.is_compressed ? 0x303U : 0U);  // extents of a block, minus 1
+    append(bytes, static_cast<std::uint32_t>(facts.unit_bytes));
+    append(bytes, std::uint32_t{0});
+    bytes.insert(bytes.end(), samples.begin(), samples.end());
+    return bytes;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/image/dds.h"
+
+#include "texgen/image/byte_reader.h"
+#include "texgen/image/texture_limits.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cstdint>
+
+// The file format is described in Microsoft's "Programming Guide for DDS" and in the references of
+// DDS_HEADER and DDS_HEADER_DXT10. A file has a magic number, a header of 31 numbers, a second
+// header of 5 numbers, and then the mip levels of each layer, from the full size on.
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::uint32_t kMagic = 0x20534444;  // "DDS "
+constexpr std::uint32_t kHeaderBytes = 124;
+constexpr std::uint32_t kFormatBytes = 32;   // of the old description of the pixel format
+constexpr std::uint32_t kFourCc = 0x4;       // flag: the old description names a format
+constexpr std::uint32_t kDx10 = 0x30315844;  // "DX10": there is a second header
+
+// Flags of the header: it gives caps, height, width and the pixel format, the number of mip levels,
+// the bytes of a row, the bytes of the full size.
+constexpr std::uint32_t kAlways = 0x1007;
+constexpr std::uint32_t kMipLevels = 0x20000;
+constexpr std::uint32_t kRowBytes = 0x8;
+constexpr std::uint32_t kImageBytes = 0x80000;
+
+// Caps: a texture; one that has mip levels.
+constexpr std::uint32_t kTexture = 0x1000;
+constexpr std::uint32_t kHasMipLevels = 0x400008;
+
+constexpr std::uint32_t kTwoDimensional = 3;
+constexpr std::uint32_t kCube = 0x4;
+constexpr std::uint32_t kStraightAlpha = 1;
+constexpr std::uint32_t kOpaque = 3;
+
+void check(bool holds, const char* reason) {
+    if (!holds) {
+        throw InputError(fmt::format("malformed DDS: {}", reason));
+    }
+}
+
+}  // namespace
+
+Bytes encode_dds(const GpuTexture& texture) {
+    const PixelFormatFacts& facts = facts_of(texture.format);
+    const auto width = static_cast<std::uint32_t>(texture.width);
+    const auto levels = static_cast<std::uint32_t>(texture.levels());
+    const auto row_bytes = static_cast<std::uint32_t>(facts.unit_bytes * width);
+    const auto whole_bytes = static_cast<std::uint32_t>(texture.layers.front().front().size());
+    const std::array<std::uint32_t, 32> header = {
+        kMagic,
+        kHeaderBytes,
+        kAlways | (levels > 1 ? kMipLevels : 0) | (facts.is_compressed ? kImageBytes : kRowBytes),
+        static_cast<std::uint32_t>(texture.height),
+        width,
+        facts.is_compressed ? whole_bytes : row_bytes,
+        0,  // depth
+        levels,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,  // reserved
+        kFormatBytes,
+        kFourCc,
+        kDx10,
+        0,
+        0,
+        0,
+        0,
+        0,  // bit masks, which the second header replaces
+        kTexture | (levels > 1 ? kHasMipLevels : 0),
+        0,
+        0,
+        0,
+        0};
+    const std::array<std::uint32_t, 5> second = {facts.dxgi,
+                                                 kTwoDimensional,
+                                                 0,
+                                                 static_cast<std::uint32_t>(texture.layers.size()),
+                                                 texture.opaque ? kOpaque : kStraightAlpha};
+    Bytes bytes;
+    for (const std::uint32_t number : header) {
+        append(bytes, number);
+    }
+    for (const std::uint32_t number : second) {
+        append(bytes, number);
+    }
+    for (const std::vector<Bytes>& layer : texture.layers) {
+        for (const Bytes& level : layer) {
+            bytes.insert(bytes.end(), level.begin(), level.end());
+        }
+    }
+    return bytes;
+}
+
+GpuTexture decode_dds(std::span<const std::byte> content) {
+    ByteReader reader(content);
+    check(reader.number() == kMagic, "the file does not begin with \"DDS \"");
+    std::array<std::uint32_t, 31> header{};
+    for (std::uint32_t& number : header) {
+        number = reader.number();
+    }
+    check(header[0] == kHeaderBytes, "the header has another size");
+    if (header[20] != kDx10) {
+        throw InputError("the DDS has no header of Direct3D 10 (DX10), which foamtex needs");
+    }
+    const std::uint32_t number = reader.number();
+    const std::optional<PixelFormat> format = find_dxgi_format(number);
+    if (!format) {
+        throw InputError(
+            fmt::format("the DDS has the pixel format {}, which foamtex does not read", number));
+    }
+    check(reader.number() == kTwoDimensional, "the texture is not two-dimensional");
+    check((reader.number() & kCube) == 0, "the texture is a cube");
+    const std::uint32_t layers = reader.number();
+    const std::uint32_t alpha = reader.number();
+    const std::uint32_t levels = std::max(header[6], 1U);
+    check_texture_size("DDS", header[3], header[2], levels, layers);
+    GpuTexture texture{.format = *format,
+                       .width = static_cast<int>(header[3]),
+                       .height = static_cast<int>(header[2]),
+                       .is_array = layers > 1,
+                       .opaque = alpha == kOpaque,
+                       .layers = std::vector<std::vector<Bytes>>(layers),
+                       .text = {}};
+    for (std::vector<Bytes>& layer : texture.layers) {
+        for (int level = 0; level < static_cast<int>(levels); ++level) {
+            const auto image = reader.take(image_bytes(
+                *format, level_extent(texture.width, level), level_extent(texture.height, level)));
+            layer.emplace_back(image.begin(), image.end());
+        }
+    }
+    check(reader.remaining() == 0, "the file is longer than its images");
+    return texture;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/file_io.h"
+#include "texgen/image/gpu_texture.h"
+
+#include <cstddef>
+#include <span>
+
+namespace foam::texgen {
+
+/// Returns a texture as a DDS file (DirectDraw Surface) with the header of Direct3D 10 (DX10),
+/// which names the format and the number of layers. Texts are not stored.
+Bytes encode_dds(const GpuTexture& texture);
+
+/// Returns the texture in a DDS file. Throws InputError if the stream is malformed or truncated, if
+/// it has no header of Direct3D 10, if its format is not one of PixelFormat, if it is a cube or a
+/// volume, and for an image above the limits in input_limits.h.
+GpuTexture decode_dds(std::span<const std::byte> content);
+
+}  // namespace foam::texgen

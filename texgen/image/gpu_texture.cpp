@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/image/gpu_texture.h"
+
+#include "core/parallel/parallel_for.h"
+#include "texgen/blocks/bc4.h"
+#include "texgen/blocks/bc7.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kAlpha = 3;  // index of the fourth channel
+
+// The samples of a picture of codes as texels of up to four channels. Rows are counted from the
+// top.
+template <class Code>
+class Texels {
+  public:
+    explicit Texels(const Image<Code>& pixels) : pixels_(pixels) {}
+
+    int width() const { return pixels_.width(); }
+    int height() const { return pixels_.height(); }
+
+    /// Returns a sample. Missing channels are 0, except for alpha, which is 1. Positions beyond the
+    /// image have the sample of the nearest pixel.
+    Code at(int x, int y, int channel) const {
+        if (channel >= pixels_.channels()) {
+            return channel == kAlpha ? std::numeric_limits<Code>::max() : Code{0};
+        }
+        const int row = height() - 1 - std::min(y, height() - 1);
+        const int column = std::min(x, width() - 1);
+        return pixels_.pixel(column, row)[static_cast<std::size_t>(channel)];
+    }
+
+  private:
+    const Image<Code>& pixels_;
+};
+
+template <class Code>
+Bytes plain_texels(const Texels<Code>& texels, int channels) {
+    Bytes bytes(static_cast<std::size_t>(texels.width()) *
+                static_cast<std::size_t>(texels.height()) * static_cast<std::size_t>(channels) *
+                sizeof(Code));
+    auto to = bytes.begin();
+    for (int y = 0; y < texels.height(); ++y) {
+        for (int x = 0; x < texels.width(); ++x) {
+            for (int channel = 0; channel < channels; ++channel) {
+                const Code code = texels.at(x, y, channel);
+                for (std::size_t k = 0; k < sizeof(Code); ++k) {
+                    *to++ = static_cast<std::byte>(code >> (8 * k));
+                }
+            }
+        }
+    }
+    return bytes;
+}
+
+TexelBlock block_at(const Texels<std::uint8_t>& texels, int x, int y) {
+    TexelBlock block{};
+    for (int k = 0; k < kBlockTexels; ++k) {
+        for (int channel = 0; channel < 4; ++channel) {
+            block[static_cast<std::size_t>(k)][static_cast<std::size_t>(channel)] =
+                texels.at(x + k % kBlockSide, y + k / kBlockSide, channel);
+        }
+    }
+    return block;
+}
+
+template <std::size_t bytes>
+Bytes compressed(const Texels<std::uint8_t>& texels,
+                 int threads,
+                 std::array<std::uint8_t, bytes> (*encode)(const TexelBlock&)) {
+    const int columns = (texels.width() + kBlockSide - 1) / kBlockSide;
+    const int rows = (texels.height() + kBlockSide - 1) / kBlockSide;
+    const std::size_t row_bytes = static_cast<std::size_t>(columns) * bytes;
+    Bytes blocks(static_cast<std::size_t>(rows) * row_bytes);
+    parallel_for(rows, threads, [&](int row) {
+        std::byte* to = blocks.data() + static_cast<std::size_t>(row) * row_bytes;
+        for (int column = 0; column < columns; ++column, to += bytes) {
+            const auto block = encode(block_at(texels, column * kBlockSide, row * kBlockSide));
+            std::memcpy(to, block.data(), bytes);
+        }
+    });
+    return blocks;
+}
+
+// Returns the bytes of an image in a format.
+Bytes encode_image(const Picture& picture, PixelFormat format, int threads) {
+    const ChannelGroup& group = picture.groups.front();
+    if (group.type == SampleType::Uint16) {
+        return plain_texels(Texels(std::get<Image<std::uint16_t>>(group.samples)),
+                            facts_of(format).channels);
+    }
+    const Texels<std::uint8_t> texels(std::get<Image<std::uint8_t>>(group.samples));
+    switch (format) {
+        case PixelFormat::Bc4:
+            return compressed(texels, threads, encode_bc4);
+        case PixelFormat::Bc5:
+            return compressed(texels, threads, encode_bc5);
+        case PixelFormat::Bc7:
+        case PixelFormat::Bc7Srgb:
+            return compressed(texels, threads, encode_bc7);
+        default:
+            return plain_texels(texels, facts_of(format).channels);
+    }
+}
+
+// Returns the code of z of a unit vector from the codes of x and y.
+std::uint8_t z_of_normal(std::uint8_t x_code, std::uint8_t y_code) {
+    const double x = x_code / 127.5 - 1.0;
+    const double y = y_code / 127.5 - 1.0;
+    const double z = std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
+    return static_cast<std::uint8_t>(z * 127.5 + 128.0);
+}
+
+TexelBlock decoded_block(PixelFormat format, std::span<const std::uint8_t> bytes) {
+    if (format == PixelFormat::Bc4) {
+        return decode_bc4(bytes.first<kBc4Bytes>());
+    }
+    if (format == PixelFormat::Bc5) {
+        TexelBlock texels = decode_bc5(bytes.first<kBc5Bytes>());
+        for (std::array<std::uint8_t, 4>& texel : texels) {
+            texel[2] = z_of_normal(texel[0], texel[1]);
+        }
+        return texels;
+    }
+    const std::optional<TexelBlock> texels = decode_bc7(bytes.first<kBc7Bytes>());
+    if (!texels) {
+        throw InputError("a block of BC7 has a mode that is not supported; only 1, 5 and 6 are");
+    }
+    return *texels;
+}
+
+// Returns the channels of the picture of a texture.
+int picture_channels(const GpuTexture& texture) {
+    const int channels = facts_of(texture.format).channels;
+    return channels == 2 || (channels == 4 && texture.opaque) ? 3 : channels;
+}
+
+Image<std::uint8_t> decompressed(const GpuTexture& texture) {
+    const Bytes& bytes = texture.layers.front().front();
+    const std::size_t unit = facts_of(texture.format).unit_bytes;
+    Image<std::uint8_t> pixels(texture.width, texture.height, picture_channels(texture));
+    const auto* from = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    for (int y = 0; y < texture.height; y += kBlockSide) {
+        for (int x = 0; x < texture.width; x += kBlockSide, from += unit) {
+            const TexelBlock block = decoded_block(texture.format, {from, unit});
+            for (int k = 0; k < kBlockTexels; ++k) {
+                const int column = x + k % kBlockSide;
+                const int row = texture.height - 1 - (y + k / kBlockSide);
+                if (column < texture.width && row >= 0) {
+                    std::ranges::copy_n(block[static_cast<std::size_t>(k)].begin(),
+                                        pixels.channels(),
+                                        pixels.pixel(column, row).begin());
+                }
+            }
+        }
+    }
+    return pixels;
+}
+
+template <class Code>
+Image<Code> plain_picture(const GpuTexture& texture) {
+    const int stored = facts_of(texture.format).channels;
+    Image<Code> pixels(texture.width, texture.height, picture_channels(texture));
+    auto from = texture.layers.front().front().begin();
+    for (int y = texture.height - 1; y >= 0; --y) {
+        for (int x = 0; x < texture.width; ++x) {
+            for (int channel = 0; channel < stored; ++channel) {
+                unsigned code = 0;
+                for (std::size_t k = 0; k < sizeof(Code); ++k) {
+                    code |= std::to_integer<unsigned>(*from++) << (8 * k);
+                }
+                if (channel < pixels.channels()) {
+                    pixels.pixel(x, y)[static_cast<std::size_t>(channel)] = static_cast<Code>(code);
+                }
+            }
+        }
+    }
+    return pixels;
+}
+
+void check_storable(const Picture& picture) {
+    if (picture.groups.size() != 1 || !picture.groups.front().has_codes() ||
+        picture.groups.front().channels() == 2) {
+        throw std::invalid_argument(
+            "a texture stores one group of 1, 3 or 4 channels of integers of 8 or 16 bits");
+    }
+}
+
+}  // namespace
+
+PixelFormat pixel_format_of(const Picture& picture, const GpuEncoding& encoding) {
+    const ChannelGroup& group = picture.groups.front();
+    const int channels = group.channels();
+    if (group.type == SampleType::Uint16) {
+        return channels == 1                 ? PixelFormat::R16
+               : encoding.used_channels == 2 ? PixelFormat::Rg16
+                                             : PixelFormat::Rgba16;
+    }
+    const bool color = picture.metadata.color;
+    if (encoding.blocks == BlockCompression::None || encoding.meaning == TexelMeaning::Ids) {
+        return channels == 1 ? PixelFormat::R8
+               : color       ? PixelFormat::Rgba8Srgb
+                             : PixelFormat::Rgba8;
+    }
+    if (encoding.meaning == TexelMeaning::Normals) {
+        return PixelFormat::Bc5;
+    }
+    return channels == 1 ? PixelFormat::Bc4 : color ? PixelFormat::Bc7Srgb : PixelFormat::Bc7;
+}
+
+GpuTexture texture_of(const Picture& picture, const GpuEncoding& encoding) {
+    check_storable(picture);
+    GpuTexture texture{.format = pixel_format_of(picture, encoding),
+                       .width = picture.width(),
+                       .height = picture.height(),
+                       .opaque = picture.groups.front().channels() < 4,
+                       .layers = {{}},
+                       .text = picture.metadata.text};
+    std::vector<Bytes>& levels = texture.layers.front();
+    if (!encoding.mip_levels) {
+        levels.push_back(encode_image(picture, texture.format, encoding.threads));
+        return texture;
+    }
+    for (const Picture& level : mip_chain(picture, encoding.meaning)) {
+        levels.push_back(encode_image(level, texture.format, encoding.threads));
+    }
+    return texture;
+}
+
+Picture picture_of(const GpuTexture& texture) {
+    const PixelFormatFacts& facts = facts_of(texture.format);
+    Picture picture;
+    picture.metadata.color = facts.is_srgb;
+    picture.metadata.text = texture.text;
+    picture.groups.push_back(facts.is_compressed ? code_channels(decompressed(texture))
+                             : facts.bits == 16
+                                 ? code_channels(plain_picture<std::uint16_t>(texture))
+                                 : code_channels(plain_picture<std::uint8_t>(texture)));
+    return picture;
+}
+
+}  // namespace foam::texgen

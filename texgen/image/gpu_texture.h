@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/file_io.h"
+#include "texgen/image/mip_chain.h"
+#include "texgen/image/picture.h"
+#include "texgen/image/pixel_format.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The maps that are compressed in blocks of 4 x 4 texels, as graphics hardware reads them.
+enum class BlockCompression {
+    Auto,  // images of 8 bits, except ids
+    None,  // no image
+};
+
+/// Options for textures of graphics hardware (DDS and KTX2).
+struct GpuEncoding {
+    BlockCompression blocks = BlockCompression::Auto;
+    bool mip_levels = true;  // if false, only the full size is stored
+    TexelMeaning meaning = TexelMeaning::Numbers;
+    /// The number of channels that contain data. Pictures of two channels are stored with a third
+    /// channel of zeros, which a texture does not need. 0 if all channels contain data.
+    int used_channels = 0;
+    /// The number of threads that compress, as for thread_count (core/parallel/parallel_for.h). The
+    /// bytes do not depend on it.
+    int threads = 1;
+};
+
+/// A texture as graphics hardware reads it: images of all layers and mip levels. The rows of an
+/// image run from the top to the bottom.
+struct GpuTexture {
+    PixelFormat format = PixelFormat::Rgba8;
+    int width = 0;
+    int height = 0;
+    bool is_array = false;  // true for an array texture, which may have any number of layers
+    bool opaque = true;     // true if a fourth channel is 1 everywhere because there is no alpha
+    std::vector<std::vector<Bytes>> layers;  // for each layer, its mip levels from the full size on
+    std::vector<std::pair<std::string, std::string>> text;  // ImageMetadata::text
+
+    int levels() const { return static_cast<int>(layers.front().size()); }
+};
+
+/// Returns the format in which a picture of codes is stored:
+///
+/// | picture | 8 bits, compressed | 8 bits, not compressed | 16 bits |
+/// |---|---|---|---|
+/// | colors | Bc7Srgb | Rgba8Srgb | |
+/// | one channel | Bc4 | R8 | R16 |
+/// | normals | Bc5, without z | Rgba8 | Rgba16 |
+/// | two used channels | Bc7 | Rgba8 | Rg16 |
+/// | other data | Bc7 | Rgba8 | Rgba16 |
+///
+/// Ids are not compressed.
+PixelFormat pixel_format_of(const Picture& picture, const GpuEncoding& encoding);
+
+/// Returns a texture of one layer that stores a picture. Throws std::invalid_argument unless the
+/// picture has one group of 1, 3 or 4 channels of codes.
+GpuTexture texture_of(const Picture& picture, const GpuEncoding& encoding);
+
+/// Returns the full size of the first layer of a texture as a picture. It has one channel or, for a
+/// format of two channels, three channels, and otherwise four channels, or three if the texture has
+/// no alpha (`opaque`). The third channel of Rg16 is 0. The channels of Bc5 are x, y and z of a
+/// unit vector, of which the texture stores x and y. Throws InputError if a block cannot be read.
+Picture picture_of(const GpuTexture& texture);
+
+}  // namespace foam::texgen

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/image/ktx2.h"
+
+#include "texgen/image/byte_reader.h"
+#include "texgen/image/data_format.h"
+#include "texgen/image/texture_limits.h"
+
+#include <fmt/core.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+// The file format is the KTX File Format Specification, version 2.0. A file has a header, an index
+// of the mip levels, a data format descriptor (Khronos Data Format Specification 1.3), key/value
+// data, and the levels from the smallest to the full size. A level holds the images of all layers.
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::array<std::uint8_t, 12> kIdentifier = {
+    0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb, '\r', '\n', 0x1a, '\n'};
+constexpr std::size_t kHeaderBytes = 80;      // identifier, header and index without its levels
+constexpr std::size_t kLevelEntryBytes = 24;  // an entry of the index of levels
+constexpr std::uint32_t kZstandard = 2;       // scheme of supercompression
+constexpr int kZstandardLevel = 5;
+constexpr std::size_t kMostLevelBytes = std::size_t{1} << 32U;  // of a level before compression
+
+void check(bool holds, const char* reason) {
+    if (!holds) {
+        throw InputError(fmt::format("malformed KTX2: {}", reason));
+    }
+}
+
+// Appends bytes of 0 until the size is a multiple of `unit`.
+void pad(Bytes& bytes, std::size_t unit) {
+    bytes.resize((bytes.size() + unit - 1) / unit * unit);
+}
+
+// Returns the keys and values of a file, sorted as the specification requires. The value of
+// KTXswizzle says that the texture has no alpha.
+Bytes key_value_data(const GpuTexture& texture) {
+    std::map<std::string, std::string> values(texture.text.begin(), texture.text.end());
+    values["KTXorientation"] = "rd";  // x to the right, y down
+    values["KTXwriter"] = "foamtex " FOAMTEX_VERSION;
+    if (texture.opaque && facts_of(texture.format).channels == 4) {
+        values["KTXswizzle"] = "rgb1";
+    }
+    Bytes bytes;
+    for (const auto& [key, value] : values) {
+        append(bytes, static_cast<std::uint32_t>(key.size() + value.size() + 2));
+        for (const std::string_view text : {std::string_view(key), std::string_view(value)}) {
+            const auto characters = std::as_bytes(std::span(text));
+            bytes.insert(bytes.end(), characters.begin(), characters.end());
+            bytes.push_back(std::byte{0});
+        }
+        pad(bytes, 4);
+    }
+    return bytes;
+}
+
+// The bytes of a mip level of all layers.
+Bytes level_of(const GpuTexture& texture, int level) {
+    Bytes bytes;
+    for (const std::vector<Bytes>& layer : texture.layers) {
+        const Bytes& image = layer[static_cast<std::size_t>(level)];
+        bytes.insert(bytes.end(), image.begin(), image.end());
+    }
+    return bytes;
+}
+
+Bytes compressed(const Bytes& bytes) {
+    Bytes packed(ZSTD_compressBound(bytes.size()));
+    const std::size_t size =
+        ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kZstandardLevel);
+    if (ZSTD_isError(size) != 0) {
+        throw OutputError(fmt::format("Zstandard failed: {}", ZSTD_getErrorName(size)));
+    }
+    packed.resize(size);
+    return packed;
+}
+
+Bytes decompressed(std::span<const std::byte> packed, std::size_t size) {
+    Bytes bytes(size);
+    const std::size_t found =
+        ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
+    check(ZSTD_isError(found) == 0 && found == size, "a mip level cannot be decompressed");
+    return bytes;
+}
+
+// The position of a mip level in a file.
+struct LevelEntry {
+    std::uint64_t offset = 0;
+    std::uint64_t bytes = 0;
+    std::uint64_t uncompressed = 0;
+};
+
+void append_sized(Bytes& bytes, std::size_t offset, std::size_t size) {
+    append(bytes, static_cast<std::uint32_t>(offset));
+    append(bytes, static_cast<std::uint32_t>(size));
+}
+
+Bytes header_of(const GpuTexture& texture, std::size_t descriptor_bytes, std::size_t value_bytes) {
+    const PixelFormatFacts& facts = facts_of(texture.format);
+    Bytes bytes;
+    for (const std::uint8_t byte : kIdentifier) {
+        bytes.push_back(static_cast<std::byte>(byte));
+    }
+    const auto levels = static_cast<std::uint32_t>(texture.levels());
+    for (const std::uint32_t number :
+         {facts.vulkan,
+          facts.is_compressed || facts.bits == 8 ? 1U : 2U,
+          static_cast<std::uint32_t>(texture.width),
+          static_cast<std::uint32_t>(texture.height),
+          0U,  // depth
+          texture.is_array ? static_cast<std::uint32_t>(texture.layers.size()) : 0U,
+          1U,  // faces
+          levels,
+          kZstandard}) {
+        append(bytes, number);
+    }
+    const std::size_t descriptor = kHeaderBytes + levels * kLevelEntryBytes;
+    append_sized(bytes, descriptor, descriptor_bytes);
+    append_sized(bytes, descriptor + descriptor_bytes, value_bytes);
+    append(bytes, std::uint64_t{0});  // there are no global data of the supercompression
+    append(bytes, std::uint64_t{0});
+    return bytes;
+}
+
+// Reads the text of a key or a value, which may end with a byte of 0.
+std::string text_in(std::span<const std::byte> bytes) {
+    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.ends_with('\0')) {
+        text.pop_back();
+    }
+    return text;
+}
+
+void read_values(std::span<const std::byte> data, GpuTexture& texture) {
+    ByteReader reader(data);
+    texture.opaque = false;
+    while (reader.remaining() >= 4) {
+        const std::uint32_t size = reader.number();
+        const auto entry = reader.take(size);
+        reader.take(std::min<std::size_t>((4 - size % 4) % 4, reader.remaining()));
+        const auto end = std::ranges::find(entry, std::byte{0});
+        check(end != entry.end(), "a key has no end");
+        const auto key_size = static_cast<std::size_t>(end - entry.begin());
+        const std::string key = text_in(entry.first(key_size));
+        const std::string value = text_in(entry.subspan(key_size + 1));
+        texture.opaque = texture.opaque || (key == "KTXswizzle" && value == "rgb1");
+        if (!key.starts_with("KTX")) {
+            texture.text.emplace_back(key, value);
+        }
+    }
+}
+
+std::span<const std::byte> part_of(std::span<const std::byte> content,
+                                   std::uint64_t offset,
+                                   std::uint64_t size) {
+    check(offset <= content.size() && size <= content.size() - offset,
+          "a part is outside of the file");
+    return content.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
+}
+
+// Reads a mip level of all layers.
+void read_level(std::span<const std::byte> packed,
+                int level,
+                std::uint64_t uncompressed,
+                GpuTexture& texture) {
+    const std::size_t image = image_bytes(
+        texture.format, level_extent(texture.width, level), level_extent(texture.height, level));
+    check(uncompressed == image * texture.layers.size() && uncompressed <= kMostLevelBytes,
+          "a mip level has another size than its images");
+    const unsigned long long claimed = ZSTD_getFrameContentSize(packed.data(), packed.size());
+    check(claimed == uncompressed, "a mip level is not compressed as the index says");
+    const Bytes bytes = decompressed(packed, static_cast<std::size_t>(uncompressed));
+    for (std::size_t k = 0; k < texture.layers.size(); ++k) {
+        const auto part = std::span(bytes).subspan(k * image, image);
+        texture.layers[k][static_cast<std::size_t>(level)].assign(part.begin(), part.end());
+    }
+}
+
+}  // namespace
+
+Bytes encode_ktx2(const GpuTexture& texture) {
+    const Bytes descriptor = data_format_descriptor(texture.format);
+    const Bytes values = key_value_data(texture);
+    Bytes file = header_of(texture, descriptor.size(), values.size());
+    const auto levels = static_cast<std::size_t>(texture.levels());
+    const std::size_t index = file.size();
+    std::size_t offset = index + levels * kLevelEntryBytes + descriptor.size() + values.size();
+    std::vector<Bytes> packed(levels);
+    std::vector<LevelEntry> entries(levels);
+    for (std::size_t level = levels; level-- > 0;) {
+        const Bytes plain = level_of(texture, static_cast<int>(level));
+        packed[level] = compressed(plain);
+        entries[level] = {offset, packed[level].size(), plain.size()};
+        offset += packed[level].size();
+    }
+    for (const LevelEntry& entry : entries) {
+        append(file, entry.offset);
+        append(file, entry.bytes);
+        append(file, entry.uncompressed);
+    }
+    file.insert(file.end(), descriptor.begin(), descriptor.end());
+    file.insert(file.end(), values.begin(), values.end());
+    for (std::size_t level = levels; level-- > 0;) {
+        file.insert(file.end(), packed[level].begin(), packed[level].end());
+    }
+    return file;
+}
+
+GpuTexture decode_ktx2(std::span<const std::byte> content) {
+    ByteReader reader(content);
+    const auto identifier = reader.take(kIdentifier.size());
+    check(std::ranges::equal(identifier, std::as_bytes(std::span(kIdentifier))),
+          "the file does not begin with the identifier");
+    const std::uint32_t vulkan = reader.number();
+    const std::optional<PixelFormat> format = find_vulkan_format(vulkan);
+    if (!format) {
+        throw InputError(
+            fmt::format("the KTX2 has the pixel format {}, which foamtex does not read", vulkan));
+    }
+    reader.number();  // size of the data type
+    const std::uint32_t width = reader.number();
+    const std::uint32_t height = reader.number();
+    check(reader.number() == 0, "the texture is a volume");
+    const std::uint32_t layers = reader.number();
+    check(reader.number() == 1, "the texture is a cube");
+    const std::uint32_t levels = reader.number();
+    check_texture_size("KTX2", width, height, levels, std::max(layers, 1U));
+    check(reader.number() == kZstandard, "it is not compressed with Zstandard");
+    reader.take(8);  // position of the data format descriptor
+    const std::uint32_t values_offset = reader.number();
+    const std::uint32_t values_bytes = reader.number();
+    reader.take(16);  // position of the global data
+    GpuTexture texture{
+        .format = *format,
+        .width = static_cast<int>(width),
+        .height = static_cast<int>(height),
+        .is_array = layers > 0,
+        .layers = std::vector<std::vector<Bytes>>(std::max(layers, 1U), std::vector<Bytes>(levels)),
+        .text = {}};
+    read_values(part_of(content, values_offset, values_bytes), texture);
+    for (int level = 0; level < static_cast<int>(levels); ++level) {
+        const auto offset = reader.number<std::uint64_t>();
+        const auto bytes = reader.number<std::uint64_t>();
+        const auto uncompressed = reader.number<std::uint64_t>();
+        read_level(part_of(content, offset, bytes), level, uncompressed, texture);
+    }
+    return texture;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/file_io.h"
+#include "texgen/image/gpu_texture.h"
+
+#include <cstddef>
+#include <span>
+
+namespace foam::texgen {
+
+/// Returns a texture as a KTX 2.0 file (Khronos Texture), whose mip levels are compressed with
+/// Zstandard. The texts become key/value data. On one machine, equal textures give equal bytes.
+/// Throws OutputError if Zstandard fails.
+Bytes encode_ktx2(const GpuTexture& texture);
+
+/// Returns the texture in a KTX 2.0 file. Throws InputError if the stream is malformed or
+/// truncated, if its format is not one of PixelFormat, if it is a cube or a volume, if it is
+/// compressed by another scheme than Zstandard, and for an image above the limits in
+/// input_limits.h.
+GpuTexture decode_ktx2(std::span<const std::byte> content);
+
+}  // namespace foam::texgen

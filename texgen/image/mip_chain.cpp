@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/image/mip_chain.h"
+
+#include "texgen/image/color.h"
+#include "texgen/image/mip_level.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+// A level is computed from the level before it in floating point, and rounded to codes only for the
+// result, so that rounding errors do not add up. A level is kept as planes: images of one channel.
+// Colors with an opacity have a plane for each color, multiplied by the opacity, the opacity, and a
+// plane for each color that is not multiplied, for pixels that become completely transparent.
+
+namespace foam::texgen {
+
+namespace {
+
+using Planes = std::vector<Image<float>>;
+
+constexpr std::size_t kColors = 3;   // red, green and blue
+constexpr std::size_t kOpacity = 3;  // index of the channel and of the plane of the opacity
+
+template <class Code>
+constexpr float kLargest = static_cast<float>(std::numeric_limits<Code>::max());
+
+// The conversion between codes and the numbers that are averaged.
+template <class Code>
+struct Conversion {
+    TexelMeaning meaning;
+    bool color;                  // sRGB colors
+    std::size_t channels;        // of the picture
+    std::vector<float> light{};  // of each code, for colors
+
+    Conversion(const Picture& picture, TexelMeaning given)
+        : meaning(given),
+          color(picture.metadata.color),
+          channels(static_cast<std::size_t>(picture.groups.front().channels())) {
+        for (int code = 0; color && code <= std::numeric_limits<Code>::max(); ++code) {
+            light.push_back(static_cast<float>(
+                srgb_to_linear(code / static_cast<double>(std::numeric_limits<Code>::max()))));
+        }
+    }
+
+    bool has_opacity() const { return color && channels > kOpacity; }
+
+    float number(Code code, std::size_t channel) const {
+        if (color && channel < kColors) {
+            return light[code];
+        }
+        const float fraction = static_cast<float>(code) / kLargest<Code>;
+        return meaning == TexelMeaning::Normals ? 2.0F * fraction - 1.0F : fraction;
+    }
+    Code code(float number, std::size_t channel) const {
+        const double whole = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
+        const double fraction = color && channel < kColors ? linear_to_srgb(whole) : whole;
+        return static_cast<Code>(fraction * static_cast<double>(kLargest<Code>) + 0.5);
+    }
+};
+
+template <class Code>
+Planes planes_of(const Image<Code>& pixels, const Conversion<Code>& conversion) {
+    const std::size_t channels = conversion.channels;
+    Planes planes(conversion.has_opacity() ? channels + kColors : channels,
+                  Image<float>(pixels.width(), pixels.height(), 1));
+    const auto samples = pixels.samples();
+    for (std::size_t k = 0; k * channels < samples.size(); ++k) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            planes[c].samples()[k] = conversion.number(samples[channels * k + c], c);
+        }
+        for (std::size_t c = 0; conversion.has_opacity() && c < kColors; ++c) {
+            float& color = planes[c].samples()[k];
+            planes[channels + c].samples()[k] = color;
+            color *= planes[kOpacity].samples()[k];
+        }
+    }
+    return planes;
+}
+
+Planes halved(const Planes& planes) {
+    Planes smaller;
+    for (const Image<float>& plane : planes) {
+        smaller.push_back(mean_level(plane.view(), 0));
+    }
+    return smaller;
+}
+
+// Returns the numbers of a pixel that are stored: unit vectors, and colors that are not multiplied
+// by the opacity.
+template <class Code>
+std::array<float, 4> stored_numbers(const Planes& planes,
+                                    std::size_t k,
+                                    const Conversion<Code>& conversion) {
+    std::array<float, 4> numbers{};
+    for (std::size_t c = 0; c < conversion.channels; ++c) {
+        numbers[c] = planes[c].samples()[k];
+    }
+    if (conversion.meaning == TexelMeaning::Normals) {
+        const float length =
+            std::sqrt(numbers[0] * numbers[0] + numbers[1] * numbers[1] + numbers[2] * numbers[2]);
+        for (std::size_t c = 0; c < kColors; ++c) {
+            const float component = length > 0.0F ? numbers[c] / length : (c == 2 ? 1.0F : 0.0F);
+            numbers[c] = 0.5F * component + 0.5F;
+        }
+    }
+    for (std::size_t c = 0; conversion.has_opacity() && c < kColors; ++c) {
+        numbers[c] = numbers[kOpacity] > 0.0F ? numbers[c] / numbers[kOpacity]
+                                              : planes[conversion.channels + c].samples()[k];
+    }
+    return numbers;
+}
+
+template <class Code>
+Image<Code> codes_of(const Planes& planes, const Conversion<Code>& conversion) {
+    const Image<float>& first = planes.front();
+    Image<Code> codes(first.width(), first.height(), static_cast<int>(conversion.channels));
+    const auto samples = codes.samples();
+    for (std::size_t k = 0; k < first.samples().size(); ++k) {
+        const std::array<float, 4> numbers = stored_numbers(planes, k, conversion);
+        for (std::size_t c = 0; c < conversion.channels; ++c) {
+            samples[conversion.channels * k + c] = conversion.code(numbers[c], c);
+        }
+    }
+    return codes;
+}
+
+bool is_smallest(const Picture& level) {
+    return level.width() == 1 && level.height() == 1;
+}
+
+Picture picture_like(const Picture& picture, Samples samples) {
+    const ChannelGroup& group = picture.groups.front();
+    return {{{group.names, group.type, std::move(samples)}}, picture.metadata};
+}
+
+template <class Code>
+void add_means(const Image<Code>& pixels, TexelMeaning meaning, std::vector<Picture>& levels) {
+    const Conversion<Code> conversion(levels.front(), meaning);
+    Planes planes;
+    while (!is_smallest(levels.back())) {
+        planes = halved(planes.empty() ? planes_of(pixels, conversion) : planes);
+        levels.push_back(picture_like(levels.front(), codes_of(planes, conversion)));
+    }
+}
+
+template <class Code>
+void add_centers(const Image<Code>& pixels, std::vector<Picture>& levels) {
+    const auto channels = static_cast<std::size_t>(pixels.channels());
+    std::vector<Image<std::uint32_t>> planes(
+        channels, Image<std::uint32_t>(pixels.width(), pixels.height(), 1));
+    for (std::size_t k = 0; k < pixels.samples().size(); ++k) {
+        planes[k % channels].samples()[k / channels] = pixels.samples()[k];
+    }
+    while (!is_smallest(levels.back())) {
+        for (Image<std::uint32_t>& plane : planes) {
+            plane = central_level(plane.view(), 0);
+        }
+        Image<Code> codes(planes.front().width(), planes.front().height(), pixels.channels());
+        for (std::size_t k = 0; k < codes.samples().size(); ++k) {
+            codes.samples()[k] = static_cast<Code>(planes[k % channels].samples()[k / channels]);
+        }
+        levels.push_back(picture_like(levels.front(), std::move(codes)));
+    }
+}
+
+}  // namespace
+
+std::vector<Picture> mip_chain(const Picture& picture, TexelMeaning meaning) {
+    std::vector<Picture> levels = {picture};
+    std::visit(
+        [&]<class Code>(const Image<Code>& pixels) {
+            if constexpr (std::is_same_v<Code, std::uint8_t> ||
+                          std::is_same_v<Code, std::uint16_t>) {
+                if (meaning == TexelMeaning::Ids) {
+                    add_centers(pixels, levels);
+                } else {
+                    add_means(pixels, meaning, levels);
+                }
+            }
+        },
+        picture.groups.front().samples);
+    return levels;
+}
+
+}  // namespace foam::texgen

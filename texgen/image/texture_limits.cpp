@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/image/texture_limits.h"
+
+#include "texgen/image/file_io.h"
+#include "texgen/image/input_limits.h"
+#include "texgen/image/pixel_format.h"
+
+#include <fmt/core.h>
+
+namespace foam::texgen {
+
+void check_texture_size(std::string_view format,
+                        std::uint32_t width,
+                        std::uint32_t height,
+                        std::uint32_t levels,
+                        std::uint32_t layers) {
+    if (width == 0 || height == 0) {
+        throw InputError(fmt::format("malformed {}: the image has no pixels", format));
+    }
+    if (width > kMaxImageExtent || height > kMaxImageExtent ||
+        static_cast<std::int64_t>(width) * height > kMaxImagePixels) {
+        throw InputError(
+            fmt::format("the image is {} x {} pixels, more than foamtex reads", width, height));
+    }
+    const int most = full_level_count(static_cast<int>(width), static_cast<int>(height));
+    if (levels == 0 || levels > static_cast<std::uint32_t>(most)) {
+        throw InputError(
+            fmt::format("malformed {}: it has {} mip levels, but {} x {} pixels have 1 to {}",
+                        format,
+                        levels,
+                        width,
+                        height,
+                        most));
+    }
+    if (layers == 0 || layers > kMostLayers) {
+        throw InputError(fmt::format("malformed {}: the number of layers, {}, is not from 1 to {}",
+                                     format,
+                                     layers,
+                                     kMostLayers));
+    }
+}
+
+}  // namespace foam::texgen

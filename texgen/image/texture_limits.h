@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// The largest number of layers of an array texture, as in Direct3D 11.
+inline constexpr std::uint32_t kMostLayers = 2048;
+
+/// Checks the sizes in the header of a texture before memory is allocated for its images. Throws
+/// InputError if an extent or a number is 0, if the image is above the limits in input_limits.h, if
+/// the mip levels do not fit the size, or if there are too many layers. `format` is the name of the
+/// file format for the message.
+void check_texture_size(std::string_view format,
+                        std::uint32_t width,
+                        std::uint32_t height,
+                        std::uint32_t levels,
+                        std::uint32_t layers);
+
+}  // namespace foam::texgen

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/sheet/array_files.h"
+
+#include "texgen/image/texture_file.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/sheet/map_frame.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+// Returns the meaning of the samples of a map. Other versions of foamtex may have baked a map that
+// this version does not have.
+TexelMeaning meaning_of(const ManifestMap& map) {
+    if (map.samples && map.samples->kind == "id") {
+        return TexelMeaning::Ids;
+    }
+    const auto maps = all_maps();
+    const auto known = std::ranges::find(maps, map.name, &Map::name);
+    const bool is_normal = known != maps.end() && known->mixing == Mixing::Slopes;
+    return is_normal ? TexelMeaning::Normals : TexelMeaning::Numbers;
+}
+
+GpuEncoding encoding_of(const ManifestMap& map) {
+    const bool is_padded = map.samples && map.samples->channels.ends_with(" 0");
+    return {.meaning = meaning_of(map), .used_channels = is_padded ? 2 : 0, .threads = 0};
+}
+
+GpuTexture texture_in(const MapFile& file, const ManifestMap& map) {
+    if (const TextureFormat* const format = find_texture_format(file.path.string())) {
+        return format->decode(read_file(file.path, kImageInput));
+    }
+    const Picture picture = read_map_frame(file, map.name);
+    if (!picture.groups.front().has_codes()) {
+        throw InputError(fmt::format(
+            "'{}' stores floating-point numbers, but an array needs integers; bake PNG files",
+            file.path.string()));
+    }
+    return texture_of(picture, encoding_of(map));
+}
+
+// Throws InputError if a frame does not fit the first frame.
+void check_same(const GpuTexture& frame, const GpuTexture& array, const MapFile& file) {
+    if (frame.format != array.format || frame.width != array.width ||
+        frame.height != array.height || frame.levels() != array.levels() ||
+        frame.layers.size() != 1) {
+        throw InputError(fmt::format(
+            "'{}' is a texture of {} x {} in {} with {} mip levels, but the first frame "
+            "is one of {} x {} in {} with {}",
+            file.path.string(),
+            frame.width,
+            frame.height,
+            facts_of(frame.format).name,
+            frame.levels(),
+            array.width,
+            array.height,
+            facts_of(array.format).name,
+            array.levels()));
+    }
+}
+
+}  // namespace
+
+StagedFile stage_array(const MapSequence& sequence,
+                       const std::filesystem::path& path,
+                       ProgressMeter& progress) {
+    make_folders(path.parent_path());
+    GpuTexture array = texture_in(sequence.files.front(), sequence.map);
+    array.is_array = true;
+    for (std::size_t k = 1; k < sequence.files.size(); ++k) {
+        progress.add();
+        GpuTexture frame = texture_in(sequence.files[k], sequence.map);
+        check_same(frame, array, sequence.files[k]);
+        array.opaque = array.opaque && frame.opaque;
+        array.layers.push_back(std::move(frame.layers.front()));
+    }
+    StagedFile staged(path, find_texture_format(path.string())->encode(array));
+    progress.add();
+    return staged;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/animation/progress_meter.h"
+#include "texgen/image/file_io.h"
+#include "texgen/sheet/map_sequence.h"
+
+#include <filesystem>
+
+namespace foam::texgen {
+
+/// Reads the frames of a map and stages a file of an array texture, which has a layer with all mip
+/// levels for each frame (GpuTexture). The suffix of `path` is that of a TextureFormat. Frames that
+/// are textures themselves are copied without any change.
+/// Frames of codes, such as PNGs, are encoded as texture_of does, on all threads. The memory
+/// contains the whole array, the encoded file and one frame. `progress` counts each frame; the last
+/// frame counts when the file has been written.
+///
+/// Throws InputError if a file cannot be read, if its size or its format differs from that of the
+/// first frame, or if its samples are not codes. Throws OutputError if the array cannot be written.
+StagedFile stage_array(const MapSequence& sequence,
+                       const std::filesystem::path& path,
+                       ProgressMeter& progress);
+
+}  // namespace foam::texgen
