@@ -20,7 +20,7 @@ namespace {
 using namespace bc7;  // NOLINT(google-build-using-namespace): the facts about the modes
 
 // The sum of squared errors of a block up to which mode 1 is not tried.
-constexpr float kGoodEnough = 16.0F;
+constexpr float kGoodEnough = 24.0F;
 
 // Exchanges the endpoints if the highest bit of the index of the anchor texel is set, because this
 // bit is not stored.

@@ -5,9 +5,9 @@
 #include "texgen/blocks/bc7_modes.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cstddef>
-#include <utility>
+#include <limits>
 
 // The sum of the squared distances from the principal axis is the trace of the scatter matrix minus
 // its largest eigenvalue. The scatter matrix of a subset follows from sums over its texels. Those
@@ -17,37 +17,53 @@ namespace foam::texgen::bc7 {
 
 namespace {
 
-// The sums of an opaque subset from which the scatter matrix of its colors follows: the components,
-// then the products rr, rg, rb, gg, gb and bb, then the number of texels.
-using Sums = std::array<float, 12>;
+// A number for each partition. Loops over partitions are vectorized by the compiler.
+using PerPartition = std::array<float, kPartitions>;
 
-std::array<Sums, kBlockTexels> terms_of(const Colors& colors) {
-    std::array<Sums, kBlockTexels> terms{};
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-        const auto& [r, g, b, a] = colors.texels[k];
-        terms[k] = {r, g, b, r * r, r * g, r * b, g * g, g * b, b * b, 1.0F};
-    }
-    return terms;
+// The sums of an opaque subset from which the scatter matrix of its colors follows.
+constexpr std::size_t kSums = 10;
+enum Sum : std::size_t { kCount, kR, kG, kB, kRR, kRG, kRB, kGG, kGB, kBB };
+using Sums = std::array<float, kSums>;
+
+Sums terms_of(const Color& color) {
+    const auto [r, g, b, a] = color;
+    return {1.0F, r, g, b, r * r, r * g, r * b, g * g, g * b, b * b};
 }
 
-// Returns the sum of the squared distances of the colors of a subset from their principal axis. Two
-// steps of power iteration are enough to compare partitions.
-float residual_of(const Sums& sums) {
-    const float scale = 1.0F / sums[9];
-    const float rr = sums[3] - sums[0] * sums[0] * scale;
-    const float rg = sums[4] - sums[0] * sums[1] * scale;
-    const float rb = sums[5] - sums[0] * sums[2] * scale;
-    const float gg = sums[6] - sums[1] * sums[1] * scale;
-    const float gb = sums[7] - sums[1] * sums[2] * scale;
-    const float bb = sums[8] - sums[2] * sums[2] * scale;
-    const float trace = rr + gg + bb;
-    if (trace < 1e-3F) {
-        return 0.0F;
+// For each texel and each partition: 1 if the texel is in the second subset, otherwise 0.
+using Memberships = std::array<PerPartition, kBlockTexels>;
+
+constexpr Memberships make_memberships() {
+    Memberships memberships{};
+    for (std::size_t texel = 0; texel < memberships.size(); ++texel) {
+        for (std::size_t k = 0; k < kPartitionMasks.size(); ++k) {
+            memberships[texel][k] = (kPartitionMasks[k] >> texel & 1U) != 0 ? 1.0F : 0.0F;
+        }
     }
-    const float unit = 1.0F / trace;
-    float x = rr >= gg && rr >= bb ? rr : gg >= bb ? rg : rb;
-    float y = rr >= gg && rr >= bb ? rg : gg >= bb ? gg : gb;
-    float z = rr >= gg && rr >= bb ? rb : gg >= bb ? gb : bb;
+    return memberships;
+}
+
+constexpr Memberships kMemberships = make_memberships();
+
+// Returns the sum of the squared distances of the colors of a subset from their principal axis. Two
+// steps of power iteration, which begins with the column of the largest variance, are enough to
+// compare partitions. The vector is scaled by the trace, so that its numbers do not overflow.
+inline float residual_of(const Sums& sums) {
+    const float scale = 1.0F / sums[kCount];
+    const float rr = sums[kRR] - sums[kR] * sums[kR] * scale;
+    const float rg = sums[kRG] - sums[kR] * sums[kG] * scale;
+    const float rb = sums[kRB] - sums[kR] * sums[kB] * scale;
+    const float gg = sums[kGG] - sums[kG] * sums[kG] * scale;
+    const float gb = sums[kGB] - sums[kG] * sums[kB] * scale;
+    const float bb = sums[kBB] - sums[kB] * sums[kB] * scale;
+    const float trace = rr + gg + bb;
+    constexpr float kTiny = 1e-3F;  // avoids divisions by 0 if all colors are equal
+    const float unit = 1.0F / (trace + kTiny);
+    const bool red = rr >= gg && rr >= bb;
+    const bool green = gg >= bb;
+    float x = (red ? rr : green ? rg : rb) * unit;
+    float y = (red ? rg : green ? gg : gb) * unit;
+    float z = (red ? rb : green ? gb : bb) * unit;
     for (int k = 0; k < 2; ++k) {
         const float next_x = (rr * x + rg * y + rb * z) * unit;
         const float next_y = (rg * x + gg * y + gb * z) * unit;
@@ -59,40 +75,47 @@ float residual_of(const Sums& sums) {
     const float square = x * x + y * y + z * z;
     const float product = x * (rr * x + rg * y + rb * z) + y * (rg * x + gg * y + gb * z) +
                           z * (rb * x + gb * y + bb * z);
-    return square > 0.0F ? std::max(trace - product / square, 0.0F) : trace;
+    constexpr float kSmallest = 1e-30F;
+    const float residual = trace - product / (square + kSmallest);
+    return residual > 0.0F ? residual : 0.0F;
+}
+
+// Returns the sum of the residuals of both subsets of every partition.
+PerPartition residuals_of(const Colors& colors) {
+    Sums all{};
+    std::array<PerPartition, kSums> second{};
+    for (std::size_t texel = 0; texel < colors.texels.size(); ++texel) {
+        const Sums terms = terms_of(colors.texels[texel]);
+        const PerPartition& members = kMemberships[texel];
+        for (std::size_t c = 0; c < kSums; ++c) {
+            all[c] += terms[c];
+            for (std::size_t k = 0; k < members.size(); ++k) {
+                second[c][k] += terms[c] * members[k];
+            }
+        }
+    }
+    PerPartition residuals{};
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+        Sums ones{};
+        Sums others{};
+        for (std::size_t c = 0; c < kSums; ++c) {
+            ones[c] = second[c][k];
+            others[c] = all[c] - second[c][k];
+        }
+        residuals[k] = residual_of(ones) + residual_of(others);
+    }
+    return residuals;
 }
 
 }  // namespace
 
 std::array<int, kTriedPartitions> best_partitions(const Colors& colors) {
-    const std::array<Sums, kBlockTexels> terms = terms_of(colors);
-    Sums all{};
-    for (const Sums& term : terms) {
-        for (std::size_t c = 0; c < all.size(); ++c) {
-            all[c] += term[c];
-        }
-    }
-    std::array<std::pair<float, int>, kPartitions> order;
-    for (int partition = 0; partition < kPartitions; ++partition) {
-        Sums second{};
-        for (unsigned rest = kPartitionMasks[static_cast<std::size_t>(partition)]; rest != 0;
-             rest &= rest - 1) {
-            const Sums& term = terms[static_cast<std::size_t>(std::countr_zero(rest))];
-            for (std::size_t c = 0; c < all.size(); ++c) {
-                second[c] += term[c];
-            }
-        }
-        Sums first{};
-        for (std::size_t c = 0; c < all.size(); ++c) {
-            first[c] = all[c] - second[c];
-        }
-        order[static_cast<std::size_t>(partition)] = {residual_of(first) + residual_of(second),
-                                                      partition};
-    }
-    std::partial_sort(order.begin(), order.begin() + kTriedPartitions, order.end());
+    PerPartition residuals = residuals_of(colors);
     std::array<int, kTriedPartitions> best{};
-    for (std::size_t k = 0; k < best.size(); ++k) {
-        best[k] = order[k].second;
+    for (int& partition : best) {
+        const auto smallest = std::ranges::min_element(residuals);
+        partition = static_cast<int>(smallest - residuals.begin());
+        *smallest = std::numeric_limits<float>::infinity();
     }
     return best;
 }

@@ -6,13 +6,33 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 namespace foam::texgen {
 
 namespace {
+
+using Encoding = std::array<std::uint8_t, 65536>;
+
+// A value has the code k if it is below the light with the encoding (k + 1/2) / 255, but not below
+// the light with the encoding (k - 1/2) / 255.
+Encoding make_srgb_encoding() {
+    constexpr double kWhite = 65535.0;
+    Encoding encoding{};
+    std::size_t value = 0;
+    for (int code = 0; code < 256; ++code) {
+        const double end =
+            code < 255 ? srgb_to_linear((code + 0.5) / 255.0) * kWhite : kWhite + 1.0;
+        for (; value < encoding.size() && static_cast<double>(value) < end; ++value) {
+            encoding[value] = static_cast<std::uint8_t>(code);
+        }
+    }
+    return encoding;
+}
 
 // The end of the linear segment of the sRGB transfer function, as an encoded value and as linear
 // light.
@@ -42,6 +62,11 @@ double srgb_to_linear(double encoded) {
 
 double linear_to_srgb(double linear) {
     return linear <= kToeLinear ? 12.92 * linear : 1.055 * ieee::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+std::span<const std::uint8_t, 65536> srgb_codes_of_light() {
+    static const Encoding encoding = make_srgb_encoding();
+    return encoding;
 }
 
 LinearRgb to_linear(Srgb8 color) {

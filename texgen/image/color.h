@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace foam::texgen {
@@ -30,6 +31,10 @@ struct Srgb8 {
 /// 61966-2-1. Arguments and results are in [0, 1].
 double srgb_to_linear(double encoded);
 double linear_to_srgb(double linear);
+
+/// Returns the 8-bit sRGB code of every 16-bit value of linear light, of which 65535 is white. A
+/// value has the code k if its sRGB encoding rounds to k.
+std::span<const std::uint8_t, 65536> srgb_codes_of_light();
 
 /// Returns the color in linear light.
 LinearRgb to_linear(Srgb8 color);

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -36,8 +37,9 @@ constexpr float kLargest = static_cast<float>(std::numeric_limits<Code>::max());
 template <class Code>
 struct Conversion {
     TexelMeaning meaning;
-    bool color;                  // sRGB colors
-    std::size_t channels;        // of the picture
+    bool color;            // sRGB colors
+    std::size_t channels;  // of the picture
+    std::span<const std::uint8_t, 65536> codes = srgb_codes_of_light();
     std::vector<float> light{};  // of each code, for colors
 
     Conversion(const Picture& picture, TexelMeaning given)
@@ -61,7 +63,11 @@ struct Conversion {
     }
     Code code(float number, std::size_t channel) const {
         const double whole = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
-        const double fraction = color && channel < kColors ? linear_to_srgb(whole) : whole;
+        const bool is_light = color && channel < kColors;
+        if (is_light && sizeof(Code) == 1) {
+            return static_cast<Code>(codes[static_cast<std::size_t>(whole * 65535.0 + 0.5)]);
+        }
+        const double fraction = is_light ? linear_to_srgb(whole) : whole;
         return static_cast<Code>(fraction * static_cast<double>(kLargest<Code>) + 0.5);
     }
 };

@@ -14,29 +14,6 @@ namespace foam::texgen {
 
 namespace {
 
-using Encoding = std::array<std::uint8_t, 65536>;
-
-// Returns a table of the 8-bit sRGB code of every 16-bit value of linear light. A value has the
-// code k if its sRGB encoding rounds to k: if the value is below the light with the encoding
-// (k + 1/2) / 255, but not below the light with the encoding (k - 1/2) / 255.
-Encoding make_srgb_encoding() {
-    Encoding encoding{};
-    std::size_t value = 0;
-    for (int code = 0; code < 256; ++code) {
-        const double end =
-            code < 255 ? srgb_to_linear((code + 0.5) / 255.0) * kWhite : kWhite + 1.0;
-        for (; value < encoding.size() && static_cast<double>(value) < end; ++value) {
-            encoding[value] = static_cast<std::uint8_t>(code);
-        }
-    }
-    return encoding;
-}
-
-const Encoding& srgb_encoding() {
-    static const Encoding encoding = make_srgb_encoding();
-    return encoding;
-}
-
 // Returns the 8-bit code nearest to a 16-bit opacity. 65535 is 257 times 255.
 std::uint8_t opacity_code(std::uint32_t opacity) {
     return static_cast<std::uint8_t>((opacity + 128) / 257);
@@ -84,7 +61,7 @@ CodedImage data_codes(const MapImage& map) {
 }  // namespace
 
 Image<std::uint8_t> srgb_codes(const ColorPixels& colors) {
-    const Encoding& encoding = srgb_encoding();
+    const auto encoding = srgb_codes_of_light();
     const Image<std::uint16_t>& from = colors.pixels;
     Image<std::uint8_t> codes(from.width(), from.height(), from.channels());
     const auto light = from.samples();

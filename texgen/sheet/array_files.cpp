@@ -2,6 +2,7 @@
 
 #include "texgen/sheet/array_files.h"
 
+#include "core/parallel/parallel_for.h"
 #include "texgen/image/texture_file.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/sheet/map_frame.h"
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -31,7 +33,7 @@ TexelMeaning meaning_of(const ManifestMap& map) {
 
 GpuEncoding encoding_of(const ManifestMap& map) {
     const bool is_padded = map.samples && map.samples->channels.ends_with(" 0");
-    return {.meaning = meaning_of(map), .used_channels = is_padded ? 2 : 0, .threads = 0};
+    return {.meaning = meaning_of(map), .used_channels = is_padded ? 2 : 0};
 }
 
 GpuTexture texture_in(const MapFile& file, const ManifestMap& map) {
@@ -75,13 +77,17 @@ StagedFile stage_array(const MapSequence& sequence,
     make_folders(path.parent_path());
     GpuTexture array = texture_in(sequence.files.front(), sequence.map);
     array.is_array = true;
-    for (std::size_t k = 1; k < sequence.files.size(); ++k) {
+    array.layers.resize(sequence.files.size());
+    std::vector<char> opaque(sequence.files.size(), array.opaque ? 1 : 0);
+    parallel_for(static_cast<int>(sequence.files.size()) - 1, 0, [&](int k) {
+        const auto layer = static_cast<std::size_t>(k) + 1;
+        GpuTexture frame = texture_in(sequence.files[layer], sequence.map);
+        check_same(frame, array, sequence.files[layer]);
+        opaque[layer] = frame.opaque ? 1 : 0;
+        array.layers[layer] = std::move(frame.layers.front());
         progress.add();
-        GpuTexture frame = texture_in(sequence.files[k], sequence.map);
-        check_same(frame, array, sequence.files[k]);
-        array.opaque = array.opaque && frame.opaque;
-        array.layers.push_back(std::move(frame.layers.front()));
-    }
+    });
+    array.opaque = std::ranges::all_of(opaque, [](char is_opaque) { return is_opaque != 0; });
     StagedFile staged(path, find_texture_format(path.string())->encode(array));
     progress.add();
     return staged;

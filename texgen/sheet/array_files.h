@@ -13,9 +13,9 @@ namespace foam::texgen {
 /// Reads the frames of a map and stages a file of an array texture, which has a layer with all mip
 /// levels for each frame (GpuTexture). The suffix of `path` is that of a TextureFormat. Frames that
 /// are textures themselves are copied without any change.
-/// Frames of codes, such as PNGs, are encoded as texture_of does, on all threads. The memory
-/// contains the whole array, the encoded file and one frame. `progress` counts each frame; the last
-/// frame counts when the file has been written.
+/// Frames of codes, such as PNGs, are encoded as texture_of does, several frames at once on
+/// all threads. The memory contains the whole array, the encoded file and one frame per thread.
+/// `progress` counts each frame; the last frame counts when the file has been written.
 ///
 /// Throws InputError if a file cannot be read, if its size or its format differs from that of the
 /// first frame, or if its samples are not codes. Throws OutputError if the array cannot be written.
