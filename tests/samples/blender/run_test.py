@@ -6,7 +6,7 @@ import unittest
 
 import support
 from model.fault import Fault
-from model.run import BakeOptions, Progress, Run, bake_command, error_of, read_progress
+from model.run import BakeOptions, Progress, Run, bake_command, error_of, preset_names, read_progress
 
 
 class Command(unittest.TestCase):
@@ -81,6 +81,16 @@ class RunOfAProgram(support.FolderTest):
         run.wait(30)
         with self.assertRaisesRegex(Fault, "^cancelled$"):
             run.manifest()
+
+
+class PresetNames(unittest.TestCase):
+    def test_without_a_program(self):
+        self.assertEqual(preset_names("/no/foamtex"), [])
+        self.assertEqual(preset_names("true"), [])
+
+    @support.needs_program
+    def test_of_the_program(self):
+        self.assertIn("sea_foam", preset_names(support.PROGRAM))
 
 
 @support.needs_program

@@ -12,6 +12,7 @@ import threading
 
 from .fault import Fault
 
+NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # only Windows would open one
 PHASES = {  # what a user reads while a phase lasts
     "seeding": "placing bubbles",
     "equilibrium": "finding the first equilibrium",
@@ -94,7 +95,7 @@ class Run:
         try:
             self._process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=self._results, stderr=subprocess.PIPE, text=True,
-                encoding="utf-8", errors="replace", creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
+                encoding="utf-8", errors="replace", creationflags=NO_WINDOW)
         except OSError as error:
             self._results.close()
             raise Fault(f"cannot run '{command[0]}': {error.strerror}; set the path of foamtex in the panel") from error
@@ -137,3 +138,13 @@ class Run:
         if code != 0:
             raise Fault("cancelled" if self._cancelled else error_of(self._lines, code))
         return pathlib.Path(json.loads(text)["manifest"])
+
+
+def preset_names(program):
+    """Returns the names of the shipped presets, or no names if the program does not run."""
+    try:
+        found = subprocess.run([program, "presets", "--json"], stdin=subprocess.DEVNULL, capture_output=True, timeout=10,
+                               check=True, encoding="utf-8", creationflags=NO_WINDOW)
+        return [preset["name"] for preset in json.loads(found.stdout)["presets"]]
+    except (OSError, subprocess.SubprocessError, ValueError, KeyError):
+        return []
