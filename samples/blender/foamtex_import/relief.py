@@ -27,7 +27,7 @@ def add_normal(builder):
 def _combined(builder, channels):
     """Returns a color with the numbers of channels. A missing third number stays 0.5, the code of z = 0."""
     node = builder.node("ShaderNodeCombineXYZ", "work")
-    node.inputs[2].default_value = 0.0 if not channels[0].images.is_codes else 0.5
+    node.inputs[2].default_value = 0.5
     for channel, socket in zip(channels, node.inputs):
         builder.link(builder.number(channel), socket)
     return node.outputs[0]

@@ -80,6 +80,17 @@ class Packed(PlanTest):
         plan = self.plan([support.map_entry("orm", packed=["occlusion", "roughness", "0"]), "roughness"])
         self.assertEqual(plan.numbers["roughness"].images.name, "roughness")
 
+    def test_colors_with_a_number_in_alpha(self):
+        packed = support.map_entry("bcr", color_space="sRGB", packed=["albedo.R", "albedo.G", "albedo.B", "1-roughness"])
+        plan = self.plan([packed, "lit"])
+        self.assertEqual(plan.color.name, "bcr")
+        self.assertEqual(plan.numbers, {"roughness": Channel(plan.color, 3, inverted=True)})
+        self.assertFalse(plan.alpha_of_color)
+
+    def test_codes_of_packed_normals_are_not_signed(self):
+        packed = support.map_entry("nh", type="float", packed=["normal.X", "normal.Y", "height"])
+        self.assertFalse(self.plan([packed]).normal.signed)
+
     def test_normals(self):
         for packed, indices in ((["normal.X", "normal.Y", "height"], [0, 1]),
                                 (["roughness", "normal.Y", "0", "normal.X"], [3, 1]),

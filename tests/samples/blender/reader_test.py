@@ -121,7 +121,7 @@ class RealBakes(support.FolderTest):
 class Flipbooks(support.FolderTest):
     def test_texture_arrays_alone_are_rejected(self):
         book = {"format": "foamtex-flipbook", "version": 1, "frame_numbers": "1-4", "frames": 4,
-                "layout": {"uv": {}}, "images": [{"file": "a.dds", "map": "albedo"}]}
+                "layout": {"frame_size": [8, 8], "layers": 4}, "images": [{"file": "a.dds", "map": "albedo"}]}
         with self.assertRaisesRegex(Fault, "cannot read texture arrays"):
             read_bake(self.write_json("a_sheet.json", book))
 

@@ -24,7 +24,10 @@ class Channel:
 
 @dataclasses.dataclass(frozen=True)
 class Normal:
-    """Normals in an image (`images`), or in two or three channels of packed images (`channels`)."""
+    """Normals in an image (`images`), or in two or three channels of packed images (`channels`).
+
+    Packed images contain codes from 0 to 1, even in an EXR.
+    """
 
     y_down: bool
     signed: bool = False  # True if the image contains numbers from -1 to 1 instead of codes from 0 to 1
@@ -52,7 +55,7 @@ class Plan:
 
         A color that is multiplied by its alpha must be divided by the same alpha, so the map opacity is not used then.
         """
-        if self.color is None or self.color.alpha == "none":
+        if self.color is None or self.color.packed or self.color.alpha == "none":
             return False
         return self.color.alpha == "premultiplied" or "opacity" not in self.numbers
 
@@ -73,8 +76,8 @@ def plan_material(bake, maps=None, cyclic=None):
     """
     chosen = _chosen_maps(bake, maps)
     plan = Plan(bake)
-    plan.color = next((chosen[name] for name in COLOR_MAPS if name in chosen), None)
-    plan.emission = chosen.get("emission")
+    plan.color = next(filter(None, (_color_of(name, chosen) for name in COLOR_MAPS)), None)
+    plan.emission = _color_of("emission", chosen)
     plan.normal = _normal_of(bake, chosen)
     sources = {name: _number_of(name, chosen) for name in NUMBER_MAPS}
     plan.numbers = {name: source for name, source in sources.items() if source is not None}
@@ -93,6 +96,14 @@ def _chosen_maps(bake, maps):
     if unknown:
         raise bake.fault(f"no map '{unknown[0]}'; the maps are {', '.join(bake.maps)}")
     return {name: images for name, images in bake.maps.items() if name in maps}
+
+
+def _color_of(name, maps):
+    """Returns the image of a map of colors, which may be a packed image with a number in its alpha channel, or None."""
+    if name in maps:
+        return maps[name]
+    rgb = tuple(f"{name}.{channel}" for channel in "RGB")
+    return next((images for images in maps.values() if images.packed[:3] == rgb), None)
 
 
 def _number_of(name, maps):
@@ -140,8 +151,7 @@ def _normal_of(bake, maps):
     for name in NORMAL_MAPS:
         channels = tuple(_packed_channel(f"{name}.{axis}", maps) for axis in AXES)
         if channels[0] and channels[1]:
-            return Normal(_points_down(bake, name), signed=not channels[0].images.is_codes,
-                          channels=tuple(channel for channel in channels if channel))
+            return Normal(_points_down(bake, name), channels=tuple(channel for channel in channels if channel))
     return None
 
 

@@ -115,11 +115,10 @@ def _bubble_diameter(foam, size):
 
 
 def _bake_of_flipbook(path, book):
-    numbers = tuple(parse_frames(book["frame_numbers"]))
-    uv = book["layout"]["uv"]
     maps = [_map_of_sheet(path, image) for image in book["images"] if _is_readable(image["file"])]
     if not maps:
         raise Fault(f"'{path}': Blender cannot read texture arrays; make sheets of PNG or EXR files")
+    uv = book["layout"]["uv"]
     return Bake(
         source=path,
         preset=book["preset"],
@@ -132,7 +131,7 @@ def _bake_of_flipbook(path, book):
         period=book["frames"] if book["loop"]["closes"] else 0,
         maps={images.name: images for images in maps},
         sheet=SheetLayout(book["layout"]["columns"], tuple(uv["cell"]), tuple(uv["inset"]), tuple(uv["frame"])),
-        sheet_frames=numbers)
+        sheet_frames=tuple(parse_frames(book["frame_numbers"])))
 
 
 def _map_of_sheet(path, image):
