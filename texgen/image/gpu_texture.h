@@ -17,7 +17,7 @@ namespace foam::texgen {
 
 /// The maps that are compressed in blocks of 4 x 4 texels, as graphics hardware reads them.
 enum class BlockCompression {
-    Auto,  // images of 8 bits, except ids
+    Auto,  // images of 8 bits, except ids, whose width and height are multiples of 4
     None,  // no image
 };
 
@@ -58,7 +58,8 @@ struct GpuTexture {
 /// | two used channels | Bc7 | Rgba8 | Rg16 |
 /// | other data | Bc7 | Rgba8 | Rgba16 |
 ///
-/// Ids are not compressed.
+/// Ids are not compressed, and neither is a picture whose width or height is no multiple of 4,
+/// because Direct3D does not allow this.
 PixelFormat pixel_format_of(const Picture& picture, const GpuEncoding& encoding);
 
 /// Returns a texture of one layer that stores a picture. Throws std::invalid_argument unless the

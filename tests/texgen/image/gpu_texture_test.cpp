@@ -43,6 +43,8 @@ TEST(GpuTexture, TheFormatFollowsFromThePicture) {
     EXPECT_EQ(pixel_format_of(data, none), PixelFormat::Rgba8);
     EXPECT_EQ(pixel_format_of(gray, {}), PixelFormat::Bc4);
     EXPECT_EQ(pixel_format_of(gray, ids), PixelFormat::R8);
+    EXPECT_EQ(pixel_format_of(ramp<std::uint8_t>(6, 4, 3, true), {}), PixelFormat::Rgba8Srgb);
+    EXPECT_EQ(pixel_format_of(ramp<std::uint8_t>(4, 5, 1), {}), PixelFormat::R8);
     EXPECT_EQ(pixel_format_of(ramp<std::uint16_t>(4, 4, 1), {}), PixelFormat::R16);
     EXPECT_EQ(pixel_format_of(ramp<std::uint16_t>(4, 4, 3), {}), PixelFormat::Rgba16);
     EXPECT_EQ(pixel_format_of(ramp<std::uint16_t>(4, 4, 3), {.used_channels = 2}),
