@@ -26,7 +26,7 @@ std::array<int, 8> palette_of(int first, int second) {
     std::array<int, 8> palette = {first, second, 0, 0, 0, 0, 0, 255};
     const int steps = first > second ? 7 : 5;
     for (int k = 1; k < steps; ++k) {
-        palette[static_cast<std::size_t>(k + 1)] =
+        palette[static_cast<std::size_t>(k) + 1] =
             ((steps - k) * first + k * second + steps / 2) / steps;
     }
     return palette;

@@ -21,8 +21,18 @@ namespace {
 using PerPartition = std::array<float, kPartitions>;
 
 // The sums of an opaque subset from which the scatter matrix of its colors follows.
+// The first is the number of texels, then come the components and their products.
 constexpr std::size_t kSums = 10;
-enum Sum : std::size_t { kCount, kR, kG, kB, kRR, kRG, kRB, kGG, kGB, kBB };
+constexpr std::size_t kCount = 0;
+constexpr std::size_t kR = 1;
+constexpr std::size_t kG = 2;
+constexpr std::size_t kB = 3;
+constexpr std::size_t kRR = 4;
+constexpr std::size_t kRG = 5;
+constexpr std::size_t kRB = 6;
+constexpr std::size_t kGG = 7;
+constexpr std::size_t kGB = 8;
+constexpr std::size_t kBB = 9;
 using Sums = std::array<float, kSums>;
 
 Sums terms_of(const Color& color) {
@@ -113,7 +123,7 @@ std::array<int, kTriedPartitions> best_partitions(const Colors& colors) {
     PerPartition residuals = residuals_of(colors);
     std::array<int, kTriedPartitions> best{};
     for (int& partition : best) {
-        const auto smallest = std::ranges::min_element(residuals);
+        auto* const smallest = std::ranges::min_element(residuals);
         partition = static_cast<int>(smallest - residuals.begin());
         *smallest = std::numeric_limits<float>::infinity();
     }

@@ -144,21 +144,19 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
             ->excludes(columns)
             ->excludes(gutter)
             ->option_text(" ");
-    CLI::Option* dds = nullptr;
-    for (const auto& [name, suffix] : {std::pair("--dds", ".dds"), std::pair("--ktx2", ".ktx2")}) {
-        CLI::Option* const array =
-            command
-                .add_flag_callback(
-                    name,
-                    [&arguments, suffix] { arguments.options.array_suffix = suffix; },
-                    fmt::format("Write array textures ({}) with mip levels instead of sheets",
-                                suffix))
-                ->excludes(columns)
-                ->excludes(gutter)
-                ->excludes(strip)
-                ->option_text(" ");
-        dds = dds != nullptr ? array->excludes(dds) : array;
-    }
+    const auto add_array = [&](const char* name, const char* suffix) {
+        return command
+            .add_flag_callback(
+                name,
+                [&arguments, suffix] { arguments.options.array_suffix = suffix; },
+                fmt::format("Write array textures ({}) with mip levels instead of sheets", suffix))
+            ->excludes(columns)
+            ->excludes(gutter)
+            ->excludes(strip)
+            ->option_text(" ");
+    };
+    CLI::Option* const dds = add_array("--dds", ".dds");
+    add_array("--ktx2", ".ktx2")->excludes(dds);
     add_out_folder_option(command, arguments.out, "Folder for the sheets (default: DIR)");
     CLI::Option* const quiet =
         add_quiet_option(command, arguments.quiet, "Print only errors (and --json)");

@@ -5,6 +5,7 @@
 #include "core/parallel/parallel_for.h"
 #include "texgen/blocks/bc4.h"
 #include "texgen/blocks/bc7.h"
+#include "texgen/image/byte_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -49,18 +50,13 @@ class Texels {
 
 template <class Code>
 Bytes plain_texels(const Texels<Code>& texels, int channels) {
-    Bytes bytes(static_cast<std::size_t>(texels.width()) *
-                static_cast<std::size_t>(texels.height()) * static_cast<std::size_t>(channels) *
-                sizeof(Code));
-    auto to = bytes.begin();
+    Bytes bytes;
+    bytes.reserve(static_cast<std::size_t>(texels.width()) *
+                  static_cast<std::size_t>(texels.height()) * static_cast<std::size_t>(channels) *
+                  sizeof(Code));
     for (int y = 0; y < texels.height(); ++y) {
-        for (int x = 0; x < texels.width(); ++x) {
-            for (int channel = 0; channel < channels; ++channel) {
-                const Code code = texels.at(x, y, channel);
-                for (std::size_t k = 0; k < sizeof(Code); ++k) {
-                    *to++ = static_cast<std::byte>(code >> (8 * k));
-                }
-            }
+        for (int x = 0; x < texels.width() * channels; ++x) {
+            append(bytes, texels.at(x / channels, y, x % channels));
         }
     }
     return bytes;
@@ -148,6 +144,20 @@ int picture_channels(const GpuTexture& texture) {
     return channels == 2 || (channels == 4 && texture.opaque) ? 3 : channels;
 }
 
+// Copies the texels of a block into the picture, apart from those beyond its border. The top left
+// texel of the block is in column `left`, and `top` rows from the top.
+void copy_block(const TexelBlock& block, int left, int top, Image<std::uint8_t>& pixels) {
+    for (int k = 0; k < kBlockTexels; ++k) {
+        const int column = left + k % kBlockSide;
+        const int row = pixels.height() - 1 - (top + k / kBlockSide);
+        if (column < pixels.width() && row >= 0) {
+            std::ranges::copy_n(block[static_cast<std::size_t>(k)].begin(),
+                                pixels.channels(),
+                                pixels.pixel(column, row).begin());
+        }
+    }
+}
+
 Image<std::uint8_t> decompressed(const GpuTexture& texture) {
     const Bytes& bytes = texture.layers.front().front();
     const std::size_t unit = facts_of(texture.format).unit_bytes;
@@ -155,16 +165,7 @@ Image<std::uint8_t> decompressed(const GpuTexture& texture) {
     const auto* from = reinterpret_cast<const std::uint8_t*>(bytes.data());
     for (int y = 0; y < texture.height; y += kBlockSide) {
         for (int x = 0; x < texture.width; x += kBlockSide, from += unit) {
-            const TexelBlock block = decoded_block(texture.format, {from, unit});
-            for (int k = 0; k < kBlockTexels; ++k) {
-                const int column = x + k % kBlockSide;
-                const int row = texture.height - 1 - (y + k / kBlockSide);
-                if (column < texture.width && row >= 0) {
-                    std::ranges::copy_n(block[static_cast<std::size_t>(k)].begin(),
-                                        pixels.channels(),
-                                        pixels.pixel(column, row).begin());
-                }
-            }
+            copy_block(decoded_block(texture.format, {from, unit}), x, y, pixels);
         }
     }
     return pixels;
@@ -174,17 +175,12 @@ template <class Code>
 Image<Code> plain_picture(const GpuTexture& texture) {
     const int stored = facts_of(texture.format).channels;
     Image<Code> pixels(texture.width, texture.height, picture_channels(texture));
-    auto from = texture.layers.front().front().begin();
+    ByteReader reader(texture.layers.front().front());
     for (int y = texture.height - 1; y >= 0; --y) {
-        for (int x = 0; x < texture.width; ++x) {
-            for (int channel = 0; channel < stored; ++channel) {
-                unsigned code = 0;
-                for (std::size_t k = 0; k < sizeof(Code); ++k) {
-                    code |= std::to_integer<unsigned>(*from++) << (8 * k);
-                }
-                if (channel < pixels.channels()) {
-                    pixels.pixel(x, y)[static_cast<std::size_t>(channel)] = static_cast<Code>(code);
-                }
+        for (int x = 0; x < texture.width * stored; ++x) {
+            const Code code = reader.number<Code>();
+            if (x % stored < pixels.channels()) {
+                pixels.pixel(x / stored, y)[static_cast<std::size_t>(x % stored)] = code;
             }
         }
     }

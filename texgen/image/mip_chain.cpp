@@ -65,10 +65,10 @@ struct Conversion {
         const double whole = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
         const bool is_light = color && channel < kColors;
         if (is_light && sizeof(Code) == 1) {
-            return static_cast<Code>(codes[static_cast<std::size_t>(whole * 65535.0 + 0.5)]);
+            return static_cast<Code>(codes[static_cast<std::size_t>(std::lround(whole * 65535.0))]);
         }
         const double fraction = is_light ? linear_to_srgb(whole) : whole;
-        return static_cast<Code>(fraction * static_cast<double>(kLargest<Code>) + 0.5);
+        return static_cast<Code>(std::lround(fraction * static_cast<double>(kLargest<Code>)));
     }
 };
 

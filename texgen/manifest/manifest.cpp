@@ -2,6 +2,8 @@
 
 #include "texgen/manifest/manifest.h"
 
+#include "texgen/maps/motion.h"
+
 #include <algorithm>
 #include <set>
 

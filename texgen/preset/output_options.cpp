@@ -184,8 +184,8 @@ Keys<OutputOptions> texture_keys() {
     return {key("block_compression",
                 kBlocks,
                 "block compression of DDS and KTX2 files: auto compresses images of 8 bits, except "
-                "ids, with "
-                "a small loss; none stores all samples exactly",
+                "ids, with a small loss, if width and height are multiples of 4; none stores all "
+                "samples exactly",
                 &OutputOptions::block_compression)
                 .used_with("output.pattern", {"*.dds", "*.ktx2"}),
             key("mip_levels",
@@ -203,8 +203,8 @@ NamedMap parse_named_map(std::string_view text) {
         throw std::invalid_argument(
             fmt::format("'{}' must be MAP=WORD, such as albedo=BaseColor", text));
     }
-    const NamedMap named{std::string(find_map(text.substr(0, equals)).name),
-                         std::string(text.substr(equals + 1))};
+    NamedMap named{std::string(find_map(text.substr(0, equals)).name),
+                   std::string(text.substr(equals + 1))};
     if (!is_file_word(named.word)) {
         throw std::invalid_argument(
             fmt::format("'{}': the word must have 1 to {} letters, digits, '_' or '-'",
