@@ -32,6 +32,9 @@ constexpr std::size_t kLevelEntryBytes = 24;  // an entry of the index of levels
 constexpr std::uint32_t kZstandard = 2;       // scheme of supercompression
 constexpr int kZstandardLevel = 5;
 constexpr std::size_t kMostLevelBytes = std::size_t{1} << 32U;  // of a level before compression
+// Zstandard stores at most 128 KiB of equal bytes in a block of 4 bytes. The limit keeps a small
+// file from claiming much memory.
+constexpr std::size_t kLargestRatio = 32768;
 
 void check(bool holds, const char* reason) {
     if (!holds) {
@@ -180,7 +183,8 @@ void read_level(std::span<const std::byte> packed,
     check(uncompressed == image * texture.layers.size() && uncompressed <= kMostLevelBytes,
           "a mip level has another size than its images");
     const unsigned long long claimed = ZSTD_getFrameContentSize(packed.data(), packed.size());
-    check(claimed == uncompressed, "a mip level is not compressed as the index says");
+    check(claimed == uncompressed && uncompressed / kLargestRatio <= packed.size(),
+          "a mip level is not compressed as the index says");
     const Bytes bytes = decompressed(packed, static_cast<std::size_t>(uncompressed));
     for (std::size_t k = 0; k < texture.layers.size(); ++k) {
         const auto part = std::span(bytes).subspan(k * image, image);

@@ -141,5 +141,18 @@ TEST(Ktx2, RejectsInvalidHeaders) {
     }
 }
 
+// A level of equal bytes is the best case of Zstandard.
+TEST(Ktx2, ALevelOfEqualBytesIsRead) {
+    GpuTexture texture{.format = PixelFormat::R8,
+                       .width = 8192,
+                       .height = 4096,
+                       .opaque = true,
+                       .layers = {{Bytes(std::size_t{8192} * 4096)}},
+                       .text = {}};
+    const Bytes bytes = encode_ktx2(texture);
+    EXPECT_LT(bytes.size(), 8000U);
+    EXPECT_EQ(decode_ktx2(bytes).layers, texture.layers);
+}
+
 }  // namespace
 }  // namespace foam::texgen
