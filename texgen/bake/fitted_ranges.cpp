@@ -6,6 +6,7 @@
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/bake/file_pattern.h"
+#include "texgen/bake/reduced_image.h"
 #include "texgen/image/format.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/maps/number_extent.h"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <variant>
@@ -62,22 +62,10 @@ class RangeMeter {
   public:
     RangeMeter(const Preset& preset, int threads)
         : maps_(maps_to_measure(preset)),
-          options_(preset.maps),
-          threads_(thread_count(threads)),
-          width_(preset.image.width),
-          height_(preset.image.height) {
-        // The reduced image must have exactly the aspect ratio of the full image.
-        const int divisor = std::gcd(width_, height_);
-        const int parts =
-            std::clamp(kMeasuredSide * divisor / std::max(width_, height_), 1, divisor);
-        width_ = width_ / divisor * parts;
-        height_ = height_ / divisor * parts;
-        reduction_ = static_cast<double>(divisor) / parts;
+          image_(reduced_image(preset, kMeasuredSide)),
+          threads_(thread_count(threads)) {
         for (const MeasuredMap& one : maps_) {
             names_.emplace_back(one.map->name);
-        }
-        if (options_.albedo.film_unit == WidthUnit::Pixels) {
-            options_.albedo.film_width /= reduction_;
         }
     }
 
@@ -96,17 +84,15 @@ class RangeMeter {
     const std::vector<MeasuredMap>& maps() const { return maps_; }
 
   private:
-    void measure_state(const DrawnState& state, std::optional<View> view) {
+    void measure_state(const DrawnState& state, const std::optional<View>& view) {
         if (state.frame->bubbles.size() == 0 && state.frame->lone_bubbles.empty()) {
             return;  // without bubbles there is nothing to measure
         }
-        if (view) {
-            view->pixels_per_unit /= reduction_;
-        }
-        const RasterGrid grid{width_, height_, 0, 0, view};
-        FrameLayers layers(state.input(distance_needs(names_, options_)), grid, threads_);
+        const MapOptions& options = image_.options;
+        FrameLayers layers(
+            state.input(distance_needs(names_, options)), image_.grid(view), threads_);
         for (MeasuredMap& one : maps_) {
-            const MapImage image = one.map->draw(layers, options_);
+            const MapImage image = one.map->draw(layers, options);
             const NumberPixels& numbers = std::get<NumberPixels>(image);
             const NumberExtent extent = extent_of(numbers);
             const double largest = std::max(std::abs(extent.smallest), std::abs(extent.largest));
@@ -117,17 +103,14 @@ class RangeMeter {
     // Returns the factor that converts numbers of the reduced image to numbers of the full image.
     double scale_of(const Map& map) const {
         const bool in_pixels =
-            map.name == kDistanceMap.name && options_.distance.unit == DistanceUnit::Pixels;
-        return in_pixels ? reduction_ : 1.0;
+            map.name == kDistanceMap.name && image_.options.distance.unit == DistanceUnit::Pixels;
+        return in_pixels ? image_.reduction : 1.0;
     }
 
     std::vector<MeasuredMap> maps_;
-    MapOptions options_;
+    ReducedImage image_;
     int threads_;
     std::vector<std::string> names_;
-    int width_;  // of the reduced image, pixels
-    int height_;
-    double reduction_ = 1.0;  // width of the full image divided by width of the reduced image
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/animation/progress.h"
-#include "texgen/cli/phase_clock.h"
+#include "texgen/animation/phase_clock.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -66,17 +66,6 @@ std::vector<Assignment> in_order(std::vector<Assignment> first,
     return first;
 }
 
-/// Returns the assignments of a profile for a preset. They depend on the preset after the
-/// assignments of the command line, except that the colors are those of the preset's own maps.
-std::vector<Assignment> profile_assignments(const std::string& profile,
-                                            const Preset& preset,
-                                            const std::vector<Assignment>& command_line) {
-    Preset changed = preset;
-    assign(changed, command_line);
-    changed.image.maps = preset.image.maps;
-    return assignments_for(load_profile(profile), changed);
-}
-
 /// Applies the assignments of the profile, of the command line and `more` to a preset. `own` are
 /// the assignments in the file of the preset, which have been applied already. Unless output is
 /// quiet, prints a note for each key that any of these assignments sets without effect

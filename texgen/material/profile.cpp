@@ -7,6 +7,7 @@
 #include "texgen/maps/all_maps.h"
 #include "texgen/material/shipped_profiles.h"
 #include "texgen/preset/load_preset.h"
+#include "texgen/preset/preset_io.h"
 #include "texgen/preset/rejection.h"
 
 #include <fmt/core.h>
@@ -142,6 +143,15 @@ std::vector<Assignment> assignments_for(const Profile& profile, const Preset& pr
         assignment.value = list_of(texts);
     }
     return assignments;
+}
+
+std::vector<Assignment> profile_assignments(const std::string& profile,
+                                            const Preset& preset,
+                                            std::span<const Assignment> later) {
+    Preset changed = preset;
+    assign(changed, later);
+    changed.image.maps = preset.image.maps;
+    return assignments_for(load_profile(profile), changed);
 }
 
 std::string base_color_map(const Preset& preset) {

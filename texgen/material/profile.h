@@ -5,6 +5,7 @@
 #include "texgen/preset/assignment.h"
 #include "texgen/preset/preset.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,14 @@ Profile load_profile(const std::string& name_or_path);
 ///   the preset (base_color_map).
 /// - The map emission is left out of image.maps if nothing in the preset glows (lit.glow is 0).
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
+
+/// Returns the assignments of the profile with the given name or path for a preset. `later` are the
+/// assignments that will override them; the result depends on the preset after these assignments,
+/// except that the colors are those of the preset's own maps. Throws the exceptions of load_profile
+/// and PresetError if one of the later assignments is not allowed.
+std::vector<Assignment> profile_assignments(const std::string& profile,
+                                            const Preset& preset,
+                                            std::span<const Assignment> later);
 
 /// Returns the name of the map that has the colors of a preset without light: the first map of
 /// image.maps that shows colors of the foam. The map lit stands for the map whose colors it shows.

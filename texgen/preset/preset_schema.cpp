@@ -16,27 +16,6 @@ namespace {
 
 constexpr std::string_view kDraft = "https://json-schema.org/draft/2020-12/schema";
 
-Json to_json(const Value& value) {
-    return std::visit(
-        [](const auto& data) -> Json {
-            using Data = std::decay_t<decltype(data)>;
-            if constexpr (std::is_same_v<Data, Value::List>) {
-                Json list = Json::array();
-                for (const Value& item : data) {
-                    list.push_back(to_json(item));
-                }
-                return list;
-            } else if constexpr (std::is_same_v<Data, Value::Table>) {
-                return Json::object();
-            } else if constexpr (std::is_same_v<Data, Value::Opaque>) {
-                return data.text;
-            } else {
-                return data;
-            }
-        },
-        value.data);
-}
-
 // Returns the schema of an object that allows no properties yet.
 Json object_schema() {
     return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
@@ -89,6 +68,27 @@ Json events_schema() {
 }
 
 }  // namespace
+
+Json to_json(const Value& value) {
+    return std::visit(
+        [](const auto& data) -> Json {
+            using Data = std::decay_t<decltype(data)>;
+            if constexpr (std::is_same_v<Data, Value::List>) {
+                Json list = Json::array();
+                for (const Value& item : data) {
+                    list.push_back(to_json(item));
+                }
+                return list;
+            } else if constexpr (std::is_same_v<Data, Value::Table>) {
+                return Json::object();
+            } else if constexpr (std::is_same_v<Data, Value::Opaque>) {
+                return data.text;
+            } else {
+                return data;
+            }
+        },
+        value.data);
+}
 
 std::string preset_schema() {
     Json schema{{"$schema", kDraft}, {"title", "A preset of foamtex " FOAMTEX_VERSION}};

@@ -2,9 +2,16 @@
 
 #pragma once
 
+#include "texgen/json/json_writer.h"
+#include "texgen/keys/value.h"
+
 #include <string>
 
 namespace foam::texgen {
+
+/// Returns a value as JSON. A date or a time becomes a text, and a table an empty object, because
+/// its entries are not part of the value.
+Json to_json(const Value& value);
 
 /// Returns the JSON Schema (draft 2020-12) of preset files as indented text. A table is an object
 /// whose properties are the keys of the table. The schema of a key contains its type, its range or

@@ -4,6 +4,7 @@
 
 const POSITIONS = 1000;    // of a slider that is not linear
 const WIDE = 10;           // a range this many times the reference value gets a logarithmic slider
+const SPAN = 5;            // narrower ranges that begin near 0 get a linear slider
 const LARGEST_SLIDER = 1e9;
 
 /** Returns the number with at most `digits` significant digits, without an exponent if it is moderate. */
@@ -27,18 +28,19 @@ export function scaleOf(key, largest = Infinity) {
   if (key.min < 0) {
     return Math.abs(max) > WIDE * reference && max >= 1000 ? symmetricScale(key, max, reference) : linearScale(key, max);
   }
-  const wide = (max - key.min) / (reference - key.min) > WIDE && max - key.min > 20;
+  const span = max - key.min;
+  const wide = span / (reference - key.min) > WIDE && (span > SPAN || (key.min > 0 && max / key.min > 1000));
   return wide ? logarithmicScale(key, max, reference) : linearScale(key, max);
 }
 
-// The value in the middle of a logarithmic slider: the default, or a typical value if the default is the minimum.
+// The value that decides the scale: the default, or a typical value if the default is the minimum.
 function referenceOf(key, max) {
   const standard = typeof key.default === "number" ? Math.abs(key.default) : 0;
   if (standard > key.min && standard < max) {
     return standard;
   }
   const typical = key.min + (key.integer ? 10 : 1);
-  return typical < max / 2 ? typical : Math.max(key.min * 1000, max / 100);
+  return typical < max / 2 ? typical : (key.min > 0 ? key.min * 1000 : max / 100);
 }
 
 function linearScale(key, max) {
@@ -48,11 +50,10 @@ function linearScale(key, max) {
     value: (position) => Number(position.toFixed(digits)) };
 }
 
-// value = min + s (exp(k t) - 1), where t goes from 0 to 1 and is 1/2 at the reference value.
+// value = min + s (exp(k t) - 1), where t goes from 0 to 1: nearly linear far below the reference, logarithmic above it.
 function logarithmicScale(key, max, reference) {
-  const middle = reference - key.min;
-  const rate = 2 * Math.log((max - key.min) / middle - 1);
-  const size = middle / (Math.exp(rate / 2) - 1);
+  const size = (reference - key.min) / 4;
+  const rate = Math.log((max - key.min) / size + 1);
   const value = (position) => key.min + size * (Math.exp(rate * position / POSITIONS) - 1);
   const position = (number) => POSITIONS * Math.log(Math.max(0, number - key.min) / size + 1) / rate;
   return { min: 0, max: POSITIONS, step: 1, position, value: (at) => rounded(value(at), key) };

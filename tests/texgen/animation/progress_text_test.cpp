@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/cli/progress_text.h"
+#include "texgen/animation/progress_text.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

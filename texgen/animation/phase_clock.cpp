@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/cli/phase_clock.h"
+#include "texgen/animation/phase_clock.h"
 
 #include <algorithm>
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/animation/simulated_frame.h"
+#include "texgen/preset/preset.h"
+
+#include <optional>
+
+namespace foam::texgen {
+
+/// The images of a preset at a smaller size of exactly the same aspect ratio. They show the same
+/// part of the foam: lengths that the preset gives in pixels are reduced with the image.
+struct ReducedImage {
+    int width = 0;
+    int height = 0;
+    double reduction = 1.0;  // width of the full image divided by the width of the reduced image
+    MapOptions options;
+
+    /// Returns the grid of a frame at the reduced size.
+    RasterGrid grid(std::optional<View> view) const;
+};
+
+/// Returns the reduced image of a preset whose longer side has at most `side` pixels, if the width
+/// and the height have a large enough common divisor; otherwise the smallest size of exactly the
+/// same aspect ratio. Never enlarges. Precondition: `side` is positive.
+ReducedImage reduced_image(const Preset& preset, int side);
+
+}  // namespace foam::texgen

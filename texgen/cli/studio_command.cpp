@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/cli/command.h"
+#include "texgen/cli/interruption.h"
+#include "texgen/cli/json_report.h"
+#include "texgen/cli/options.h"
+#include "texgen/cli/standard_error.h"
+#include "texgen/cli/standard_output.h"
+#include "texgen/image/external_program.h"
+#include "texgen/image/file_io.h"
+#include "texgen/studio/handler.h"
+#include "texgen/studio/http_server.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr const char* kStudioExamples = R"(Examples:
+  foamtex studio
+  foamtex studio textures --port 8080
+  foamtex studio --no-browser              prints the address, to be opened by hand
+The page draws the pixels that a bake writes. Bakes and presets are saved below FOLDER. Only a browser
+on this machine that opens the printed address, which can be used once, has access. For a program on
+another machine, start it there with --no-browser and --port 8080, forward the port with
+ssh -L 8080:localhost:8080 MACHINE, and open the printed address here. The studio ends with Ctrl-C, or
+30 minutes after the last page was closed.)";
+
+constexpr std::chrono::minutes kLongestIdleTime{30};
+constexpr int kLargestPort = 65535;
+
+struct StudioArguments {
+    std::string folder;
+    int port = 0;
+    bool keep = false;
+    bool no_browser = false;
+    bool json = false;
+};
+
+/// Ends a studio whose pages are closed.
+class NoPages : public std::exception {};
+
+/// Opens an address in the default browser. The program that does this may run as long as the
+/// browser, so nothing waits for it.
+void open_browser(const std::string& url) {
+    std::thread([url] {
+        try {
+            if (!run_external({"xdg-open", url}, {.shows_errors = false})) {
+                print_stderr("foamtex: no browser was found; open the address by hand");
+            }
+        } catch (const OutputError&) {
+            print_stderr("foamtex: the browser could not be started; open the address by hand");
+        }
+    }).detach();
+}
+
+void announce(const Studio& studio, const HttpServer& server, bool json) {
+    const std::string url =
+        fmt::format("http://localhost:{}/#token={}", server.port(), studio.token());
+    if (json) {
+        Json report = json_report();
+        report["url"] = url;
+        report["port"] = server.port();
+        report["folder"] = studio.folder().path().string();
+        print_json(report);
+    } else {
+        print_stdout("{}\n", url);
+    }
+    std::fflush(stdout);
+}
+
+ExitCode run_studio(const StudioArguments& arguments) {
+    HttpServer server(arguments.port);
+    Studio studio(arguments.folder, server.port());
+    announce(studio, server, arguments.json);
+    if (!arguments.json) {
+        print_stderr("foamtex: files are saved below '{}'; Ctrl-C ends the studio",
+                     studio.folder().path().string());
+    }
+    if (!arguments.no_browser) {
+        open_browser(fmt::format("http://localhost:{}/#token={}", server.port(), studio.token()));
+    }
+    handle_stop_signals();
+    const auto check = [&] {
+        throw_if_interrupted();
+        if (!arguments.keep && studio.idle_time() > kLongestIdleTime) {
+            throw NoPages();
+        }
+    };
+    try {
+        server.run([&](const HttpRequest& request) { return studio.handle(request); },
+                   check,
+                   [&] { studio.stop(); });
+    } catch (const NoPages&) {
+        print_stderr("foamtex: no page was open for 30 minutes");
+    } catch (const Interrupted&) {
+        // This is how a user ends the studio, so it is not a failure.
+    }
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+void add_studio_command(CLI::App& app, Action& action) {
+    CLI::App* command =
+        app.add_subcommand("studio", "Try presets and bake in a page of the browser");
+    const auto arguments = std::make_shared<StudioArguments>();
+    command
+        ->add_option("FOLDER",
+                     arguments->folder,
+                     "Folder for bakes and presets (default: the working directory)")
+        ->option_text(" ");
+    command->add_option("--port", arguments->port, "Port of the server (default: a free one)")
+        ->check(CLI::Range(0, kLargestPort))
+        ->option_text("N");
+    command->add_flag("--no-browser", arguments->no_browser, "Do not open the browser")
+        ->option_text(" ");
+    command->add_flag("--keep", arguments->keep, "Go on when no page is open")->option_text(" ");
+    command->add_flag("--json", arguments->json, "Print the address as a JSON object")
+        ->option_text(" ");
+    command->footer(kStudioExamples);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return run_studio(*arguments); }; });
+}
+
+}  // namespace foam::texgen

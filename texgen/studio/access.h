@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/studio/http_message.h"
+
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// Decides who may use a studio: only a browser that was opened with the address that the program
+/// printed, and only for the page of the studio itself. A page of another site could otherwise send
+/// requests to the loopback interface.
+///
+/// - `Host` must be the address of the studio. A name that an attacker lets point to this machine
+///   (DNS rebinding) is rejected.
+/// - Requests need a cookie with a secret of 128 random bits. The page gets it in exchange for a
+///   token, which is also 128 random bits and can be used once. `SameSite=Strict` keeps browsers
+///   from sending the cookie for other sites.
+/// - Requests with a body must be JSON (`Content-Type`) and come from the page of the studio
+///   (`Origin` and `Sec-Fetch-Site`), which the pages of other sites cannot forge.
+class Access {
+  public:
+    /// Draws the token and the secret from the random numbers of the system. Throws
+    /// std::runtime_error if it has none.
+    explicit Access(int port);
+
+    /// Returns the token for the address of the page.
+    const std::string& token() const { return token_; }
+
+    /// Returns the response to a request that does not come from the page of the studio; nullopt if
+    /// the request may be answered. Does not check the cookie.
+    std::optional<HttpResponse> rejection(const HttpRequest& request) const;
+
+    /// Returns true if a request has the cookie.
+    bool has_cookie(const HttpRequest& request) const;
+
+    /// Exchanges the token for the cookie. Returns nullopt if the token is wrong or used up.
+    std::optional<HttpResponse> exchange(std::string_view token);
+
+  private:
+    int port_;
+    std::string token_;
+    std::string secret_;
+    std::mutex mutex_;
+    bool token_is_used_ = false;  // protected by the mutex
+};
+
+/// Returns an error response. The message is one line; `key` names the preset key that the error
+/// concerns, or is empty.
+HttpResponse error_response(HttpStatus status,
+                            const std::string& message,
+                            const std::string& key = {});
+
+}  // namespace foam::texgen

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/animation/phase_clock.h"
+#include "texgen/animation/progress.h"
+#include "texgen/json/json_value.h"
+#include "texgen/json/json_writer.h"
+#include "texgen/studio/folder.h"
+#include "texgen/studio/frame_store.h"
+#include "texgen/studio/settings.h"
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace foam::texgen {
+
+/// What a page wants to bake.
+struct BakeRequest {
+    PageSettings settings;
+    std::string folder;                       // below the folder of the studio
+    std::optional<std::string> frames = {};   // a range; all frames if missing
+    std::string format = "png";               // the suffix of the images without the dot
+    std::optional<std::string> profile = {};  // of an engine; replaces maps and format
+    std::vector<std::string> maps = {};       // those of the preset if empty
+    std::optional<std::array<int, 2>> size = {};
+    bool resume = false;
+};
+
+/// Reads the members of a request. Throws InputError if one is malformed.
+BakeRequest read_bake_request(const JsonValue& request);
+
+/// Reports that a bake cannot start while another one runs.
+class BakeRuns : public std::runtime_error {
+    using runtime_error::runtime_error;
+};
+
+/// Runs the bakes that pages start, one at a time, below the folder of the studio. Thread-safe.
+class BakeJobs {
+  public:
+    /// Keeps references to the folder and the store.
+    BakeJobs(const StudioFolder& folder, FrameStore& store);
+    ~BakeJobs();
+    BakeJobs(const BakeJobs&) = delete;
+    BakeJobs& operator=(const BakeJobs&) = delete;
+
+    /// Starts a bake. Returns the answer to /api/bake (README.md). Throws BakeRuns,
+    /// SettingsRejected, PathRejected, and the exceptions of check_bake and parse_frame_range.
+    Json start(const BakeRequest& request);
+
+    /// Returns the answer to /api/bake/status. Throws std::invalid_argument if there is no bake
+    /// with this number.
+    Json status(int bake);
+
+    /// Stops a bake after its current step. Images that are complete stay. Throws as `status` does.
+    void cancel(int bake);
+
+    /// Returns true if a bake runs.
+    bool is_running();
+
+    /// Stops the bake that runs.
+    void stop();
+
+  private:
+    struct Job;
+
+    Job& job(int bake);
+    void run(Job& job);
+
+    const StudioFolder& folder_;
+    FrameStore& store_;
+    std::mutex mutex_;  // protects the job
+    std::unique_ptr<Job> job_;
+    int count_ = 0;
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/json/json_writer.h"
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Reports a path that a page may not use. The message is one line.
+class PathRejected : public std::runtime_error {
+    using runtime_error::runtime_error;
+};
+
+/// The folder below which a studio reads and writes files.
+class StudioFolder {
+  public:
+    /// Throws OutputError if the folder does not exist or is not a folder.
+    explicit StudioFolder(const std::filesystem::path& folder);
+
+    /// Returns the absolute path of the folder, without links.
+    const std::filesystem::path& path() const { return path_; }
+
+    /// Returns the path of a file or folder below the folder. `relative` is a path relative to the
+    /// folder; the file need not exist. Throws PathRejected if the path is absolute, contains "..",
+    /// or leaves the folder through a link.
+    std::filesystem::path below(const std::string& relative) const;
+
+    /// Returns the names of the preset files in the folder, sorted.
+    std::vector<std::string> preset_files() const;
+
+    /// Returns the paths, relative to the folder, of the manifests of bakes in the folder and in
+    /// folders up to three levels below it, sorted. At most 200 are returned.
+    std::vector<std::filesystem::path> bakes() const;
+
+  private:
+    std::filesystem::path path_;
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/studio/frame_store.h"
+
+#include "texgen/animation/camera.h"
+#include "texgen/animation/frame_assembly.h"
+#include "texgen/cache/simulation_keys.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+// A run is the simulation of one foam. A single thread works on the run that was wanted last and is
+// not complete. Frames are assembled from the kept states whenever they are drawn, because the loop
+// and the camera, which decide how a state is shown, may change without a new simulation.
+
+namespace foam::texgen {
+
+namespace {
+
+// The memory of a state per bubble, in bytes, rounded up from measurements.
+constexpr std::size_t kBytesPerBubble = 2500;
+constexpr std::size_t kLargestRuns = 8;
+constexpr std::size_t kLargestDrafts = 48;
+
+// Stops a simulation that nobody wants any more.
+class Stopped : public std::exception {};
+
+std::vector<int> numbers_to(int last) {
+    std::vector<int> numbers(static_cast<std::size_t>(last));
+    std::iota(numbers.begin(), numbers.end(), 1);
+    return numbers;
+}
+
+std::vector<int> states_of(const Preset& preset, const std::vector<int>& frames) {
+    return FrameAssembly(preset, frames, NextFrames::Included, {}).states();
+}
+
+// Returns how many frames fit in the memory.
+int frames_that_fit(const Preset& preset, std::size_t bytes) {
+    const std::size_t per_state =
+        kBytesPerBubble * static_cast<std::size_t>(preset.seeding.bubbles) + 1;
+    const std::size_t states = std::max<std::size_t>(2, bytes / per_state);
+    return static_cast<int>(std::min(static_cast<std::size_t>(preset.frames.count), states - 1));
+}
+
+}  // namespace
+
+struct FrameStore::Run {
+    Preset preset;
+    std::string simulation;             // simulation_hash
+    int frames = 0;                     // number of frames that are kept
+    std::vector<int> states = {};       // numbers of their states, in increasing order
+    std::vector<int> last_states = {};  // of each frame, the largest number of its states
+    std::map<int, SimulatedFrame> kept = {};
+    std::set<std::string> pages = {};  // that want this run
+    RunProgress progress = {};
+    std::optional<RunOutcome> outcome = {};
+    std::string failure = {};
+    bool is_dropped = false;  // true if the simulation is to be stopped
+
+    bool is_finished() const { return outcome || !failure.empty(); }
+
+    // Returns true if all states of a frame are kept. States are kept in increasing order.
+    bool has_states(int frame) const {
+        return !kept.empty() &&
+               last_states[static_cast<std::size_t>(frame - 1)] <= kept.rbegin()->first;
+    }
+
+    // Returns the number of the first frames whose states are all kept.
+    int complete_frames() const {
+        int complete = 0;
+        while (complete < frames && has_states(complete + 1)) {
+            ++complete;
+        }
+        return complete;
+    }
+
+    // Assembles frames from the kept states. Precondition: all states are kept.
+    void assemble(const Preset& shown,
+                  const std::vector<int>& numbers,
+                  NextFrames next_frames,
+                  const FrameVisitor& visit) const {
+        FrameAssembly assembly(shown, numbers, next_frames, visit);
+        std::optional<View> view;
+        for (const int number : assembly.states()) {
+            SimulatedFrame state = kept.at(number);
+            if (shown.shape.kind == FoamKind::Patch && number == 1) {
+                view = camera_view(*state.frame, shown.image, shown.camera);
+            }
+            state.view = view;
+            assembly.add(state);
+        }
+    }
+};
+
+FrameStore::FrameStore(std::size_t bytes) : bytes_(bytes), worker_([this] { work(); }) {}
+
+FrameStore::~FrameStore() {
+    stop();
+    worker_.join();
+}
+
+void FrameStore::stop() {
+    const std::scoped_lock lock(mutex_);
+    is_stopped_ = true;
+    changed_.notify_all();
+}
+
+SimulationState FrameStore::want(const Preset& preset, const std::string& page) {
+    const std::scoped_lock lock(mutex_);
+    return state_of(*want_run(preset, page));
+}
+
+SimulatedFrame FrameStore::frame(const Preset& preset, int number, const std::string& page) {
+    std::unique_lock lock(mutex_);
+    const RunPointer run = want_run(preset, page);
+    if (number > run->frames) {
+        throw SimulationFailed(fmt::format(
+            "frame {} is not shown here: the studio keeps {} of {} frames of this foam in memory; "
+            "bake it to see the others",
+            number,
+            run->frames,
+            preset.frames.count));
+    }
+    changed_.wait(lock, [&] {
+        return is_stopped_ || run->is_dropped || run->is_finished() || run->has_states(number);
+    });
+    if (is_stopped_ || (run->is_dropped && !run->has_states(number))) {
+        throw FrameReplaced("the page has asked for another foam");
+    }
+    if (!run->has_states(number)) {
+        throw SimulationFailed(run->failure);
+    }
+    SimulatedFrame found;
+    run->assemble(preset, {number}, NextFrames::Included, [&](const SimulatedFrame& shown) {
+        found = shown;
+    });
+    return found;
+}
+
+SimulatedFrame FrameStore::draft(const Preset& preset) {
+    Preset quick = preset;
+    quick.loop = {};
+    quick.events.clear();
+    quick.frames.count = 1;
+    quick.frames.warm_up = 0.0;
+    const std::string simulation = simulation_hash(quick);
+    {
+        const std::scoped_lock lock(mutex_);
+        const auto found = std::ranges::find(
+            drafts_, simulation, [](const auto& one) { return std::string_view(one.first); });
+        if (found != drafts_.end()) {
+            return found->second;
+        }
+    }
+    SimulatedFrame frame;
+    const RunOutcome outcome = simulate_frames(
+        quick, 0, {1}, NextFrames::Included, [&](const SimulatedFrame& shown) { frame = shown; });
+    if (outcome.status != RunStatus::Complete) {
+        throw SimulationFailed(failure_of(outcome));
+    }
+    const std::scoped_lock lock(mutex_);
+    drafts_.emplace_front(simulation, frame);
+    drafts_.resize(std::min(drafts_.size(), kLargestDrafts));
+    return frame;
+}
+
+FrameSource FrameStore::source(const Preset& preset) {
+    const std::scoped_lock lock(mutex_);
+    const std::string simulation = simulation_hash(preset);
+    for (const RunPointer& run : runs_) {
+        if (run->simulation == simulation && run->outcome && run->failure.empty() &&
+            run->frames == preset.frames.count) {
+            return [run, preset](const std::vector<int>& numbers,
+                                 NextFrames next_frames,
+                                 const FrameVisitor& on_frame,
+                                 const ProgressCallback&) {
+                run->assemble(preset, numbers, next_frames, on_frame);
+                return *run->outcome;
+            };
+        }
+    }
+    return {};
+}
+
+FrameStore::RunPointer FrameStore::new_run(const Preset& preset,
+                                           const std::string& simulation) const {
+    const std::vector<int> frames = numbers_to(frames_that_fit(preset, bytes_));
+    auto run = std::make_shared<Run>(Run{.preset = preset, .simulation = simulation});
+    run->frames = static_cast<int>(frames.size());
+    run->states = states_of(preset, frames);
+    for (const int frame : frames) {
+        run->last_states.push_back(states_of(preset, {frame}).back());
+    }
+    return run;
+}
+
+// Returns the run of the foam of a preset, and makes it the one that the page wants. Runs that no
+// page wants any more are stopped. Precondition: the mutex is locked.
+FrameStore::RunPointer FrameStore::want_run(const Preset& preset, const std::string& page) {
+    const std::string simulation = simulation_hash(preset);
+    for (const RunPointer& run : runs_) {
+        run->pages.erase(page);
+        if (run->pages.empty() && !run->is_finished() && run->simulation != simulation) {
+            run->is_dropped = true;
+        }
+    }
+    runs_.remove_if([](const RunPointer& run) { return run->is_dropped; });
+    auto found = std::ranges::find(
+        runs_, simulation, [](const RunPointer& run) { return std::string_view(run->simulation); });
+    if (found == runs_.end()) {
+        runs_.push_front(new_run(preset, simulation));
+        found = runs_.begin();
+    }
+    runs_.splice(runs_.begin(), runs_, found);
+    runs_.front()->pages.insert(page);
+    forget_old_runs();
+    changed_.notify_all();
+    return runs_.front();
+}
+
+// Forgets the runs that were wanted longest ago until the rest fits in the memory.
+void FrameStore::forget_old_runs() {
+    std::size_t bytes = 0;
+    std::size_t count = 0;
+    for (auto run = runs_.begin(); run != runs_.end();) {
+        bytes += (*run)->states.size() * kBytesPerBubble *
+                 static_cast<std::size_t>((*run)->preset.seeding.bubbles);
+        const bool fits = ++count == 1 || (count <= kLargestRuns && bytes <= bytes_);
+        if (!fits) {
+            (*run)->is_dropped = true;
+        }
+        run = fits ? std::next(run) : runs_.erase(run);
+    }
+}
+
+SimulationState FrameStore::state_of(const Run& run) const {
+    using Status = SimulationState::Status;
+    SimulationState state{.done = run.complete_frames(),
+                          .total = run.frames,
+                          .progress = run.progress,
+                          .message = run.failure};
+    if (!run.failure.empty()) {
+        state.status = Status::Failed;
+    } else if (run.outcome) {
+        state.status = Status::Complete;
+        state.closing_error = run.outcome->closing_error;
+    }
+    return state;
+}
+
+// Returns the unfinished run that was wanted last, or nullptr. Precondition: the mutex is locked.
+FrameStore::RunPointer FrameStore::next_run() const {
+    const auto found =
+        std::ranges::find_if(runs_, [](const RunPointer& run) { return !run->is_finished(); });
+    return found == runs_.end() ? nullptr : *found;
+}
+
+void FrameStore::work() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [this] { return is_stopped_ || next_run() != nullptr; });
+        if (is_stopped_) {
+            return;
+        }
+        const RunPointer run = next_run();
+        lock.unlock();
+        simulate(run);
+        lock.lock();
+    }
+}
+
+// Simulates a run to its end, or until it is stopped. If another foam is wanted meanwhile, the run
+// still goes on, because the page that waits for it would otherwise wait for ever.
+void FrameStore::simulate(const RunPointer& run) {
+    const auto finish = [&](std::optional<RunOutcome> outcome, std::string failure) {
+        const std::scoped_lock lock(mutex_);
+        run->outcome = std::move(outcome);
+        run->failure = std::move(failure);
+        changed_.notify_all();
+    };
+    const auto report = [&](const RunProgress& progress) {
+        const std::scoped_lock lock(mutex_);
+        run->progress = progress;
+        if (is_stopped_ || run->is_dropped) {
+            throw Stopped();
+        }
+    };
+    const auto keep = [&](const SimulatedFrame& state) {
+        const std::scoped_lock lock(mutex_);
+        run->kept.emplace(state.frame->number, state);
+        changed_.notify_all();
+    };
+    try {
+        const RunOutcome outcome = simulate_states(run->preset, 0, run->states, keep, report);
+        finish(outcome, failure_of(outcome));
+    } catch (const Stopped&) {
+        const std::scoped_lock lock(mutex_);
+        run->is_dropped = true;
+        changed_.notify_all();
+    } catch (const std::bad_alloc&) {
+        finish({}, "out of memory: use fewer bubbles or fewer frames");
+    } catch (const std::exception& error) {
+        finish({}, error.what());
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/studio/picture.h"
+
+#include "core/parallel/parallel_for.h"
+#include "texgen/bake/fitted_ranges.h"
+#include "texgen/bake/reduced_image.h"
+#include "texgen/cache/simulation_keys.h"
+#include "texgen/image/pixel_hash.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/maps/number_extent.h"
+#include "texgen/maps/quantize.h"
+#include "texgen/preset/preset_io.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+// What the maps of recent frames share is kept for pictures of at most this many pixels together.
+constexpr std::size_t kLargestKept = 4UL * 1024 * 1024;
+// The number of pictures that are drawn from the same kept data. Each may add to the data, because
+// some of it depends on options, such as the width of films.
+constexpr int kLargestUses = 64;
+constexpr double kMargin = 1.01;  // as for fitted ranges
+constexpr std::size_t kLargestRanges = 1000;
+
+constexpr int kRgba = 4;
+constexpr std::uint8_t kOpaque = 255;
+
+/// Returns the sample of a map as a number in its unit; light and opacity are from 0 to 1.
+float number_of(const MapImage& image, int x, int y, int channel) {
+    const auto index = static_cast<std::size_t>(channel);
+    if (const auto* colors = std::get_if<ColorPixels>(&image)) {
+        return static_cast<float>(colors->pixels.pixel(x, y)[index] / kWhite);
+    }
+    if (const auto* ids = std::get_if<IdPixels>(&image)) {
+        return static_cast<float>(ids->pixels.pixel(x, y)[index]);
+    }
+    return std::get<NumberPixels>(image).pixels.pixel(x, y)[index];
+}
+
+struct Size {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+};
+
+Size size_of(const MapImage& image) {
+    return std::visit(
+        [](const auto& pixels) {
+            return Size{pixels.pixels.width(), pixels.pixels.height(), pixels.pixels.channels()};
+        },
+        image);
+}
+
+std::string floats_from_top(const MapImage& image) {
+    const Size size = size_of(image);
+    std::vector<float> floats;
+    for (int y = size.height - 1; y >= 0; --y) {
+        for (int x = 0; x < size.width; ++x) {
+            for (int channel = 0; channel < size.channels; ++channel) {
+                floats.push_back(number_of(image, x, y, channel));
+            }
+        }
+    }
+    std::string bytes(floats.size() * sizeof(float), '\0');
+    std::memcpy(bytes.data(), floats.data(), bytes.size());
+    return bytes;
+}
+
+/// Changes the range of an image so that it holds all numbers, as fit_automatic_ranges does for all
+/// frames. `value` is the number of the option that has given the present range.
+void fit_to_picture(NumberPixels& numbers, double value) {
+    const NumberExtent extent = extent_of(numbers);
+    const double largest =
+        std::max(std::abs(extent.smallest), std::abs(extent.largest)) / numbers.high;
+    if (largest > 0.0) {
+        const double factor = rounded_up(kMargin * largest * value) / value;
+        numbers.low *= factor;
+        numbers.high *= factor;
+    }
+}
+
+std::vector<int> all_frames(const Preset& preset) {
+    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
+    std::iota(frames.begin(), frames.end(), 1);
+    return frames;
+}
+
+DistanceNeeds joined(const DistanceNeeds& a, const DistanceNeeds& b) {
+    return {.gradient = a.gradient || b.gradient, .smooth = a.smooth || b.smooth};
+}
+
+bool includes(const DistanceNeeds& all, const DistanceNeeds& some) {
+    return (all.gradient || !some.gradient) && (all.smooth || !some.smooth);
+}
+
+}  // namespace
+
+std::string rgba_from_top(const Image<std::uint8_t>& codes) {
+    const int channels = codes.channels();
+    std::string bytes;
+    bytes.reserve(static_cast<std::size_t>(codes.width()) *
+                  static_cast<std::size_t>(codes.height()) * kRgba);
+    for (int y = codes.height() - 1; y >= 0; --y) {
+        const std::uint8_t* pixel = codes.row(y).data();
+        for (int x = 0; x < codes.width(); ++x, pixel += channels) {
+            const bool is_gray = channels == 1;
+            bytes += static_cast<char>(pixel[0]);
+            bytes += static_cast<char>(pixel[is_gray ? 0 : 1]);
+            bytes += static_cast<char>(pixel[is_gray ? 0 : 2]);
+            bytes += static_cast<char>(channels == kRgba ? pixel[3] : kOpaque);
+        }
+    }
+    return bytes;
+}
+
+// A frame on a grid, and what its maps share. The cross-fade and the layers borrow the frame, so
+// objects are neither copied nor moved.
+struct Painter::Shown {
+    Shown(SimulatedFrame simulated, const RasterGrid& grid, const DistanceNeeds& distance)
+        : frame(std::move(simulated)),
+          fade(frame.cross_fade()),
+          needs(distance),
+          layers{.layers =
+                     FrameLayers(frame.input(distance, shared_fade()), grid, thread_count(0))} {
+        if (fade) {
+            layers.fading_in.emplace(
+                frame.fading_in.input(distance, shared_fade()), grid, thread_count(0));
+        }
+    }
+    Shown(const Shown&) = delete;
+    Shown& operator=(const Shown&) = delete;
+
+    const CrossFade* shared_fade() const { return fade ? &*fade : nullptr; }
+
+    std::size_t pixels() const {
+        const RasterGrid& grid = layers.layers.grid();
+        return static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
+    }
+
+    SimulatedFrame frame;
+    std::optional<CrossFade> fade;
+    DistanceNeeds needs;
+    ShownLayers layers;
+    int uses = 0;
+    std::mutex mutex;  // held while a map is drawn
+};
+
+struct Painter::DrawnMap {
+    MapImage image;
+    bool is_exact = false;
+};
+
+Painter::Painter(FrameStore& store) : store_(store) {}
+Painter::~Painter() = default;
+
+std::shared_ptr<Painter::Shown> Painter::shown(const Preset& preset,
+                                               const PictureRequest& request) {
+    const bool is_draft = request.quality == PictureQuality::Draft;
+    const ReducedImage reduced = reduced_image(preset, request.side);
+    const std::string key = fmt::format("{} {} {} {}x{} {} {} {} {}",
+                                        simulation_hash(preset),
+                                        is_draft,
+                                        request.frame,
+                                        reduced.width,
+                                        reduced.height,
+                                        preset.camera.center[0],
+                                        preset.camera.center[1],
+                                        preset.camera.zoom,
+                                        preset.camera.margin);
+    const std::vector<std::string> names = {request.map};
+    DistanceNeeds needs = distance_needs(names, preset.maps);
+    {
+        const std::scoped_lock lock(mutex_);
+        const auto found = std::ranges::find(
+            kept_, key, [](const auto& one) { return std::string_view(one.first); });
+        if (found != kept_.end()) {
+            const std::shared_ptr<Shown> kept = found->second;
+            if (includes(kept->needs, needs) && ++kept->uses < kLargestUses) {
+                kept_.splice(kept_.begin(), kept_, found);
+                return kept;
+            }
+            needs = joined(needs, kept->needs);
+            kept_.erase(found);
+        }
+    }
+    SimulatedFrame frame =
+        is_draft ? store_.draft(preset) : store_.frame(preset, request.frame, request.page);
+    const RasterGrid grid = reduced.grid(frame.view);
+    auto made = std::make_shared<Shown>(std::move(frame), grid, needs);
+    const std::scoped_lock lock(mutex_);
+    kept_.emplace_front(key, made);
+    std::size_t pixels = 0;
+    kept_.remove_if([&](const auto& one) {
+        pixels += one.second->pixels();
+        return pixels > kLargestKept && one.second != made;
+    });
+    return made;
+}
+
+// Stores the fitted value of an automatic range in the options, if it is known or can be found.
+// Returns false if it is not known.
+bool Painter::fit_range(const Preset& preset, const PictureRequest& request, MapOptions& options) {
+    const Map& map = find_map(request.map);
+    AutoReal* const range = range_option_of(map, options);
+    if (range == nullptr || !range->is_automatic) {
+        return true;
+    }
+    Preset measured = preset;
+    measured.image.maps = {request.map};
+    measured.output = {};
+    const std::string key = simulation_hash(preset) + request.map + text_hash(to_toml(measured));
+    {
+        const std::scoped_lock lock(mutex_);
+        if (const auto found = ranges_.find(key); found != ranges_.end()) {
+            range->value = found->second;
+            return true;
+        }
+    }
+    if (request.quality != PictureQuality::Exact) {
+        return false;
+    }
+    const FrameSource source = store_.source(preset);
+    if (!source) {
+        return false;
+    }
+    fit_automatic_ranges(measured, source, all_frames(preset), 0);
+    range->value = range_option_of(map, measured.maps)->value;
+    const std::scoped_lock lock(mutex_);
+    if (ranges_.size() >= kLargestRanges) {
+        ranges_.clear();
+    }
+    ranges_[key] = range->value;
+    return true;
+}
+
+Painter::DrawnMap Painter::drawn(const Preset& preset,
+                                 const PictureRequest& request,
+                                 Shown& frame) {
+    ReducedImage reduced = reduced_image(preset, request.side);
+    const bool has_range = fit_range(preset, request, reduced.options);
+    const Map& map = find_map(request.map);
+    const std::scoped_lock lock(frame.mutex);
+    DrawnMap drawn{texgen::draw(map, frame.layers, reduced.options), has_range};
+    if (!has_range) {
+        fit_to_picture(std::get<NumberPixels>(drawn.image),
+                       range_option_of(map, reduced.options)->value);
+    }
+    drawn.is_exact = has_range && request.quality != PictureQuality::Draft;
+    return drawn;
+}
+
+HttpResponse Painter::draw(const Preset& preset, const PictureRequest& request) {
+    const std::shared_ptr<Shown> frame = shown(preset, request);
+    const DrawnMap map = drawn(preset, request, *frame);
+    const Size size = size_of(map.image);
+    const auto* const numbers = std::get_if<NumberPixels>(&map.image);
+    const Json header = {{"width", size.width},
+                         {"height", size.height},
+                         {"channels", request.floats ? size.channels : kRgba},
+                         {"frame", request.frame},
+                         {"exact", map.is_exact},
+                         {"low", numbers != nullptr ? Json(numbers->low) : Json(nullptr)},
+                         {"high", numbers != nullptr ? Json(numbers->high) : Json(nullptr)}};
+    HttpResponse response{.content_type = "application/octet-stream",
+                          .headers = {{"X-Foamtex-Picture", json_text(header)}}};
+    if (request.floats) {
+        response.body = floats_from_top(map.image);
+    } else {
+        constexpr int kBits = 8;
+        response.body =
+            rgba_from_top(std::get<Image<std::uint8_t>>(quantize(map.image, kBits).codes));
+    }
+    return response;
+}
+
+Json Painter::pick(const Preset& preset, const PictureRequest& request, int x, int y) {
+    const std::shared_ptr<Shown> frame = shown(preset, request);
+    const DrawnMap map = drawn(preset, request, *frame);
+    const Size size = size_of(map.image);
+    x = std::clamp(x, 0, size.width - 1);
+    const int row = size.height - 1 - std::clamp(y, 0, size.height - 1);
+    Json numbers = Json::array();
+    for (int channel = 0; channel < size.channels; ++channel) {
+        numbers.push_back(number_or_null(number_of(map.image, x, row, channel)));
+    }
+    Json picked = {{"numbers", numbers},
+                   {"unit", find_map(request.map).unit},
+                   {"color", nullptr},
+                   {"bubble", nullptr}};
+    if (const auto* const colors = std::get_if<ColorPixels>(&map.image)) {
+        const Image<std::uint8_t> codes = srgb_codes(*colors);
+        const std::span<const std::uint8_t> pixel = codes.pixel(x, row);
+        picked["color"] = fmt::format("#{:02x}{:02x}{:02x}", pixel[0], pixel[1], pixel[2]);
+    }
+    const std::scoped_lock lock(frame->mutex);
+    FrameLayers& layers = frame->layers.layers;
+    const std::uint32_t id = layers.distance().ids.pixel(x, row)[0];
+    const Frame& foam = layers.frame();
+    if (id < foam.bubbles.size()) {
+        const BubbleId bubble{id};
+        const FrameBubble& found = foam.bubbles[bubble];
+        picked["bubble"] = {{"id", found.identity},
+                            {"area", found.area},
+                            {"target_area", found.target_area},
+                            {"sides", foam.network.sides(bubble)},
+                            {"pressure", found.pressure}};
+    }
+    return picked;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/image.h"
+#include "texgen/json/json_writer.h"
+#include "texgen/maps/cross_fade.h"
+#include "texgen/preset/preset.h"
+#include "texgen/studio/frame_store.h"
+#include "texgen/studio/http_message.h"
+
+#include <cstdint>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace foam::texgen {
+
+/// The largest width and height of a picture that a page can ask for, in pixels.
+inline constexpr int kLargestPicture = 2048;
+
+/// How long a page is willing to wait for a picture.
+enum class PictureQuality {
+    Draft,  // frame 1 before the warm-up and the loop (FrameStore::draft)
+    Full,   // the frame itself; an automatic range is fitted to this picture
+    Exact,  // the frame itself; automatic ranges are fitted to all frames, as in a bake
+};
+
+/// A picture that a page asks for.
+struct PictureRequest {
+    std::string page;
+    int frame = 1;
+    std::string map;
+    int side = kLargestPicture;  // wanted length of the longer side, pixels
+    PictureQuality quality = PictureQuality::Full;
+    bool floats = false;  // floats in the unit of the map instead of codes of 8 bits
+};
+
+/// Returns codes of 1 (gray), 3 or 4 channels as red, green, blue and opacity, row by row from the
+/// top.
+std::string rgba_from_top(const Image<std::uint8_t>& codes);
+
+/// Draws the pictures of the pages. Keeps what the maps of recent frames share, such as distances
+/// to films, so that another look of the same frame is drawn quickly. Thread-safe.
+class Painter {
+  public:
+    /// Keeps a reference to the store.
+    explicit Painter(FrameStore& store);
+    ~Painter();
+    Painter(const Painter&) = delete;
+    Painter& operator=(const Painter&) = delete;
+
+    /// Returns the answer to /api/picture (README.md). Throws std::invalid_argument if the map does
+    /// not exist, and the exceptions of FrameStore.
+    HttpResponse draw(const Preset& preset, const PictureRequest& request);
+
+    /// Returns the answer to /api/pick for the pixel in column x and row y, counted from the upper
+    /// left and clamped to the picture. Throws the same exceptions as `draw`.
+    Json pick(const Preset& preset, const PictureRequest& request, int x, int y);
+
+  private:
+    struct Shown;     // a frame, and what its maps share
+    struct DrawnMap;  // an image, and whether it is exact
+
+    std::shared_ptr<Shown> shown(const Preset& preset, const PictureRequest& request);
+    DrawnMap drawn(const Preset& preset, const PictureRequest& request, Shown& frame);
+    bool fit_range(const Preset& preset, const PictureRequest& request, MapOptions& options);
+
+    FrameStore& store_;
+    std::mutex mutex_;                                                // protects the members below
+    std::list<std::pair<std::string, std::shared_ptr<Shown>>> kept_;  // the newest is first
+    std::map<std::string, double> ranges_;  // fitted ranges, by simulation, map and options
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/studio/settings.h"
+
+#include "texgen/cache/simulation_keys.h"
+#include "texgen/material/profile.h"
+#include "texgen/preset/conditions.h"
+#include "texgen/preset/drawn_images.h"
+#include "texgen/preset/event_io.h"
+#include "texgen/preset/load_preset.h"
+#include "texgen/preset/preset_io.h"
+#include "texgen/preset/preset_keys.h"
+#include "texgen/preset/preset_schema.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kLargestSets = 1000;
+
+/// Returns the path of the key that an error message concerns. Messages begin with the location of
+/// an assignment.
+std::string key_of(std::string_view message, const std::vector<Assignment>& assignments) {
+    const auto found =
+        std::find_if(assignments.rbegin(), assignments.rend(), [&](const Assignment& one) {
+            return message.starts_with(one.location + ":");
+        });
+    return found == assignments.rend() ? "" : found->key;
+}
+
+std::vector<Assignment> read_events(const std::string& toml) {
+    std::vector<Assignment> events = read_assignments(toml, "events");
+    for (const Assignment& event : events) {
+        if (!is_event_key(event.key)) {
+            throw PresetError(fmt::format(
+                "{}: key '{}': only [[event]] is allowed here", event.location, event.key));
+        }
+    }
+    return events;
+}
+
+/// Returns a word in the notation of a POSIX shell.
+std::string shell_word(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+        return word;
+    }
+    std::string quoted = "'";
+    for (const char c : word) {
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return quoted + "'";
+}
+
+/// Returns the events of a preset as a list of objects.
+Json events_json(const Preset& preset) {
+    Json events = Json::array();
+    for (const Assignment& one : read_assignments(events_to_toml(preset), "events")) {
+        if (std::holds_alternative<Value::Table>(one.value.data)) {
+            events.push_back(Json::object());
+        } else {
+            events.back()[one.key.substr(one.key.rfind('.') + 1)] = to_json(one.value);
+        }
+    }
+    return events;
+}
+
+Json values_json(const Preset& preset) {
+    Json values = Json::object();
+    for (const Key<Preset>& key : preset_keys()) {
+        const std::optional<Value> value = key.write(preset);
+        values[key.path] = value ? to_json(*value) : Json(nullptr);
+    }
+    return values;
+}
+
+Json image_names(const Preset& preset) {
+    Json names = Json::array();
+    for (const DrawnImage& image : drawn_images(preset)) {
+        names.push_back(image.name());
+    }
+    return names;
+}
+
+}  // namespace
+
+PageSettings read_settings(const JsonValue& request) {
+    const JsonValue given = request["settings"];
+    PageSettings settings{.preset = given["preset"].text()};
+    for (const JsonValue& set : given["set"].items()) {
+        settings.set.push_back(set.text());
+        if (settings.set.size() > kLargestSets) {
+            given["set"].reject(fmt::format("a list of at most {} texts", kLargestSets));
+        }
+    }
+    if (const auto events = given.find("events")) {
+        settings.events = events->text();
+    }
+    return settings;
+}
+
+PagePreset load_settings(const PageSettings& settings, const StudioFolder& folder) {
+    PagePreset loaded;
+    std::vector<Assignment>& assignments = loaded.assignments;
+    try {
+        const bool is_file = is_preset_path(settings.preset);
+        loaded.preset =
+            load_preset(is_file ? folder.below(settings.preset).string() : settings.preset);
+        for (const std::string& set : settings.set) {
+            assignments.push_back(read_set_argument(set));
+        }
+        if (settings.events) {
+            loaded.preset.events.clear();
+            const std::vector<Assignment> events = read_events(*settings.events);
+            assignments.insert(assignments.end(), events.begin(), events.end());
+        }
+        assign(loaded.preset, assignments);
+    } catch (const PresetError& error) {
+        throw SettingsRejected(error.what(), key_of(error.what(), assignments));
+    }
+    return loaded;
+}
+
+Preset load_live(const PageSettings& settings, const StudioFolder& folder) {
+    Preset preset = load_settings(settings, folder).preset;
+    if (preset.seeding.bubbles > kLargestLiveFoam) {
+        throw SettingsRejected(
+            fmt::format("foam.bubbles = {}: the studio shows foams of at most {} bubbles; larger "
+                        "foams can be baked",
+                        preset.seeding.bubbles,
+                        kLargestLiveFoam),
+            "foam.bubbles");
+    }
+    return preset;
+}
+
+std::optional<std::string> bake_command(const PageSettings& settings,
+                                        const std::vector<std::string>& options) {
+    if (settings.events) {
+        return std::nullopt;
+    }
+    std::string command = "foamtex bake " + shell_word(settings.preset);
+    for (const std::string& set : settings.set) {
+        command += " --set " + shell_word(set);
+    }
+    for (const std::string& option : options) {
+        command += " " + shell_word(option);
+    }
+    return command;
+}
+
+std::string preset_file(const PageSettings& settings, const PagePreset& loaded) {
+    const bool extends = !is_preset_path(settings.preset);
+    const bool drops_events = settings.events && loaded.preset.events.empty();
+    if (!extends || drops_events) {
+        return to_toml(loaded.preset);
+    }
+    std::map<std::string, Value> values;
+    for (const Assignment& one : loaded.assignments) {
+        if (!is_event_key(one.key)) {
+            values[one.key] = one.value;
+        }
+    }
+    std::string toml = fmt::format("extends = \"{}\"\n", settings.preset);
+    std::string_view table;
+    for (const Key<Preset>& key : preset_keys()) {
+        if (const auto found = values.find(key.path); found != values.end()) {
+            if (key.table() != table) {
+                table = key.table();
+                toml += fmt::format("\n[{}]\n", table);
+            }
+            toml += fmt::format("{} = {}\n", key.name(), to_toml(found->second));
+        }
+    }
+    return toml + (settings.events ? "\n" + events_to_toml(loaded.preset) : "");
+}
+
+Json describe_settings(const PageSettings& settings, const StudioFolder& folder) {
+    const PagePreset loaded = load_settings(settings, folder);
+    const Preset& preset = loaded.preset;
+    const std::optional<std::string> command = bake_command(settings);
+    return {{"name", preset.name},
+            {"description", preset.description},
+            {"size", {preset.image.width, preset.image.height}},
+            {"frames", preset.frames.count},
+            {"frames_per_second", preset.output.frames_per_second},
+            {"tiles", preset.shape.kind == FoamKind::Torus},
+            {"loops", preset.loop.kind != LoopKind::None},
+            {"maps", image_names(preset)},
+            {"base_color", base_color_map(preset)},
+            {"values", values_json(preset)},
+            {"events", events_json(preset)},
+            {"events_toml", events_to_toml(preset)},
+            {"notes", unused_keys(preset, loaded.assignments)},
+            {"command", command ? Json(*command) : Json(nullptr)},
+            {"toml", preset_file(settings, loaded)},
+            {"simulation", simulation_hash(preset)}};
+}
+
+}  // namespace foam::texgen
