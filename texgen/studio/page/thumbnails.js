@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+
+import { ApiError, connectionState, postPicture } from "./api.js";
+
+const WIDTH = 160;             // pixels
+const PAUSE = 30;              // milliseconds between two pictures
+const PAUSE_LOADING = 250;     // the same while the loop is being loaded
+const WAIT = 250;              // milliseconds until the next look, while the picture of the document is awaited
+
+/** Draws the thumbnails of the gallery one after the other, those in sight first, and only while nothing else is drawn. */
+export class Thumbnails {
+  #studio;
+  #waiting = [];
+  #visible = new Set();
+  #observer;
+  #running = false;
+
+  constructor(studio, scroller) {
+    this.#studio = studio;
+    this.#observer = new IntersectionObserver((entries) => this.#onSight(entries), { root: scroller, rootMargin: "200px" });
+  }
+
+  /** Adds a card whose canvas shows the preset. */
+  add(card, canvas, preset) {
+    this.#waiting.push({ card, canvas, preset });
+    this.#observer.observe(card);
+  }
+
+  /** Starts to draw. */
+  start() {
+    if (!this.#running && this.#waiting.length > 0) {
+      this.#running = true;
+      this.#next();
+    }
+  }
+
+  #onSight(entries) {
+    for (const { target, isIntersecting } of entries) {
+      isIntersecting ? this.#visible.add(target) : this.#visible.delete(target);
+    }
+    if (this.#studio.painter.settled) {
+      this.start();
+    }
+  }
+
+  get #busy() {
+    return document.body.classList.contains("busy") || connectionState() !== "online";
+  }
+
+  async #next() {
+    const entry = this.#waiting.find(({ card }) => this.#visible.has(card));
+    if (!entry) {
+      this.#running = false;
+      return;
+    }
+    if (this.#busy) {
+      setTimeout(() => this.#next(), WAIT);
+      return;
+    }
+    await this.#draw(entry);
+    setTimeout(() => this.#next(), this.#studio.player.loading ? PAUSE_LOADING : PAUSE);
+  }
+
+  async #draw(entry) {
+    const { canvas, preset } = entry;
+    const body = { settings: { preset: preset.name, set: [], events: null }, frame: 1, map: preset.maps[0], width: WIDTH,
+      quality: "draft", samples: "rgba" };
+    try {
+      const picture = await postPicture("/api/picture", body);
+      canvas.width = picture.width;
+      canvas.height = picture.height;
+      canvas.getContext("2d").putImageData(picture.pixels, 0, 0);
+      canvas.classList.add("drawn");
+    } catch (error) {
+      if (!(error instanceof ApiError)) {
+        return;
+      }
+    }
+    this.#waiting = this.#waiting.filter((other) => other !== entry);
+    this.#observer.unobserve(entry.card);
+  }
+}
