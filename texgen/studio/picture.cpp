@@ -162,6 +162,7 @@ struct Painter::Shown {
 struct Painter::DrawnMap {
     MapImage image;
     bool is_exact = false;
+    std::optional<double> unit_width = {};  // of the map height: its unit in image widths
 };
 
 Painter::Painter(FrameStore& store) : store_(store) {}
@@ -259,6 +260,9 @@ Painter::DrawnMap Painter::drawn(const Preset& preset,
         fit_to_picture(std::get<NumberPixels>(drawn.image),
                        range_option_of(map, reduced.options)->value);
     }
+    if (map.name == kHeightMap.name) {
+        drawn.unit_width = height_unit(frame.layers.layers, reduced.options.relief);
+    }
     drawn.is_exact = has_range && request.quality != PictureQuality::Draft;
     return drawn;
 }
@@ -273,6 +277,7 @@ HttpResponse Painter::draw(const Preset& preset, const PictureRequest& request) 
                          {"channels", request.floats ? size.channels : kRgba},
                          {"frame", request.frame},
                          {"exact", map.is_exact},
+                         {"unit_width", number_or_null(map.unit_width)},
                          {"low", numbers != nullptr ? Json(numbers->low) : Json(nullptr)},
                          {"high", numbers != nullptr ? Json(numbers->high) : Json(nullptr)}};
     HttpResponse response{.content_type = "application/octet-stream",
