@@ -111,17 +111,19 @@ bool includes(const DistanceNeeds& all, const DistanceNeeds& some) {
 
 std::string rgba_from_top(const Image<std::uint8_t>& codes) {
     const int channels = codes.channels();
-    std::string bytes;
-    bytes.reserve(static_cast<std::size_t>(codes.width()) *
-                  static_cast<std::size_t>(codes.height()) * kRgba);
+    const int green = channels == 1 ? 0 : 1;
+    const int blue = channels == 1 ? 0 : 2;
+    std::string bytes(static_cast<std::size_t>(codes.width()) *
+                          static_cast<std::size_t>(codes.height()) * kRgba,
+                      '\0');
+    char* to = bytes.data();
     for (int y = codes.height() - 1; y >= 0; --y) {
-        const std::uint8_t* pixel = codes.row(y).data();
-        for (int x = 0; x < codes.width(); ++x, pixel += channels) {
-            const bool is_gray = channels == 1;
-            bytes += static_cast<char>(pixel[0]);
-            bytes += static_cast<char>(pixel[is_gray ? 0 : 1]);
-            bytes += static_cast<char>(pixel[is_gray ? 0 : 2]);
-            bytes += static_cast<char>(channels == kRgba ? pixel[3] : kOpaque);
+        const std::uint8_t* from = codes.row(y).data();
+        for (int x = 0; x < codes.width(); ++x, from += channels, to += kRgba) {
+            to[0] = static_cast<char>(from[0]);
+            to[1] = static_cast<char>(from[green]);
+            to[2] = static_cast<char>(from[blue]);
+            to[3] = static_cast<char>(channels == kRgba ? from[3] : kOpaque);
         }
     }
     return bytes;
