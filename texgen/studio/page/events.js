@@ -26,11 +26,15 @@ export class EventTrack {
     studio.rejected.on((error) => this.#onError(error));
     studio.state.changed.on((change) => change.opened && this.select(null));
     studio.refreshed.on(() => studio.baked && this.select(null));
+    studio.refreshed.on(() => { $("event-add").disabled = Boolean(studio.baked); });
     this.#show();
   }
 
   /** The events of the document, as texts in TOML. */
   get list() {
+    if (this.#studio.baked) {
+      return [];
+    }
     return this.#studio.state.events ?? toTexts(this.#studio.answer?.events ?? []);
   }
 

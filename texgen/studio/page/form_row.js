@@ -5,6 +5,9 @@ import { el, iconButton } from "./dom.js";
 
 const LABELED = new Set(["INPUT", "SELECT", "TEXTAREA"]);
 
+// The program names the option --set at the start of a message, which the page has no use for.
+const withoutOption = (message) => message.replace(/^--set .*?: (?=key ')/, "");
+
 /** A row of a form: the name of a key, its control, a button that resets it, and a message. */
 export class FormRow {
   changed = false;
@@ -55,7 +58,7 @@ export class FormRow {
     if (LABELED.has(this.field.control.tagName)) {
       this.field.control.setAttribute("aria-invalid", String(this.invalid));
     }
-    this.#showMessage(message);
+    this.#showMessage(message && withoutOption(message));
   }
 
   /** Shows a note of the program, such as that a change has no effect. */

@@ -7,7 +7,6 @@ import { ApiError, postPicture } from "./api.js";
 
 const REST = 200;              // milliseconds without an edit after which the maps are requested
 const WIDTH = 512;             // largest width of the maps, in pixels
-const DEGREES = 0.5;           // the light turns by this angle for each CSS pixel of a drag
 
 export class Lit {
   #studio;
@@ -15,7 +14,6 @@ export class Lit {
   #abort = null;
   #stale = true;
   #later = debounce(REST, () => this.#update());
-  #light = { azimuth: 135, elevation: 50 };
 
   constructor(studio) {
     this.#studio = studio;
@@ -26,9 +24,9 @@ export class Lit {
     for (const id of ["lit-shape", "lit-tiling", "lit-azimuth", "lit-elevation", "lit-ambient", "lit-relief"]) {
       $(id).addEventListener("input", () => this.#apply());
     }
-    $("surface").addEventListener("pointerdown", (event) => $("surface").setPointerCapture(event.pointerId));
-    $("surface").addEventListener("pointermove", (event) => this.#drag(event));
-    new ResizeObserver(() => this.#resize()).observe($("surface"));
+    $("surface").addEventListener("lightchange", (event) => this.#showLight(event.detail));
+    new MutationObserver(() => this.#showBackground()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+    fillSliders();
     this.#onMode();
   }
 
@@ -54,7 +52,7 @@ export class Lit {
     try {
       const { Surface } = await import("./surface.js");
       this.#surface ??= new Surface($("surface"));
-      this.#resize();
+      this.#showBackground();
       return true;
     } catch (error) {
       this.#fail(`The lit surface cannot be shown: ${error.message}`);
@@ -100,42 +98,42 @@ export class Lit {
       images[name] = (await ask(map, "rgba")).pixels;
     }
     const height = await ask("height", "float");
-    images.height = { data: height.numbers, width: height.width, height: height.height };
+    images.height = { data: height.numbers, width: height.width, height: height.height, unit: diameter(answer) };
     return images;
   }
 
   #apply() {
     const number = (id) => Number($(id).value);
-    this.#light = { azimuth: number("lit-azimuth"), elevation: number("lit-elevation") };
+    fillSliders();
     if (!this.#surface) {
       return;
     }
     this.#surface.setShape($("lit-shape").value);
     this.#surface.setTiling(number("lit-tiling"));
-    this.#surface.setLight(this.#light);
+    this.#surface.setLight({ azimuth: number("lit-azimuth"), elevation: number("lit-elevation") });
     this.#surface.setAmbient(number("lit-ambient"));
     this.#surface.setRelief(number("lit-relief"));
     this.#surface.render();
   }
 
-  // A drag moves the light.
-  #drag(event) {
-    if (!$("surface").hasPointerCapture(event.pointerId)) {
-      return;
-    }
-    const azimuth = (this.#light.azimuth + event.movementX * DEGREES + 360) % 360;
-    const elevation = this.#light.elevation - event.movementY * DEGREES;
-    $("lit-azimuth").value = azimuth;
-    $("lit-elevation").value = Math.min(Math.max(elevation, 1), 90);
-    this.#apply();
+  #showLight({ azimuth, elevation }) {
+    $("lit-azimuth").value = (azimuth + 360) % 360;
+    $("lit-elevation").value = elevation;
+    fillSliders();
   }
 
-  #resize() {
-    const canvas = $("surface");
-    if (this.#surface && canvas.clientWidth > 0) {
-      canvas.width = Math.round(canvas.clientWidth * devicePixelRatio);
-      canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);
-      this.#surface.render();
-    }
+  #showBackground() {
+    this.#surface?.setBackground(getComputedStyle($("panel-lit")).backgroundColor);
   }
+}
+
+function fillSliders() {
+  for (const slider of $("lit-tools").querySelectorAll("input")) {
+    slider.style.setProperty("--fill", `${100 * (slider.value - slider.min) / (slider.max - slider.min)}%`);
+  }
+}
+
+// The diameter of a mean bubble, which is the unit of heights, in tile widths.
+function diameter({ size, values }) {
+  return Math.sqrt(4 * size[1] / size[0] / (Math.PI * values["foam.bubbles"]));
 }

@@ -12,7 +12,8 @@ const PATIENCE = 120;          // milliseconds after which a newer request cance
 const REST = 150;              // milliseconds without an edit after which a dragged control rests
 const SLOW = 50;               // milliseconds of a full picture above which smaller ones are requested during a drag
 const SMALL = 256;             // their width, in pixels
-const SHARPEN = 400;           // milliseconds of rest after which a magnified picture is requested at full size
+const LOAD = 400;              // milliseconds after an edit of the looks until the loop is loaded again
+const SHARPEN = 600;           // milliseconds of rest after which a magnified picture is requested at full size
 const DRAFT = 0, SMALLER = 1, FULL = 2, SHARP = 3;     // of two pictures of the same edit, the higher one is shown
 
 export class Painter {
@@ -27,12 +28,14 @@ export class Painter {
   #source = null;
   #draft = new Lane(PATIENCE);
   #full = new Lane(PATIENCE);
+  #sharp = new Lane(PATIENCE);
   #order = 0;
   #shown = [0, 0];
   #fullTime = 0;
   #settled = false;
   #rest = debounce(REST, () => this.#paint());
   #sharpen = debounce(SHARPEN, () => this.#paintSharp());
+  #load = debounce(LOAD, (picture) => this.#loadLoop(picture));
 
   constructor(view, player, ui) {
     this.#view = view;
@@ -61,6 +64,8 @@ export class Painter {
     this.#order += 1;
     this.#player.clear();
     this.#sharpen.cancel();
+    this.#sharp.stop();
+    this.#load.cancel();
     this.#settled &&= !foam;
     if (!this.#settled && this.#source.drafts) {
       this.#paintDraft(live);
@@ -112,11 +117,12 @@ export class Painter {
         this.#fullTime = performance.now() - start;
       }
       if (picture && order === this.#order) {
+        const first = !this.#settled;
         this.#settled = true;
         this.status.emit({ busy: false, message: null });
         this.painted.emit(picture);
         if (rank === FULL && !live) {
-          this.#loadLoop(picture);
+          first || this.#player.loaded > 0 ? this.#loadLoop(picture) : this.#load(picture);
           this.#sharpen();
         }
       }
@@ -184,7 +190,7 @@ export class Painter {
     }
     const order = this.#order;
     const frame = this.#player.frame;
-    this.#full.run((signal) => this.#request(order, SHARP, async () => {
+    this.#sharp.run((signal) => this.#request(order, SHARP, async () => {
       const picture = await source.picture(frame, full, "full", signal);
       if (frame !== this.#player.frame || this.#player.playing) {
         throw new DOMException("Another frame is shown.", "AbortError");

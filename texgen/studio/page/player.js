@@ -74,20 +74,26 @@ export class Player {
   }
 
   put(frame, picture) {
-    this.#loaded += this.#frames[frame] ? 0 : 1;
+    const old = this.#frames[frame];
+    this.#loaded += old ? 0 : 1;
     this.#frames[frame] = picture;
+    if (old && frame === this.frame && !this.playing) {
+      this.framed.emit(frame, picture);
+    }
     this.changed.emit();
   }
 
-  /** Loads all missing frames, first those after the current one. `request(frame, signal)` returns a picture. */
+  /**
+   * Loads all missing frames, first those after the current one. `request(frame, signal)` returns a picture. Frames whose
+   * automatic range was not known yet are loaded again at the end.
+   */
   async load(request) {
     this.#abort?.abort();
     const abort = new AbortController();
     this.#abort = abort;
-    const order = Array.from({ length: this.count }, (_, index) => (this.frame - 1 + index) % this.count + 1);
-    const queue = order.filter((frame) => !this.#frames[frame]);
     try {
-      await Promise.all(Array.from({ length: REQUESTS }, () => this.#work(queue, request, abort.signal)));
+      await this.#loadWhere((picture) => !picture, request, abort.signal);
+      await this.#loadWhere((picture) => !picture?.exact, request, abort.signal);
     } catch (error) {
       abort.abort();
       if (error instanceof ApiError && error.status !== 409) {
@@ -98,6 +104,12 @@ export class Player {
       this.#abort = null;
       this.changed.emit();
     }
+  }
+
+  async #loadWhere(isMissing, request, signal) {
+    const order = Array.from({ length: this.count }, (_, index) => (this.frame - 1 + index) % this.count + 1);
+    const queue = order.filter((frame) => isMissing(this.#frames[frame]));
+    await Promise.all(Array.from({ length: REQUESTS }, () => this.#work(queue, request, signal)));
   }
 
   async #work(queue, request, signal) {

@@ -59,7 +59,7 @@ export class Readout {
     }
     const x = Math.min(picture.width - 1, Math.floor(point[0] * picture.width));
     const y = Math.min(picture.height - 1, Math.floor(point[1] * picture.height));
-    if (this.#studio.baked || !picture.exact) {
+    if (this.#studio.baked || picture.draft) {
       this.#show(x, y, { numbers: [], unit: "", color: colorAt(picture, x, y), bubble: null });
     } else if (!this.#studio.player.playing) {
       this.#ask(picture, x, y);

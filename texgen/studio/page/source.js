@@ -2,7 +2,7 @@
 
 // Where pictures come from: the settings of the page, or a baked folder. A source has `size` (of full pictures), `drafts`
 // (whether it has drafts), `largestWidth`, `map`, and `picture(frame, width, quality, signal)`, which returns a picture:
-// {pixels, width, height, frame, exact, low, high, map, transparent}.
+// {pixels, width, height, frame, exact, low, high, map, transparent, draft}.
 
 import { postPicture } from "./api.js";
 
@@ -16,7 +16,7 @@ export function settingsSource(settings, { size, map, largestWidth, transparent 
     settings,
     async picture(frame, width, quality, signal) {
       const body = { settings, frame, map, width, quality, samples: "rgba" };
-      return { ...await postPicture("/api/picture", body, signal), map, transparent };
+      return { ...await postPicture("/api/picture", body, signal), map, transparent, draft: quality === "draft" };
     },
   };
 }

@@ -6,6 +6,7 @@ const WIDTH = 160;             // pixels
 const PAUSE = 30;              // milliseconds between two pictures
 const PAUSE_LOADING = 250;     // the same while the loop is being loaded
 const WAIT = 250;              // milliseconds until the next look, while the picture of the document is awaited
+const REST = 1000;             // milliseconds after an edit without thumbnails
 
 /** Draws the thumbnails of the gallery one after the other, those in sight first, and only while nothing else is drawn. */
 export class Thumbnails {
@@ -14,10 +15,12 @@ export class Thumbnails {
   #visible = new Set();
   #observer;
   #running = false;
+  #edited = 0;
 
   constructor(studio, scroller) {
     this.#studio = studio;
     this.#observer = new IntersectionObserver((entries) => this.#onSight(entries), { root: scroller, rootMargin: "200px" });
+    studio.state.changed.on(() => { this.#edited = performance.now(); });
   }
 
   /** Adds a card whose canvas shows the preset. */
@@ -44,7 +47,8 @@ export class Thumbnails {
   }
 
   get #busy() {
-    return document.body.classList.contains("busy") || connectionState() !== "online";
+    return document.body.classList.contains("busy") || connectionState() !== "online" ||
+      performance.now() - this.#edited < REST;
   }
 
   async #next() {

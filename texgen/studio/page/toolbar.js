@@ -27,7 +27,7 @@ export class Toolbar {
     ui.on("mode", () => this.#showMode());
     view.moved.on(() => this.#showZoom());
     state.changed.on(() => this.#showDocument());
-    studio.refreshed.on(() => this.#showSource());
+    studio.refreshed.on(() => this.#showDocument());
     studio.answered.on(() => this.#showDocument());
     this.#listenToTabs();
     $("width").value = String(ui.get("width"));
@@ -95,6 +95,7 @@ export class Toolbar {
     $("document-name").textContent = baked ? baked.folder || baked.preset : state.preset;
     $("document-changes").textContent = changes === 0 || baked ? "" : `${changes} changed`;
     $("description").textContent = answer?.description ?? "";
+    $("picture").setAttribute("aria-label", `Picture of ${$("document-name").textContent}, map ${this.#studio.map}`);
     $("undo").disabled = !state.canUndo;
     $("redo").disabled = !state.canRedo;
     document.title = `${state.preset}${changes > 0 ? " •" : ""} – foamtex studio`;
