@@ -33,15 +33,19 @@ function setState(next) {
   state = next;
   connection.emit(state);
   if (state !== "online") {
-    setTimeout(tryAgain, RETRY);
+    clearTimeout(retry);
+    retry = setTimeout(tryAgain, RETRY);
   }
 }
+
+let retry = 0;
 
 async function tryAgain() {
   try {
     await getProgram();
   } catch {
-    setTimeout(tryAgain, RETRY);
+    clearTimeout(retry);
+    retry = setTimeout(tryAgain, RETRY);
   }
 }
 

@@ -10,6 +10,8 @@ import { toToml } from "./toml.js";
 
 const OPEN_STORE = "foamtex-studio-sections";    // key in localStorage
 
+const CLOSED = new Set(["preset", "image", "output"]);     // sections that are closed at first
+
 export class Form {
   #state;
   #sections;
@@ -43,7 +45,7 @@ export class Form {
   /** Opens the sections whose keys a preset sets, unless the user opened or closed them. `base` are its values. */
   showPreset(base) {
     for (const section of this.#sections) {
-      const set = section.keys.some((key) => base[key.path] !== undefined && toToml(base[key.path]) !== toToml(key.default));
+      const set = !CLOSED.has(section.name) && section.keys.some((key) => base[key.path] !== undefined && toToml(base[key.path]) !== toToml(key.default));
       section.set(this.#chosen[section.name] ?? (set || section.name === "foam"));
     }
     this.#filter();

@@ -93,7 +93,8 @@ export class Painter {
 
   /** The width of full pictures in pixels. */
   get width() {
-    const wanted = this.#ui.get("width") || Infinity;
+    const chosen = this.#ui.get("width");
+    const wanted = chosen < 0 ? this.#view.suitableWidth : chosen || Infinity;
     return Math.min(wanted, this.#source.size[0], this.#source.largestWidth);
   }
 

@@ -5,7 +5,7 @@ const STORE = "foamtex-studio-view";     // key in sessionStorage
 const DEFAULTS = {
   map: null,            // the map that is shown; null shows the first map of the preset
   tiling: 1,            // copies of the tile in each direction
-  width: 512,           // largest width of pictures, in pixels; 0 is the size of the preset
+  width: -1,            // largest width of pictures, in pixels; 0 is the size of the preset, -1 suits the window
   frame: 1,
   speed: 1,
   mode: "picture",      // what the workspace shows: picture, lit or variations

@@ -9,6 +9,7 @@ import { clamp } from "./dom.js";
 const MARGIN = 24;             // CSS pixels around a picture that fits
 const LARGEST_ZOOM = 64;       // CSS pixels per pixel of the preset
 const SMOOTH_BELOW = 2;        // device pixels per pixel of the picture, from which pixels are drawn as squares
+const SMALL_CANVAS = 900;      // device pixels of the shorter side, up to which pictures 512 pixels wide are sharp enough
 const CHECKER = 8;             // CSS pixels of a square behind transparent pictures
 
 // The pixels of a picture on a canvas of their own, from which they are scaled.
@@ -144,6 +145,11 @@ export class View {
   positionOf(u, v) {
     return [(u * this.size[0] - this.#center[0]) * this.#zoom + this.#canvas.clientWidth / 2,
       (v * this.size[1] - this.#center[1]) * this.#zoom + this.#canvas.clientHeight / 2];
+  }
+
+  /** A width of pictures, in pixels, that suits the canvas. */
+  get suitableWidth() {
+    return Math.min(this.#canvas.width, this.#canvas.height) > SMALL_CANVAS ? 1024 : 512;
   }
 
   /** Device pixels per pixel of the preset. */
