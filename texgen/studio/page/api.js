@@ -2,18 +2,18 @@
 
 // Sends the requests of the page to the server. ../README.md describes them.
 
-import { Signal } from "./signal.js";
+import {Signal} from "./signal.js";
 
-const RETRY = 2000;        // milliseconds between two attempts to reach a server that is gone
-const ALIVE = 20000;       // milliseconds between two signs of life of this page
+const kRetry = 2000; // milliseconds between two attempts to reach a server that is gone
+const kAlive = 20000; // milliseconds between two signs of life of this page
 
 /** An answer of the server that is an error: its HTTP status, its message, and the preset key that it is about. */
 export class ApiError extends Error {
-  constructor(status, message, key) {
-    super(message);
-    this.status = status;
-    this.key = key;
-  }
+    constructor(status, message, key) {
+        super(message);
+        this.status = status;
+        this.key = key;
+    }
 }
 
 /** A random word that tells the server which page asks. */
@@ -27,112 +27,120 @@ let state = "online";
 export const connectionState = () => state;
 
 function setState(next) {
-  if (next === state) {
-    return;
-  }
-  state = next;
-  connection.emit(state);
-  if (state !== "online") {
-    setTimeout(tryAgain, RETRY);
-  }
+    if (next === state) {
+        return;
+    }
+    state = next;
+    connection.emit(state);
+    if (state !== "online") {
+        clearTimeout(retry);
+        retry = setTimeout(tryAgain, kRetry);
+    }
 }
 
+let retry = 0;
+
 async function tryAgain() {
-  try {
-    await getProgram();
-  } catch {
-    setTimeout(tryAgain, RETRY);
-  }
+    try {
+        await getProgram();
+    } catch {
+        clearTimeout(retry);
+        retry = setTimeout(tryAgain, kRetry);
+    }
 }
 
 async function errorOf(response) {
-  try {
-    const { error } = await response.json();
-    return new ApiError(response.status, error.message, error.key);
-  } catch {
-    return new ApiError(response.status, `The server answered with status ${response.status}.`, null);
-  }
+    try {
+        const {error} = await response.json();
+        return new ApiError(response.status, error.message, error.key);
+    } catch {
+        return new ApiError(response.status, `The server answered with status ${response.status}.`, null);
+    }
 }
 
 async function send(path, options) {
-  let response;
-  try {
-    response = await fetch(path, { credentials: "same-origin", ...options });
-  } catch (error) {
-    if (error.name !== "AbortError") {
-      setState("offline");
+    let response;
+    try {
+        response = await fetch(path, {credentials: "same-origin", ...options});
+    } catch (error) {
+        if (error.name !== "AbortError") {
+            setState("offline");
+        }
+        throw error;
     }
-    throw error;
-  }
-  setState(response.status === 403 ? "forbidden" : "online");
-  if (!response.ok) {
-    throw await errorOf(response);
-  }
-  return response;
+    setState(response.status === 403 ? "forbidden" : "online");
+    if (!response.ok) {
+        throw await errorOf(response);
+    }
+    return response;
 }
 
-const postOptions = (body, signal) =>
-  ({ method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body), signal });
+const postOptions = (body, signal) => ({
+    method: "POST",
+    headers: {"Content-Type": "application/json"},
+    body: JSON.stringify(body),
+    signal,
+});
 
 /** Posts a request and returns the JSON of the answer, or null if the answer is empty. Throws ApiError. */
 export async function post(path, body, signal) {
-  const response = await send(path, postOptions(body, signal));
-  return response.status === 204 ? null : response.json();
+    const response = await send(path, postOptions(body, signal));
+    return response.status === 204 ? null : response.json();
 }
 
 /** Returns what the program can do: presets, maps, profiles, the schema of preset files. */
 export const getProgram = async () => (await send("/api/program", {})).json();
 
 /**
- * Asks for samples: /api/picture or /api/baked. Returns the header of the answer, and the samples as `pixels` (ImageData)
- * or, for the samples "float", as `numbers` (Float32Array). Throws ApiError.
+ * Asks for samples: /api/picture or /api/baked. Returns the header of the answer, and the samples as `pixels`
+ * (ImageData) or, for the samples "float", as `numbers` (Float32Array). Throws ApiError.
  */
 export async function postPicture(path, body, signal) {
-  const response = await send(path, postOptions({ page, ...body }, signal));
-  const info = JSON.parse(response.headers.get("X-Foamtex-Picture"));
-  const buffer = await response.arrayBuffer();
-  if (body.samples === "float") {
-    return { ...info, numbers: new Float32Array(buffer) };
-  }
-  return { ...info, pixels: new ImageData(new Uint8ClampedArray(buffer), info.width, info.height) };
+    const response = await send(path, postOptions({page, ...body}, signal));
+    const info = JSON.parse(response.headers.get("X-Foamtex-Picture"));
+    const buffer = await response.arrayBuffer();
+    if (body.samples === "float") {
+        return {...info, numbers: new Float32Array(buffer)};
+    }
+    return {...info, pixels: new ImageData(new Uint8ClampedArray(buffer), info.width, info.height)};
 }
 
 /** Posts a download and hands the file to the browser under its name, or under `fallback` if the server names none. */
 export async function download(body, fallback) {
-  const response = await send("/api/download", postOptions({ page, ...body }));
-  const name = /filename="?([^";]+)/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ?? fallback;
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(await response.blob());
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-  return name;
+    const response = await send("/api/download", postOptions({page, ...body}));
+    const name = /filename="?([^";]+)/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ?? fallback;
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(await response.blob());
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    return name;
 }
 
 /**
- * Exchanges the token in the fragment of the address for a cookie. Removes the fragment, so that the token does not stay
- * in the history of the browser.
+ * Exchanges the token in the fragment of the address for a cookie. Removes the fragment, so that the token does not
+ * stay in the history of the browser.
  */
 export async function startSession() {
-  const token = /token=([^&]+)/.exec(location.hash)?.[1] ?? /^#([0-9A-Za-z_-]{16,})$/.exec(location.hash)?.[1];
-  if (!token) {
-    return;
-  }
-  history.replaceState(null, "", location.pathname);
-  try {
-    await post("/api/session", { token });
-  } catch (error) {
-    if (!(error instanceof ApiError)) {
-      throw error;
+    const token = /token=([^&]+)/.exec(location.hash)?.[1] ?? /^#([0-9A-Za-z_-]{16,})$/.exec(location.hash)?.[1];
+    if (!token) {
+        return;
     }
-  }
+    history.replaceState(null, "", location.pathname);
+    try {
+        await post("/api/session", {token});
+    } catch (error) {
+        if (!(error instanceof ApiError)) {
+            throw error;
+        }
+    }
 }
 
 /** Tells the server regularly that this page is open, so that the server does not end. */
 export function keepAlive() {
-  setInterval(() => {
-    if (state === "online") {
-      post("/api/alive", { page }).catch(() => {});
-    }
-  }, ALIVE);
+    setInterval(() => {
+        if (state === "online") {
+            post("/api/alive", {page}).catch(() => {});
+        }
+    }, kAlive);
 }

@@ -2,141 +2,158 @@
 
 // The panel that edits one event: its kind, its frames, and the keys of its kind.
 
-import { $, el, icon } from "./dom.js";
-import { FormRow } from "./form_row.js";
-import { fromToml } from "./toml.js";
-import { kindOf, rangeOf, withKind, withRange, withValue } from "./event_model.js";
-import { showHelp } from "./form_help.js";
+import {$, el, icon} from "./dom.js";
+import {FormRow} from "./form_row.js";
+import {fromToml} from "./toml.js";
+import {kindOf, rangeOf, withKind, withRange, withValue} from "./event_model.js";
+import {showHelp} from "./form_help.js";
 
-const TIMES = ["frame", "frames", "time"];
+const kTimes = ["frame", "frames", "time"];
 
 export class EventEditor {
-  #studio;
-  #track;
-  #rows = [];
-  #kind = null;
-  #index = null;
-  #picking = false;
+    #studio;
+    #track;
+    #rows = [];
+    #kind = null;
+    #index = null;
+    #picking = false;
 
-  constructor(studio, track) {
-    this.#studio = studio;
-    this.#track = track;
-    $("event-kind").replaceChildren(...studio.eventKinds.map((kind) => el("option", { value: kind.name }, kind.name)));
-    $("event-kind").addEventListener("change", () => this.#change((event) => withKind(event, this.#kindNamed($("event-kind").value))));
-    for (const id of ["event-first", "event-last"]) {
-      $(id).addEventListener("change", () => this.#changeRange());
+    constructor(studio, track) {
+        this.#studio = studio;
+        this.#track = track;
+        $("event-kind").replaceChildren(
+            ...studio.eventKinds.map((kind) => el("option", {value: kind.name}, kind.name)),
+        );
+        $("event-kind").addEventListener("change", () =>
+            this.#change((event) => withKind(event, this.#kindNamed($("event-kind").value))),
+        );
+        for (const id of ["event-first", "event-last"]) {
+            $(id).addEventListener("change", () => this.#changeRange());
+        }
+        $("event-delete").addEventListener("click", () => track.change(this.#index, null));
+        $("event-close").addEventListener("click", () => track.select(null));
+        $("event-editor").addEventListener("keydown", (event) => this.#key(event));
+        studio.view.gestures.clicked.on((point) => this.#onClick(point));
+        studio.view.moved.on(() => this.#placePin());
     }
-    $("event-delete").addEventListener("click", () => track.change(this.#index, null));
-    $("event-close").addEventListener("click", () => track.select(null));
-    $("event-editor").addEventListener("keydown", (event) => this.#key(event));
-    studio.view.gestures.clicked.on((point) => this.#onClick(point));
-    studio.view.moved.on(() => this.#placePin());
-  }
 
-  /** Shows an event of the list, or closes the panel if `event` is null. */
-  show(index, event) {
-    this.#index = event ? index : null;
-    $("event-editor").hidden = !event;
-    this.#pick(this.#picking && event !== null);
-    if (event) {
-      this.#showEvent(event);
+    /** Shows an event of the list, or closes the panel if `event` is null. */
+    show(index, event) {
+        this.#index = event ? index : null;
+        $("event-editor").hidden = !event;
+        this.#pick(this.#picking && event !== null);
+        if (event) {
+            this.#showEvent(event);
+        }
+        this.#placePin();
     }
-    this.#placePin();
-  }
 
-  get #event() {
-    return this.#index === null ? null : this.#track.list[this.#index] ?? null;
-  }
-
-  #kindNamed = (name) => this.#studio.eventKinds.find((kind) => kind.name === name);
-
-  #showEvent(event) {
-    const kind = this.#kindNamed(kindOf(event));
-    const [first, last] = rangeOf(event, this.#studio.answer?.values ?? {});
-    $("event-title").textContent = `Event ${this.#index + 1}`;
-    $("event-kind").value = kind.name;
-    $("event-help").textContent = `${kind.help.replaceAll("`", "")}.`;
-    $("event-first").value = first;
-    $("event-last").value = last;
-    if (kind !== this.#kind) {
-      this.#kind = kind;
-      this.#rows = kind.keys.filter((key) => !TIMES.includes(key.name)).map((key) => this.#row(key));
-      $("event-rows").replaceChildren(...this.#rows.map((row) => row.element));
+    get #event() {
+        return this.#index === null ? null : (this.#track.list[this.#index] ?? null);
     }
-    this.#showValues(event);
-  }
 
-  #showValues(event) {
-    const error = this.#track.error?.index === this.#index ? this.#track.error : null;
-    for (const row of this.#rows) {
-      const text = event[row.key.name];
-      row.showValue(text === undefined ? row.key.default : fromToml(text), text);
-      row.showError(error?.key === row.key.name ? error.message : null);
+    #kindNamed = (name) => this.#studio.eventKinds.find((kind) => kind.name === name);
+
+    #showEvent(event) {
+        const kind = this.#kindNamed(kindOf(event));
+        const [first, last] = rangeOf(event, this.#studio.answer?.values ?? {});
+        $("event-title").textContent = `Event ${this.#index + 1}`;
+        $("event-kind").value = kind.name;
+        $("event-help").textContent = `${kind.help.replaceAll("`", "")}.`;
+        $("event-first").value = first;
+        $("event-last").value = last;
+        if (kind !== this.#kind) {
+            this.#kind = kind;
+            this.#rows = kind.keys.filter((key) => !kTimes.includes(key.name)).map((key) => this.#row(key));
+            $("event-rows").replaceChildren(...this.#rows.map((row) => row.element));
+        }
+        this.#showValues(event);
     }
-    const general = error && !this.#rows.some((row) => row.key.name === error.key);
-    $("event-error").hidden = !general;
-    $("event-error").textContent = general ? error.message : "";
-  }
 
-  #row(key) {
-    const row = new FormRow({ ...key, path: `event.${key.name}` }, {
-      prefix: "e",
-      edit: (text) => this.#change((event) => withValue(event, key.name, text)),
-      reset: () => this.#change((event) => withValue(event, key.name, null)),
-    });
-    row.element.addEventListener("focusin", () => showHelp({ ...key, condition: null }, {}));
-    if (key.name === "at") {
-      const button = el("button", { type: "button", class: "small-button", id: "event-pick", "aria-pressed": "false",
-        onclick: () => this.#pick(!this.#picking) }, icon("target"), "Pick in the picture");
-      row.element.append(button);
+    #showValues(event) {
+        const error = this.#track.error?.index === this.#index ? this.#track.error : null;
+        for (const row of this.#rows) {
+            const text = event[row.key.name];
+            row.showValue(text === undefined ? row.key.default : fromToml(text), text);
+            row.showError(error?.key === row.key.name ? error.message : null);
+        }
+        const general = error && !this.#rows.some((row) => row.key.name === error.key);
+        $("event-error").hidden = !general;
+        $("event-error").textContent = general ? error.message : "";
     }
-    return row;
-  }
 
-  #change(edit) {
-    if (this.#event) {
-      this.#track.change(this.#index, edit(this.#event));
+    #row(key) {
+        const row = new FormRow(
+            {...key, path: `event.${key.name}`},
+            {
+                prefix: "e",
+                edit: (text) => this.#change((event) => withValue(event, key.name, text)),
+                reset: () => this.#change((event) => withValue(event, key.name, null)),
+            },
+        );
+        row.element.addEventListener("focusin", () => showHelp({...key, condition: null}, {}));
+        if (key.name === "at") {
+            const button = el(
+                "button",
+                {
+                    type: "button",
+                    class: "small-button",
+                    id: "event-pick",
+                    "aria-pressed": "false",
+                    onclick: () => this.#pick(!this.#picking),
+                },
+                icon("target"),
+                "Pick in the picture",
+            );
+            row.element.append(button);
+        }
+        return row;
     }
-  }
 
-  #changeRange() {
-    const [first, last] = [Number($("event-first").value), Number($("event-last").value)];
-    this.#change((event) => withRange(event, [first, Math.max(first, last)]));
-  }
-
-  #key(event) {
-    if (event.key === "Escape") {
-      event.stopPropagation();
-      this.#picking ? this.#pick(false) : this.#track.select(null);
+    #change(edit) {
+        if (this.#event) {
+            this.#track.change(this.#index, edit(this.#event));
+        }
     }
-  }
 
-  // While a position is picked, the next click in the picture sets it.
-  #pick(on) {
-    this.#picking = on;
-    this.#studio.readout.suspended = on;
-    $("picture").classList.toggle("picking", on);
-    $("event-pick")?.setAttribute("aria-pressed", String(on));
-    if (on) {
-      this.#studio.status.say("Click in the picture to set the position of the event.");
+    #changeRange() {
+        const [first, last] = [Number($("event-first").value), Number($("event-last").value)];
+        this.#change((event) => withRange(event, [first, Math.max(first, last)]));
     }
-  }
 
-  // Positions of events are fractions from the lower left corner.
-  #onClick([x, y]) {
-    if (this.#picking) {
-      this.#pick(false);
-      this.#change((event) => withValue(event, "at", `[${x.toFixed(4)}, ${(1 - y).toFixed(4)}]`));
+    #key(event) {
+        if (event.key === "Escape") {
+            event.stopPropagation();
+            this.#picking ? this.#pick(false) : this.#track.select(null);
+        }
     }
-  }
 
-  #placePin() {
-    const at = this.#event?.at && fromToml(this.#event.at);
-    $("pin").hidden = !Array.isArray(at);
-    if (Array.isArray(at)) {
-      const [x, y] = this.#studio.view.positionOf(at[0], 1 - at[1]);
-      $("pin").style.left = `${x}px`;
-      $("pin").style.top = `${y}px`;
+    // While a position is picked, the next click in the picture sets it.
+    #pick(on) {
+        this.#picking = on;
+        this.#studio.readout.suspended = on;
+        $("picture").classList.toggle("picking", on);
+        $("event-pick")?.setAttribute("aria-pressed", String(on));
+        if (on) {
+            this.#studio.status.say("Click in the picture to set the position of the event.");
+        }
     }
-  }
+
+    // Positions of events are fractions from the lower left corner.
+    #onClick([x, y]) {
+        if (this.#picking) {
+            this.#pick(false);
+            this.#change((event) => withValue(event, "at", `[${x.toFixed(4)}, ${(1 - y).toFixed(4)}]`));
+        }
+    }
+
+    #placePin() {
+        const at = this.#event?.at && fromToml(this.#event.at);
+        $("pin").hidden = !Array.isArray(at);
+        if (Array.isArray(at)) {
+            const [x, y] = this.#studio.view.positionOf(at[0], 1 - at[1]);
+            $("pin").style.left = `${x}px`;
+            $("pin").style.top = `${y}px`;
+        }
+    }
 }

@@ -2,63 +2,65 @@
 
 // Events as the page keeps them: objects whose values are texts in TOML.
 
-import { fromToml, toToml } from "./toml.js";
+import {fromToml, toToml} from "./toml.js";
 
-const LENGTH = 10;             // frames of a new event
+const kLength = 10; // frames of a new event
 
 /** Returns the events of an answer of /api/settings as the page keeps them. */
-export const toTexts = (events) => events.map((event) =>
-  Object.fromEntries(Object.entries(event).map(([name, value]) => [name, toToml(value)])));
+export const toTexts = (events) =>
+    events.map((event) => Object.fromEntries(Object.entries(event).map(([name, value]) => [name, toToml(value)])));
 
 /** Returns the kind of an event. */
 export const kindOf = (event) => fromToml(event.kind);
 
 /** Returns the frames of an event: [first, last]. `values` are the values of the preset's keys. */
 export function rangeOf(event, values) {
-  if (event.frames) {
-    return fromToml(event.frames);
-  }
-  if (event.frame) {
-    return [fromToml(event.frame), fromToml(event.frame)];
-  }
-  const times = [fromToml(event.time ?? "0")].flat();
-  return [times[0], times.at(-1)].map((time) => frameAt(time, values));
+    if (event.frames) {
+        return fromToml(event.frames);
+    }
+    if (event.frame) {
+        return [fromToml(event.frame), fromToml(event.frame)];
+    }
+    const times = [fromToml(event.time ?? "0")].flat();
+    return [times[0], times.at(-1)].map((time) => frameAt(time, values));
 }
+
+const without = (event, names) => Object.fromEntries(Object.entries(event).filter(([name]) => !names.includes(name)));
 
 /** Returns the event with other frames. */
 export function withRange(event, [first, last]) {
-  const { frame, frames, time, ...rest } = event;
-  return first === last ? { ...rest, frame: String(first) } : { ...rest, frames: `[${first}, ${last}]` };
+    const rest = without(event, ["frame", "frames", "time"]);
+    return first === last ? {...rest, frame: String(first)} : {...rest, frames: `[${first}, ${last}]`};
 }
 
 /** Returns the event with another value of a key; null removes the key. */
 export function withValue(event, name, text) {
-  const { [name]: old, ...rest } = event;
-  return text === null ? rest : { ...rest, [name]: text };
+    const rest = without(event, [name]);
+    return text === null ? rest : {...rest, [name]: text};
 }
 
 // Frame 1 is at time 0; each step is `growth` times as long as the one before.
 function frameAt(time, values) {
-  const step = values["frames.time_step"] || 1;
-  const growth = values["frames.step_growth"] ?? 1;
-  let frame = 1;
-  for (let end = 0, length = step; end < time && frame < 100000; length *= growth) {
-    end += length;
-    frame += 1;
-  }
-  return frame;
+    const step = values["frames.time_step"] || 1;
+    const growth = values["frames.step_growth"] ?? 1;
+    let frame = 1;
+    for (let end = 0, length = step; end < time && frame < 100000; length *= growth) {
+        end += length;
+        frame += 1;
+    }
+    return frame;
 }
 
 /** Returns a new event of a kind (see schema.js) that begins near a frame. */
 export function newEvent(kind, frame, count) {
-  const first = Math.min(Math.max(2, frame), count);
-  const event = withRange({ kind: toToml(kind.name) }, [first, Math.min(count, first + LENGTH - 1)]);
-  return kind.keys.some((key) => key.name === "at") ? { ...event, at: "[0.5, 0.5]" } : event;
+    const first = Math.min(Math.max(2, frame), count);
+    const event = withRange({kind: toToml(kind.name)}, [first, Math.min(count, first + kLength - 1)]);
+    return kind.keys.some((key) => key.name === "at") ? {...event, at: "[0.5, 0.5]"} : event;
 }
 
 /** Returns the event as one of another kind, with the keys that the other kind has too. */
 export function withKind(event, kind) {
-  const names = new Set(kind.keys.map((key) => key.name));
-  const kept = Object.entries(event).filter(([name]) => names.has(name));
-  return { kind: toToml(kind.name), ...Object.fromEntries(kept) };
+    const names = new Set(kind.keys.map((key) => key.name));
+    const kept = Object.entries(event).filter(([name]) => names.has(name));
+    return {kind: toToml(kind.name), ...Object.fromEntries(kept)};
 }

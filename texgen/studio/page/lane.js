@@ -6,61 +6,61 @@
  * simulation that nobody wants any more.
  */
 export class Lane {
-  #patience;
-  #running = null;
-  #waiting = null;
+    #patience;
+    #running = null;
+    #waiting = null;
 
-  constructor(patience) {
-    this.#patience = patience;
-  }
-
-  /** True while a request is running. */
-  get busy() {
-    return this.#running !== null;
-  }
-
-  /** Runs `request`, a function from an AbortSignal to a promise, now or as soon as possible. */
-  run(request) {
-    this.#waiting = request;
-    if (!this.#running) {
-      this.#next();
-    } else if (performance.now() - this.#running.start > this.#patience) {
-      this.#running.abort.abort();
-    } else {
-      this.#cancelWhenOverdue(this.#running);
+    constructor(patience) {
+        this.#patience = patience;
     }
-  }
 
-  /** Cancels the running request and forgets the waiting one. */
-  stop() {
-    this.#waiting = null;
-    this.#running?.abort.abort();
-  }
-
-  #cancelWhenOverdue(running) {
-    running.timer ??= setTimeout(() => {
-      if (this.#waiting) {
-        running.abort.abort();
-      }
-    }, this.#patience);
-  }
-
-  async #next() {
-    const request = this.#waiting;
-    this.#waiting = null;
-    const running = { abort: new AbortController(), start: performance.now(), timer: null };
-    this.#running = running;
-    try {
-      await request(running.abort.signal);
-    } catch (error) {
-      if (error.name !== "AbortError") {
-        console.error(error);
-      }
+    /** True while a request is running. */
+    get busy() {
+        return this.#running !== null;
     }
-    clearTimeout(running.timer);
-    this.#running = null;
-    if (this.#waiting) {
-      this.#next();
+
+    /** Runs `request`, a function from an AbortSignal to a promise, now or as soon as possible. */
+    run(request) {
+        this.#waiting = request;
+        if (!this.#running) {
+            this.#next();
+        } else if (performance.now() - this.#running.start > this.#patience) {
+            this.#running.abort.abort();
+        } else {
+            this.#cancelWhenOverdue(this.#running);
+        }
     }
-  }
+
+    /** Cancels the running request and forgets the waiting one. */
+    stop() {
+        this.#waiting = null;
+        this.#running?.abort.abort();
+    }
+
+    #cancelWhenOverdue(running) {
+        running.timer ??= setTimeout(() => {
+            if (this.#waiting) {
+                running.abort.abort();
+            }
+        }, this.#patience);
+    }
+
+    async #next() {
+        const request = this.#waiting;
+        this.#waiting = null;
+        const running = {abort: new AbortController(), start: performance.now(), timer: null};
+        this.#running = running;
+        try {
+            await request(running.abort.signal);
+        } catch (error) {
+            if (error.name !== "AbortError") {
+                console.error(error);
+            }
+        }
+        clearTimeout(running.timer);
+        this.#running = null;
+        if (this.#waiting) {
+            this.#next();
+        }
+    }
 }

@@ -1,195 +1,207 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Decides which pictures are requested, and shows them: drafts and small pictures while a control moves, full pictures when
-// it rests, then the other frames of the loop.
+// Decides which pictures are requested, and shows them: drafts and small pictures while a control moves, full pictures
+// when it rests, then the other frames of the loop.
 
-import { ApiError } from "./api.js";
-import { debounce } from "./dom.js";
-import { Lane } from "./lane.js";
-import { Signal } from "./signal.js";
+import {ApiError} from "./api.js";
+import {debounce} from "./dom.js";
+import {Lane} from "./lane.js";
+import {Signal} from "./signal.js";
 
-const PATIENCE = 120;          // milliseconds after which a newer request cancels a running one
-const REST = 150;              // milliseconds without an edit after which a dragged control rests
-const SLOW = 50;               // milliseconds of a full picture above which smaller ones are requested during a drag
-const SMALL = 256;             // their width, in pixels
-const SHARPEN = 400;           // milliseconds of rest after which a magnified picture is requested at full size
-const DRAFT = 0, SMALLER = 1, FULL = 2, SHARP = 3;     // of two pictures of the same edit, the higher one is shown
+const kPatience = 120; // milliseconds after which a newer request cancels a running one
+const kRest = 150; // milliseconds without an edit after which a dragged control rests
+const kSlow = 50; // milliseconds of a full picture above which smaller ones are requested during a drag
+const kSmall = 256; // their width, in pixels
+const kLoad = 400; // milliseconds after an edit of the looks until the loop is loaded again
+const kSharpen = 600; // milliseconds of rest after which a magnified picture is requested at full size
+const kDraft = 0,
+    kSmaller = 1,
+    kFull = 2,
+    kSharp = 3; // of two pictures of the same edit, the higher one is shown
 
 export class Painter {
-  /** Emits {busy, message}: whether a full picture is awaited, and the error of the last picture or null. */
-  status = new Signal();
-  /** Emits a full picture that was shown. */
-  painted = new Signal();
+    /** Emits {busy, message}: whether a full picture is awaited, and the error of the last picture or null. */
+    status = new Signal();
+    /** Emits a full picture that was shown. */
+    painted = new Signal();
 
-  #view;
-  #player;
-  #ui;
-  #source = null;
-  #draft = new Lane(PATIENCE);
-  #full = new Lane(PATIENCE);
-  #order = 0;
-  #shown = [0, 0];
-  #fullTime = 0;
-  #settled = false;
-  #rest = debounce(REST, () => this.#paint());
-  #sharpen = debounce(SHARPEN, () => this.#paintSharp());
+    #view;
+    #player;
+    #ui;
+    #source = null;
+    #draft = new Lane(kPatience);
+    #full = new Lane(kPatience);
+    #sharp = new Lane(kPatience);
+    #order = 0;
+    #shown = [0, 0];
+    #fullTime = 0;
+    #settled = false;
+    #rest = debounce(kRest, () => this.#paint());
+    #sharpen = debounce(kSharpen, () => this.#paintSharp());
+    #load = debounce(kLoad, (picture) => this.#loadLoop(picture));
 
-  constructor(view, player, ui) {
-    this.#view = view;
-    this.#player = player;
-    this.#ui = ui;
-    player.framed.on((frame, picture) => this.#onFrame(picture));
-    player.changed.on(() => player.playing && this.#sharpen.cancel());
-    view.moved.on(() => this.#sharpen());
-  }
-
-  /** Sets where pictures come from: see source.js. Does not request a picture. */
-  setSource(source) {
-    this.#source = source;
-  }
-
-  /** True if a picture of the current foam has been shown that is no draft. */
-  get settled() {
-    return this.#settled;
-  }
-
-  /**
-   * Requests the picture again after an edit. `foam` tells whether the foam changes; `live` whether the control is still
-   * being moved.
-   */
-  refresh({ foam = false, live = false } = {}) {
-    this.#order += 1;
-    this.#player.clear();
-    this.#sharpen.cancel();
-    this.#settled &&= !foam;
-    if (!this.#settled && this.#source.drafts) {
-      this.#paintDraft(live);
+    constructor(view, player, ui) {
+        this.#view = view;
+        this.#player = player;
+        this.#ui = ui;
+        player.framed.on((frame, picture) => this.#onFrame(picture));
+        player.changed.on(() => player.playing && this.#sharpen.cancel());
+        view.moved.on(() => this.#sharpen());
     }
-    if (!live) {
-      this.#rest.cancel();
-      this.#paint();
-      return;
+
+    /** Sets where pictures come from: see source.js. Does not request a picture. */
+    setSource(source) {
+        this.#source = source;
     }
-    this.#rest();
-    if (this.#settled) {
-      this.#paint(this.#fullTime > SLOW ? Math.min(SMALL, this.width) : this.width, true);
-    } else {
-      this.#full.stop();
+
+    /** True if a picture of the current foam has been shown that is no draft. */
+    get settled() {
+        return this.#settled;
     }
-  }
 
-  /** Requests a draft too, because the last edit has turned out to change the foam. */
-  addDraft() {
-    if (this.#settled && this.#shown[0] < this.#order) {
-      this.#settled = false;
-      this.#paintDraft(false);
-    }
-  }
-
-  /** The width of full pictures in pixels. */
-  get width() {
-    const wanted = this.#ui.get("width") || Infinity;
-    return Math.min(wanted, this.#source.size[0], this.#source.largestWidth);
-  }
-
-  #paintDraft(live) {
-    const order = this.#order;
-    const source = this.#source;
-    const width = live ? Math.min(SMALL, this.width) : Math.min(512, this.width);
-    this.#draft.run((signal) => this.#request(order, DRAFT, () => source.picture(1, width, "draft", signal)));
-  }
-
-  #paint(width = this.width, live = false) {
-    const order = this.#order;
-    const source = this.#source;
-    const frame = this.#player.frame;
-    this.status.emit({ busy: true, message: null });
-    this.#full.run(async (signal) => {
-      const start = performance.now();
-      const rank = width < this.width ? SMALLER : FULL;
-      const picture = await this.#request(order, rank, () => source.picture(frame, width, "full", signal));
-      if (picture && width === this.width && source === this.#source) {
-        this.#fullTime = performance.now() - start;
-      }
-      if (picture && order === this.#order) {
-        this.#settled = true;
-        this.status.emit({ busy: false, message: null });
-        this.painted.emit(picture);
-        if (rank === FULL && !live) {
-          this.#loadLoop(picture);
-          this.#sharpen();
+    /**
+     * Requests the picture again after an edit. `foam` tells whether the foam changes; `live` whether the control is
+     * still being moved.
+     */
+    refresh({foam = false, live = false} = {}) {
+        this.#order += 1;
+        this.#player.clear();
+        this.#sharpen.cancel();
+        this.#sharp.stop();
+        this.#load.cancel();
+        this.#settled &&= !foam;
+        if (!this.#settled && this.#source.drafts) {
+            this.#paintDraft(live);
         }
-      }
-    });
-  }
+        if (!live) {
+            this.#rest.cancel();
+            this.#paint();
+            return;
+        }
+        this.#rest();
+        if (this.#settled) {
+            this.#paint(this.#fullTime > kSlow ? Math.min(kSmall, this.width) : this.width, true);
+        } else {
+            this.#full.stop();
+        }
+    }
 
-  #loadLoop(picture) {
-    const source = this.#source;
-    const width = this.#player.loopWidth(this.width, source.size[1] / source.size[0]);
-    if (picture.width === width) {
-      this.#player.put(picture.frame, picture);
+    /** Requests a draft too, because the last edit has turned out to change the foam. */
+    addDraft() {
+        if (this.#settled && this.#shown[0] < this.#order) {
+            this.#settled = false;
+            this.#paintDraft(false);
+        }
     }
-    if (this.#player.count > 1 && !this.#player.complete) {
-      this.#player.load((frame, signal) => source.picture(frame, width, "full", signal));
-    }
-  }
 
-  async #request(order, rank, ask) {
-    try {
-      const picture = await ask();
-      this.#show(order, rank, picture);
-      return picture;
-    } catch (error) {
-      if (error instanceof ApiError && error.status !== 409 && order === this.#order) {
-        this.status.emit({ busy: false, message: error.message, error });
-      } else if (error.name !== "AbortError" && !(error instanceof ApiError) && !(error instanceof TypeError)) {
-        throw error;
-      }
-      return null;
+    /** The width of full pictures in pixels. */
+    get width() {
+        const chosen = this.#ui.get("width");
+        const wanted = chosen < 0 ? this.#view.suitableWidth : chosen || Infinity;
+        return Math.min(wanted, this.#source.size[0], this.#source.largestWidth);
     }
-  }
 
-  #show(order, rank, picture) {
-    if (order < this.#shown[0] || (order === this.#shown[0] && rank < this.#shown[1])) {
-      return;
+    #paintDraft(live) {
+        const order = this.#order;
+        const source = this.#source;
+        const width = live ? Math.min(kSmall, this.width) : Math.min(512, this.width);
+        this.#draft.run((signal) => this.#request(order, kDraft, () => source.picture(1, width, "draft", signal)));
     }
-    this.#shown = [order, rank];
-    this.#view.show(picture);
-  }
 
-  // Shows a frame of the loop, or requests it if it is not loaded.
-  #onFrame(picture) {
-    if (picture) {
-      this.#shown = [this.#order, FULL];
-      this.#view.show(picture);
-      if (!this.#player.playing) {
-        this.#sharpen();
-      }
-    } else if (this.#source) {
-      this.#shown = [this.#order, DRAFT];
-      this.#paint();
+    #paint(width = this.width, live = false) {
+        const order = this.#order;
+        const source = this.#source;
+        const frame = this.#player.frame;
+        this.status.emit({busy: true, message: null});
+        this.#full.run(async (signal) => {
+            const start = performance.now();
+            const rank = width < this.width ? kSmaller : kFull;
+            const picture = await this.#request(order, rank, () => source.picture(frame, width, "full", signal));
+            if (picture && width === this.width && source === this.#source) {
+                this.#fullTime = performance.now() - start;
+            }
+            if (picture && order === this.#order) {
+                const first = !this.#settled;
+                this.#settled = true;
+                this.status.emit({busy: false, message: null});
+                this.painted.emit(picture);
+                if (rank === kFull && !live) {
+                    first || this.#player.loaded > 0 ? this.#loadLoop(picture) : this.#load(picture);
+                    this.#sharpen();
+                }
+            }
+        });
     }
-  }
 
-  // Requests the picture at the size of the preset if its pixels would be magnified otherwise.
-  #paintSharp() {
-    const source = this.#source;
-    const shown = this.#view.picture;
-    if (!source || !shown || !shown.exact || this.#player.playing || this.#full.busy || !this.#settled) {
-      return;
+    #loadLoop(picture) {
+        const source = this.#source;
+        const width = this.#player.loopWidth(this.width, source.size[1] / source.size[0]);
+        if (picture.width === width) {
+            this.#player.put(picture.frame, picture);
+        }
+        if (this.#player.count > 1 && !this.#player.complete) {
+            this.#player.load((frame, signal) => source.picture(frame, width, "full", signal));
+        }
     }
-    const full = Math.min(source.size[0], source.largestWidth);
-    if (shown.width >= full || this.#view.deviceZoom * source.size[0] < 1.2 * shown.width) {
-      return;
+
+    async #request(order, rank, ask) {
+        try {
+            const picture = await ask();
+            this.#show(order, rank, picture);
+            return picture;
+        } catch (error) {
+            if (error instanceof ApiError && error.status !== 409 && order === this.#order) {
+                this.status.emit({busy: false, message: error.message, error});
+            } else if (error.name !== "AbortError" && !(error instanceof ApiError) && !(error instanceof TypeError)) {
+                throw error;
+            }
+            return null;
+        }
     }
-    const order = this.#order;
-    const frame = this.#player.frame;
-    this.#full.run((signal) => this.#request(order, SHARP, async () => {
-      const picture = await source.picture(frame, full, "full", signal);
-      if (frame !== this.#player.frame || this.#player.playing) {
-        throw new DOMException("Another frame is shown.", "AbortError");
-      }
-      return picture;
-    }));
-  }
+
+    #show(order, rank, picture) {
+        if (order < this.#shown[0] || (order === this.#shown[0] && rank < this.#shown[1])) {
+            return;
+        }
+        this.#shown = [order, rank];
+        this.#view.show(picture);
+    }
+
+    // Shows a frame of the loop, or requests it if it is not loaded.
+    #onFrame(picture) {
+        if (picture) {
+            this.#shown = [this.#order, kFull];
+            this.#view.show(picture);
+            if (!this.#player.playing) {
+                this.#sharpen();
+            }
+        } else if (this.#source) {
+            this.#shown = [this.#order, kDraft];
+            this.#paint();
+        }
+    }
+
+    // Requests the picture at the size of the preset if its pixels would be magnified otherwise.
+    #paintSharp() {
+        const source = this.#source;
+        const shown = this.#view.picture;
+        if (!source || !shown || !shown.exact || this.#player.playing || this.#full.busy || !this.#settled) {
+            return;
+        }
+        const full = Math.min(source.size[0], source.largestWidth);
+        if (shown.width >= full || this.#view.deviceZoom * source.size[0] < 1.2 * shown.width) {
+            return;
+        }
+        const order = this.#order;
+        const frame = this.#player.frame;
+        this.#sharp.run((signal) =>
+            this.#request(order, kSharp, async () => {
+                const picture = await source.picture(frame, full, "full", signal);
+                if (frame !== this.#player.frame || this.#player.playing) {
+                    throw new DOMException("Another frame is shown.", "AbortError");
+                }
+                return picture;
+            }),
+        );
+    }
 }

@@ -2,98 +2,98 @@
 
 // Turns the JSON Schema of preset files into a list of keys that the form can show.
 
-const COLOR = "^#[0-9a-fA-F]{6}$";
+const kColor = "^#[0-9a-fA-F]{6}$";
 
 /**
- * Returns the tables of the schema in its order: {name, keys}. A key has `path`, `table`, `name`, `kind`, `help`, `unit`,
- * `default`, `condition` (see conditions.js), and what its kind needs: `choices`, `min`, `max`, `integer`, `word` (the
- * value beside the numbers, such as "auto" or 0), `length`. Kinds are number, choice, color, colors, choices, numbers,
- * texts and text.
+ * Returns the tables of the schema in its order: {name, keys}. A key has `path`, `table`, `name`, `kind`, `help`,
+ * `unit`, `default`, `condition` (see conditions.js), and what its kind needs: `choices`, `min`, `max`, `integer`,
+ * `word` (the value beside the numbers, such as "auto" or 0), `length`. Kinds are number, choice, color, colors,
+ * choices, numbers, texts and text.
  */
 export function tablesOf(schema) {
-  return Object.entries(schema.properties)
-    .filter(([, table]) => table.properties)
-    .map(([name, table]) => ({ name, keys: keysOf(name, table.properties) }));
+    return Object.entries(schema.properties)
+        .filter(([, table]) => table.properties)
+        .map(([name, table]) => ({name, keys: keysOf(name, table.properties)}));
 }
 
 /** Returns the kinds of events: {name, help, keys, required}. */
 export function eventKindsOf(schema) {
-  return schema.properties.event.items.anyOf.map((kind) => ({
-    name: kind.properties.kind.enum[0],
-    help: kind.description,
-    keys: keysOf("event", kind.properties).filter((key) => key.name !== "kind"),
-  }));
+    return schema.properties.event.items.anyOf.map((kind) => ({
+        name: kind.properties.kind.enum[0],
+        help: kind.description,
+        keys: keysOf("event", kind.properties).filter((key) => key.name !== "kind"),
+    }));
 }
 
 function keysOf(table, properties) {
-  return Object.entries(properties).map(([name, schema]) => keyOf(table, name, schema));
+    return Object.entries(properties).map(([name, schema]) => keyOf(table, name, schema));
 }
 
 function keyOf(table, name, schema) {
-  return {
-    path: `${table}.${name}`,
-    table,
-    name,
-    help: schema.description ?? "",
-    unit: schema["x-unit"] ?? "",
-    default: schema.default,
-    condition: conditionOf(schema),
-    ...kindOf(schema),
-  };
+    return {
+        path: `${table}.${name}`,
+        table,
+        name,
+        help: schema.description ?? "",
+        unit: schema["x-unit"] ?? "",
+        default: schema.default,
+        condition: conditionOf(schema),
+        ...kindOf(schema),
+    };
 }
 
 function conditionOf(schema) {
-  for (const rule of ["only-for", "used-with", "unused-with"]) {
-    const found = schema[`x-${rule}`];
-    if (found) {
-      return { rule, key: found.key, values: found.values };
+    for (const rule of ["only-for", "used-with", "unused-with"]) {
+        const found = schema[`x-${rule}`];
+        if (found) {
+            return {rule, key: found.key, values: found.values};
+        }
     }
-  }
-  return null;
+    return null;
 }
 
 function numberKind(schema) {
-  return { kind: "number", integer: schema.type === "integer", min: schema.minimum, max: schema.maximum };
+    return {kind: "number", integer: schema.type === "integer", min: schema.minimum, max: schema.maximum};
 }
 
 function listKind(schema) {
-  const item = schema.items;
-  if (item.enum) {
-    return { kind: "choices", choices: item.enum };
-  }
-  if (item.pattern === COLOR) {
-    return { kind: "colors" };
-  }
-  if (item.type === "string") {
-    return { kind: "texts" };
-  }
-  const length = schema.minItems === schema.maxItems ? schema.minItems : null;
-  return { ...numberKind(item), kind: "numbers", length };
+    const item = schema.items;
+    if (item.enum) {
+        return {kind: "choices", choices: item.enum};
+    }
+    if (item.pattern === kColor) {
+        return {kind: "colors"};
+    }
+    if (item.type === "string") {
+        return {kind: "texts"};
+    }
+    const length = schema.minItems === schema.maxItems ? schema.minItems : null;
+    return {...numberKind(item), kind: "numbers", length};
 }
 
 function kindOf(schema) {
-  if (schema.anyOf) {
-    return kindOfAlternatives(schema.anyOf);
-  }
-  if (schema.enum) {
-    return { kind: "choice", choices: schema.enum };
-  }
-  if (schema.type === "array") {
-    return listKind(schema);
-  }
-  if (schema.type === "number" || schema.type === "integer") {
-    return numberKind(schema);
-  }
-  return schema.pattern === COLOR ? { kind: "color" } : { kind: "text" };
+    if (schema.anyOf) {
+        return kindOfAlternatives(schema.anyOf);
+    }
+    if (schema.enum) {
+        return {kind: "choice", choices: schema.enum};
+    }
+    if (schema.type === "array") {
+        return listKind(schema);
+    }
+    if (schema.type === "number" || schema.type === "integer") {
+        return numberKind(schema);
+    }
+    return schema.pattern === kColor ? {kind: "color"} : {kind: "text"};
 }
 
 // A key with alternatives takes a word or a number ("auto", 0), or one item or a list of items.
 function kindOfAlternatives(alternatives) {
-  const word = alternatives.find((one) => "const" in one);
-  const list = alternatives.find((one) => one.type === "array");
-  if (list) {
-    return listKind(list);
-  }
-  const number = alternatives.find((one) => one.type === "number" || one.type === "integer");
-  return { ...numberKind(number), word: word.const };
+    const word = alternatives.find((one) => "const" in one);
+    const list = alternatives.find((one) => one.type === "array");
+    if (list) {
+        return listKind(list);
+    }
+    const number = alternatives.find((one) => one.type === "number" || one.type === "integer");
+    return {...numberKind(number), word: word.const};
 }

@@ -1,37 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Where pictures come from: the settings of the page, or a baked folder. A source has `size` (of full pictures), `drafts`
-// (whether it has drafts), `largestWidth`, `map`, and `picture(frame, width, quality, signal)`, which returns a picture:
-// {pixels, width, height, frame, exact, low, high, map, transparent}.
+// Where pictures come from: the settings of the page, or a baked folder. A source has `size` (of full pictures),
+// `drafts` (whether it has drafts), `largestWidth`, `map`, and `picture(frame, width, quality, signal)`, which returns
+// a picture: {pixels, width, height, frame, exact, low, high, map, transparent, draft}.
 
-import { postPicture } from "./api.js";
+import {postPicture} from "./api.js";
 
 /** Returns a source that draws settings. `transparent` tells whether pictures have pixels without foam. */
-export function settingsSource(settings, { size, map, largestWidth, transparent }) {
-  return {
-    size,
-    map,
-    largestWidth,
-    drafts: true,
-    settings,
-    async picture(frame, width, quality, signal) {
-      const body = { settings, frame, map, width, quality, samples: "rgba" };
-      return { ...await postPicture("/api/picture", body, signal), map, transparent };
-    },
-  };
+export function settingsSource(settings, {size, map, largestWidth, transparent}) {
+    return {
+        size,
+        map,
+        largestWidth,
+        drafts: true,
+        settings,
+        async picture(frame, width, quality, signal) {
+            const body = {settings, frame, map, width, quality, samples: "rgba"};
+            return {...(await postPicture("/api/picture", body, signal)), map, transparent, draft: quality === "draft"};
+        },
+    };
 }
 
 /** Returns a source that reads the images of a baked set (an entry of /api/bakes). */
 export function bakedSource(bake, map, largestWidth) {
-  return {
-    size: bake.size,
-    map,
-    largestWidth,
-    drafts: false,
-    settings: null,
-    async picture(frame, width, quality, signal) {
-      const body = { folder: bake.folder, preset: bake.preset, map, frame: bake.frames[frame - 1], width, samples: "rgba" };
-      return { ...await postPicture("/api/baked", body, signal), frame, map, exact: true, transparent: true };
-    },
-  };
+    return {
+        size: bake.size,
+        map,
+        largestWidth,
+        drafts: false,
+        settings: null,
+        async picture(frame, width, quality, signal) {
+            const body = {
+                folder: bake.folder,
+                preset: bake.preset,
+                map,
+                frame: bake.frames[frame - 1],
+                width,
+                samples: "rgba",
+            };
+            return {...(await postPicture("/api/baked", body, signal)), frame, map, exact: true, transparent: true};
+        },
+    };
 }

@@ -1,82 +1,102 @@
 // SPDX-License-Identifier: Apache-2.0
 
-import { ApiError, connectionState, postPicture } from "./api.js";
+import {ApiError, connectionState, postPicture} from "./api.js";
 
-const WIDTH = 160;             // pixels
-const PAUSE = 30;              // milliseconds between two pictures
-const PAUSE_LOADING = 250;     // the same while the loop is being loaded
-const WAIT = 250;              // milliseconds until the next look, while the picture of the document is awaited
+const kWidth = 160; // pixels
+const kPause = 30; // milliseconds between two pictures
+const kPauseLoading = 250; // the same while the loop is being loaded
+const kWait = 250; // milliseconds until the next look, while the picture of the document is awaited
+const kRest = 1000; // milliseconds after an edit without thumbnails
 
-/** Draws the thumbnails of the gallery one after the other, those in sight first, and only while nothing else is drawn. */
+/**
+ * Draws the thumbnails of the gallery one after the other, those in sight first, and only while nothing else is drawn.
+ */
 export class Thumbnails {
-  #studio;
-  #waiting = [];
-  #visible = new Set();
-  #observer;
-  #running = false;
+    #studio;
+    #waiting = [];
+    #visible = new Set();
+    #observer;
+    #running = false;
+    #edited = 0;
 
-  constructor(studio, scroller) {
-    this.#studio = studio;
-    this.#observer = new IntersectionObserver((entries) => this.#onSight(entries), { root: scroller, rootMargin: "200px" });
-  }
-
-  /** Adds a card whose canvas shows the preset. */
-  add(card, canvas, preset) {
-    this.#waiting.push({ card, canvas, preset });
-    this.#observer.observe(card);
-  }
-
-  /** Starts to draw. */
-  start() {
-    if (!this.#running && this.#waiting.length > 0) {
-      this.#running = true;
-      this.#next();
+    constructor(studio, scroller) {
+        this.#studio = studio;
+        this.#observer = new IntersectionObserver((entries) => this.#onSight(entries), {
+            root: scroller,
+            rootMargin: "200px",
+        });
+        studio.state.changed.on(() => {
+            this.#edited = performance.now();
+        });
     }
-  }
 
-  #onSight(entries) {
-    for (const { target, isIntersecting } of entries) {
-      isIntersecting ? this.#visible.add(target) : this.#visible.delete(target);
+    /** Adds a card whose canvas shows the preset. */
+    add(card, canvas, preset) {
+        this.#waiting.push({card, canvas, preset});
+        this.#observer.observe(card);
     }
-    if (this.#studio.painter.settled) {
-      this.start();
-    }
-  }
 
-  get #busy() {
-    return document.body.classList.contains("busy") || connectionState() !== "online";
-  }
+    /** Starts to draw. */
+    start() {
+        if (!this.#running && this.#waiting.length > 0) {
+            this.#running = true;
+            this.#next();
+        }
+    }
 
-  async #next() {
-    const entry = this.#waiting.find(({ card }) => this.#visible.has(card));
-    if (!entry) {
-      this.#running = false;
-      return;
+    #onSight(entries) {
+        for (const {target, isIntersecting} of entries) {
+            isIntersecting ? this.#visible.add(target) : this.#visible.delete(target);
+        }
+        if (this.#studio.painter.settled) {
+            this.start();
+        }
     }
-    if (this.#busy) {
-      setTimeout(() => this.#next(), WAIT);
-      return;
-    }
-    await this.#draw(entry);
-    setTimeout(() => this.#next(), this.#studio.player.loading ? PAUSE_LOADING : PAUSE);
-  }
 
-  async #draw(entry) {
-    const { canvas, preset } = entry;
-    const body = { settings: { preset: preset.name, set: [], events: null }, frame: 1, map: preset.maps[0], width: WIDTH,
-      quality: "draft", samples: "rgba" };
-    try {
-      const picture = await postPicture("/api/picture", body);
-      canvas.width = picture.width;
-      canvas.height = picture.height;
-      canvas.getContext("2d").putImageData(picture.pixels, 0, 0);
-      canvas.classList.add("drawn");
-    } catch (error) {
-      if (!(error instanceof ApiError)) {
-        return;
-      }
+    get #busy() {
+        return (
+            document.body.classList.contains("busy") ||
+            connectionState() !== "online" ||
+            performance.now() - this.#edited < kRest
+        );
     }
-    this.#waiting = this.#waiting.filter((other) => other !== entry);
-    this.#observer.unobserve(entry.card);
-  }
+
+    async #next() {
+        const entry = this.#waiting.find(({card}) => this.#visible.has(card));
+        if (!entry) {
+            this.#running = false;
+            return;
+        }
+        if (this.#busy) {
+            setTimeout(() => this.#next(), kWait);
+            return;
+        }
+        await this.#draw(entry);
+        setTimeout(() => this.#next(), this.#studio.player.loading ? kPauseLoading : kPause);
+    }
+
+    async #draw(entry) {
+        const {canvas, preset} = entry;
+        const body = {
+            settings: {preset: preset.name, set: [], events: null},
+            frame: 1,
+            map: preset.maps[0],
+            width: kWidth,
+            quality: "draft",
+            samples: "rgba",
+        };
+        try {
+            const picture = await postPicture("/api/picture", body);
+            canvas.width = picture.width;
+            canvas.height = picture.height;
+            canvas.getContext("2d").putImageData(picture.pixels, 0, 0);
+            canvas.classList.add("drawn");
+        } catch (error) {
+            if (!(error instanceof ApiError)) {
+                return;
+            }
+        }
+        this.#waiting = this.#waiting.filter((other) => other !== entry);
+        this.#observer.unobserve(entry.card);
+    }
 }

@@ -4,28 +4,30 @@
 
 /** Returns a string, number, boolean, list or object of these in the notation of TOML. */
 export function toToml(value) {
-  if (typeof value === "string") {
-    return JSON.stringify(value);
-  }
-  if (Array.isArray(value)) {
-    return `[${value.map(toToml).join(", ")}]`;
-  }
-  return String(value);
+    if (typeof value === "string") {
+        return JSON.stringify(value);
+    }
+    if (Array.isArray(value)) {
+        return `[${value.map(toToml).join(", ")}]`;
+    }
+    return String(value);
 }
 
 /** Returns the value of a text in TOML that `toToml` wrote, or the text itself if it is none. */
 export function fromToml(text) {
-  try {
-    return JSON.parse(text);
-  } catch {
-    return text;
-  }
+    try {
+        return JSON.parse(text);
+    } catch {
+        return text;
+    }
 }
 
 /** Returns the `[[event]]` tables of a list of events. The values of an event's keys are texts in TOML. */
 export function eventsToToml(events) {
-  return events.map((event) => {
-    const lines = Object.entries(event).map(([name, text]) => `${name} = ${text}\n`);
-    return `[[event]]\n${lines.join("")}`;
-  }).join("\n");
+    return events
+        .map((event) => {
+            const lines = Object.entries(event).map(([name, text]) => `${name} = ${text}\n`);
+            return `[[event]]\n${lines.join("")}`;
+        })
+        .join("\n");
 }

@@ -2,103 +2,109 @@
 
 // Play, pause, scrub, speed, and a bar that shows which frames are loaded.
 
-import { $, setIcon, setLabel } from "./dom.js";
+import {$, setIcon, setLabel} from "./dom.js";
 
-const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
+const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export class Transport {
-  #player;
-  #ui;
-  #scheduled = false;
+    #player;
+    #ui;
+    #scheduled = false;
 
-  constructor({ player, ui }) {
-    this.#player = player;
-    this.#ui = ui;
-    $("play").addEventListener("click", () => player.toggle());
-    $("first").addEventListener("click", () => this.#jump(1));
-    $("last").addEventListener("click", () => this.#jump(player.count));
-    $("previous").addEventListener("click", () => player.step(-1));
-    $("next").addEventListener("click", () => player.step(1));
-    $("scrub").addEventListener("input", () => this.#jump(Number($("scrub").value)));
-    $("speed").addEventListener("change", () => this.setSpeed(Number($("speed").value)));
-    player.framed.on(() => this.#showFrame());
-    player.changed.on(() => this.#schedule());
-    new ResizeObserver(() => this.#showBuffer()).observe($("buffer"));
-    new MutationObserver(() => this.#showBuffer()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
-    this.setSpeed(ui.get("speed"));
-    this.#show();
-  }
-
-  /** Plays `speed` times as fast as the preset says. */
-  setSpeed(speed) {
-    this.#player.speed = speed;
-    this.#ui.set("speed", speed);
-    $("speed").value = String(speed);
-    this.#player.restart();
-  }
-
-  /** Takes the next speed of the list, or the one before. */
-  stepSpeed(step) {
-    const index = SPEEDS.indexOf(this.#player.speed) + step;
-    this.setSpeed(SPEEDS[Math.min(Math.max(index, 0), SPEEDS.length - 1)]);
-  }
-
-  #jump(frame) {
-    this.#player.pause();
-    this.#player.seek(frame);
-  }
-
-  // Many frames can be loaded within one frame of the screen.
-  #schedule() {
-    if (!this.#scheduled) {
-      this.#scheduled = true;
-      requestAnimationFrame(() => {
-        this.#scheduled = false;
+    constructor({player, ui}) {
+        this.#player = player;
+        this.#ui = ui;
+        $("play").addEventListener("click", () => player.toggle());
+        $("first").addEventListener("click", () => this.#jump(1));
+        $("last").addEventListener("click", () => this.#jump(player.count));
+        $("previous").addEventListener("click", () => player.step(-1));
+        $("next").addEventListener("click", () => player.step(1));
+        $("scrub").addEventListener("input", () => this.#jump(Number($("scrub").value)));
+        $("speed").addEventListener("change", () => this.setSpeed(Number($("speed").value)));
+        player.framed.on(() => this.#showFrame());
+        player.changed.on(() => this.#schedule());
+        new ResizeObserver(() => this.#showBuffer()).observe($("buffer"));
+        new MutationObserver(() => this.#showBuffer()).observe(document.documentElement, {
+            attributeFilter: ["data-theme"],
+        });
+        this.setSpeed(ui.get("speed"));
         this.#show();
-      });
     }
-  }
 
-  #show() {
-    const player = this.#player;
-    const still = player.count < 2;
-    setIcon($("play"), player.playing ? "pause" : "play");
-    setLabel($("play"), player.playing ? "Pause (Space)" : "Play (Space)");
-    for (const id of ["play", "first", "last", "previous", "next", "scrub", "speed"]) {
-      $(id).disabled = still;
+    /** Plays `speed` times as fast as the preset says. */
+    setSpeed(speed) {
+        this.#player.speed = speed;
+        this.#ui.set("speed", speed);
+        $("speed").value = String(speed);
+        this.#player.restart();
     }
-    $("scrub").max = player.count;
-    $("frame-count").textContent = `/ ${player.count}`;
-    $("loaded").textContent = still ? "" : player.complete ? "Loop in memory" : `${player.loaded} of ${player.count} loaded`;
-    document.body.dataset.loaded = `${player.loaded}/${player.count}`;
-    this.#showFrame();
-    this.#showBuffer();
-  }
 
-  #showFrame() {
-    const { frame, framesPerSecond } = this.#player;
-    $("scrub").value = frame;
-    $("scrub").setAttribute("aria-valuetext", `Frame ${frame}`);
-    $("frame").textContent = frame;
-    $("time").textContent = `${((frame - 1) / framesPerSecond).toFixed(2)} s`;
-  }
+    /** Takes the next speed of the list, or the one before. */
+    stepSpeed(step) {
+        const index = kSpeeds.indexOf(this.#player.speed) + step;
+        this.setSpeed(kSpeeds[Math.min(Math.max(index, 0), kSpeeds.length - 1)]);
+    }
 
-  #showBuffer() {
-    const canvas = $("buffer");
-    const width = Math.round(canvas.clientWidth * devicePixelRatio);
-    if (width === 0) {
-      return;
+    #jump(frame) {
+        this.#player.pause();
+        this.#player.seek(frame);
     }
-    canvas.width = width;
-    canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);
-    const context = canvas.getContext("2d");
-    context.fillStyle = getComputedStyle(canvas).color;
-    const { count } = this.#player;
-    for (let frame = 1; frame <= count; ++frame) {
-      if (this.#player.at(frame)) {
-        const left = Math.round((frame - 1) / count * width);
-        context.fillRect(left, 0, Math.round(frame / count * width) - left, canvas.height);
-      }
+
+    // Many frames can be loaded within one frame of the screen.
+    #schedule() {
+        if (!this.#scheduled) {
+            this.#scheduled = true;
+            requestAnimationFrame(() => {
+                this.#scheduled = false;
+                this.#show();
+            });
+        }
     }
-  }
+
+    #show() {
+        const player = this.#player;
+        const still = player.count < 2;
+        setIcon($("play"), player.playing ? "pause" : "play");
+        setLabel($("play"), player.playing ? "Pause (Space)" : "Play (Space)");
+        for (const id of ["play", "first", "last", "previous", "next", "scrub", "speed"]) {
+            $(id).disabled = still;
+        }
+        $("scrub").max = player.count;
+        $("frame-count").textContent = `/ ${player.count}`;
+        $("loaded").textContent = still
+            ? ""
+            : player.complete
+              ? "Loop in memory"
+              : `${player.loaded} of ${player.count} loaded`;
+        document.body.dataset.loaded = `${player.loaded}/${player.count}`;
+        this.#showFrame();
+        this.#showBuffer();
+    }
+
+    #showFrame() {
+        const {frame, framesPerSecond} = this.#player;
+        $("scrub").value = frame;
+        $("scrub").setAttribute("aria-valuetext", `Frame ${frame}`);
+        $("frame").textContent = frame;
+        $("time").textContent = `${((frame - 1) / framesPerSecond).toFixed(2)} s`;
+    }
+
+    #showBuffer() {
+        const canvas = $("buffer");
+        const width = Math.round(canvas.clientWidth * devicePixelRatio);
+        if (width === 0) {
+            return;
+        }
+        canvas.width = width;
+        canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);
+        const context = canvas.getContext("2d");
+        context.fillStyle = getComputedStyle(canvas).color;
+        const {count} = this.#player;
+        for (let frame = 1; frame <= count; ++frame) {
+            if (this.#player.at(frame)) {
+                const left = Math.round(((frame - 1) / count) * width);
+                context.fillRect(left, 0, Math.round((frame / count) * width) - left, canvas.height);
+            }
+        }
+    }
 }

@@ -2,171 +2,201 @@
 
 // A sheet of small pictures with other seeds, or with other values of one key. A click keeps one of them.
 
-import { $, debounce, el } from "./dom.js";
-import { ApiError, postPicture } from "./api.js";
-import { changesFoam } from "./state.js";
-import { formatNumber, scaleOf } from "./scale.js";
-import { randomSeed } from "./field_number.js";
-import { tablesOf } from "./schema.js";
-import { toToml } from "./toml.js";
+import {$, debounce, el} from "./dom.js";
+import {ApiError, postPicture} from "./api.js";
+import {changesFoam} from "./state.js";
+import {formatNumber, scaleOf} from "./scale.js";
+import {randomSeed} from "./field_number.js";
+import {tablesOf} from "./schema.js";
+import {toToml} from "./toml.js";
 
-const WIDTH = 256;             // pixels of a picture
-const EDIT = 250;              // milliseconds after the last edit
+const kWidth = 256; // pixels of a picture
+const kEdit = 250; // milliseconds after the last edit
 
 export class Variations {
-  #studio;
-  #keys;
-  #abort = null;
-  #stale = true;
+    #studio;
+    #keys;
+    #abort = null;
+    #stale = true;
 
-  constructor(studio) {
-    this.#studio = studio;
-    this.#keys = tablesOf(studio.program.schema).flatMap((table) => table.keys)
-      .filter((key) => ["number", "choice", "color"].includes(key.kind) && key.table !== "output");
-    this.#fillMenu();
-    for (const id of ["vary-from", "vary-to", "vary-count"]) {
-      $(id).addEventListener("change", () => this.#draw());
+    constructor(studio) {
+        this.#studio = studio;
+        this.#keys = tablesOf(studio.program.schema)
+            .flatMap((table) => table.keys)
+            .filter((key) => ["number", "choice", "color"].includes(key.kind) && key.table !== "output");
+        this.#fillMenu();
+        for (const id of ["vary-from", "vary-to", "vary-count"]) {
+            $(id).addEventListener("change", () => this.#draw());
+        }
+        $("vary-key").addEventListener("change", () => this.#onKey());
+        $("vary-again").addEventListener("click", () => this.#draw());
+        const again = debounce(kEdit, () => this.#draw());
+        studio.refreshed.on(() => {
+            this.#stale = true;
+            if (this.#open) {
+                again();
+            }
+        });
+        studio.ui.on("mode", () => (this.#open ? this.#stale && this.#draw() : this.#abort?.abort()));
+        this.#onKey(false);
     }
-    $("vary-key").addEventListener("change", () => this.#onKey());
-    $("vary-again").addEventListener("click", () => this.#draw());
-    const again = debounce(EDIT, () => this.#draw());
-    studio.refreshed.on(() => {
-      this.#stale = true;
-      if (this.#open) {
-        again();
-      }
-    });
-    studio.ui.on("mode", () => (this.#open ? this.#stale && this.#draw() : this.#abort?.abort()));
-    this.#onKey(false);
-  }
 
-  /** Shows the sheet with values of a key. */
-  show(path) {
-    if (this.#keys.some((key) => key.path === path)) {
-      $("vary-key").value = path;
-      this.#onKey(false);
-      this.#stale = true;
+    /** Shows the sheet with values of a key. */
+    show(path) {
+        if (this.#keys.some((key) => key.path === path)) {
+            $("vary-key").value = path;
+            this.#onKey(false);
+            this.#stale = true;
+        }
+        this.#studio.ui.set("mode", "variations");
     }
-    this.#studio.ui.set("mode", "variations");
-  }
 
-  get #open() {
-    return this.#studio.ui.get("mode") === "variations";
-  }
-
-  get #key() {
-    return this.#keys.find((key) => key.path === $("vary-key").value);
-  }
-
-  #fillMenu() {
-    const tables = [...new Set(this.#keys.map((key) => key.table))];
-    $("vary-key").replaceChildren(...tables.map((table) => el("optgroup", { label: table },
-      ...this.#keys.filter((key) => key.table === table).map((key) => el("option", { value: key.path }, key.path)))));
-    $("vary-key").value = "foam.seed";
-  }
-
-  // The range around the present value: from half to twice, or the whole range if that is not wide.
-  #onKey(draw = true) {
-    const key = this.#key;
-    const ranged = key.kind === "number" && key.name !== "seed";
-    $("vary-range").hidden = !ranged;
-    $("vary-again").hidden = key.name !== "seed" && key.kind !== "color";
-    $("vary-help").textContent = key.help;
-    if (ranged) {
-      const value = this.#studio.answer?.values[key.path];
-      const wide = key.max - key.min > 20 && typeof value === "number" && value > 0;
-      $("vary-from").value = formatNumber(wide ? Math.max(key.min, value / 2) : key.min, 3);
-      $("vary-to").value = formatNumber(wide ? Math.min(key.max, value * 2) : key.max, 3);
+    get #open() {
+        return this.#studio.ui.get("mode") === "variations";
     }
-    if (draw) {
-      this.#draw();
+
+    get #key() {
+        return this.#keys.find((key) => key.path === $("vary-key").value);
     }
-  }
 
-  #values() {
-    const key = this.#key;
-    const count = Number($("vary-count").value);
-    if (key.kind === "choice") {
-      return key.choices.map(toToml);
+    #fillMenu() {
+        const tables = [...new Set(this.#keys.map((key) => key.table))];
+        $("vary-key").replaceChildren(
+            ...tables.map((table) =>
+                el(
+                    "optgroup",
+                    {label: table},
+                    ...this.#keys
+                        .filter((key) => key.table === table)
+                        .map((key) => el("option", {value: key.path}, key.path)),
+                ),
+            ),
+        );
+        $("vary-key").value = "foam.seed";
     }
-    if (key.kind === "color") {
-      return Array.from({ length: count }, () => toToml(randomColor()));
+
+    // The range around the present value: from half to twice, or the whole range if that is not wide.
+    #onKey(draw = true) {
+        const key = this.#key;
+        const ranged = key.kind === "number" && key.name !== "seed";
+        $("vary-range").hidden = !ranged;
+        $("vary-again").hidden = key.name !== "seed" && key.kind !== "color";
+        $("vary-help").textContent = key.help;
+        if (ranged) {
+            const value = this.#studio.answer?.values[key.path];
+            const wide = key.max - key.min > 20 && typeof value === "number" && value > 0;
+            $("vary-from").value = formatNumber(wide ? Math.max(key.min, value / 2) : key.min, 3);
+            $("vary-to").value = formatNumber(wide ? Math.min(key.max, value * 2) : key.max, 3);
+        }
+        if (draw) {
+            this.#draw();
+        }
     }
-    return key.name === "seed" ? this.#seeds(count) : this.#numbers(key, count);
-  }
 
-  #seeds(count) {
-    const current = this.#studio.state.change(this.#key.path) ?? String(this.#studio.answer?.values[this.#key.path] ?? 1);
-    return [current, ...Array.from({ length: count - 1 }, () => String(randomSeed()))];
-  }
-
-  // Values at equal distances on the slider of the key.
-  #numbers(key, count) {
-    const [from, to] = [Number($("vary-from").value), Number($("vary-to").value)];
-    const scale = scaleOf({ ...key, min: Math.min(from, to), max: Math.max(from, to) + 1e-12 });
-    const position = (index) => scale.position(from) + (scale.position(to) - scale.position(from)) * index / (count - 1);
-    const values = Array.from({ length: count }, (_, index) => scale.value(position(index)));
-    return [...new Set(values.map((value) => formatNumber(key.integer ? Math.round(value) : value, 4)))];
-  }
-
-  async #draw() {
-    this.#abort?.abort();
-    if (!this.#open || this.#studio.baked) {
-      return;
+    #values() {
+        const key = this.#key;
+        const count = Number($("vary-count").value);
+        if (key.kind === "choice") {
+            return key.choices.map(toToml);
+        }
+        if (key.kind === "color") {
+            return Array.from({length: count}, () => toToml(randomColor()));
+        }
+        return key.name === "seed" ? this.#seeds(count) : this.#numbers(key, count);
     }
-    const abort = new AbortController();
-    this.#abort = abort;
-    this.#stale = false;
-    const key = this.#key;
-    const cells = this.#values().map((text) => this.#cell(key, text));
-    $("sheet").replaceChildren(...cells.map((cell) => cell.element));
-    for (const cell of cells) {
-      await this.#drawCell(key, cell, abort.signal);
-      if (abort.signal.aborted) {
-        return;
-      }
+
+    #seeds(count) {
+        const current =
+            this.#studio.state.change(this.#key.path) ?? String(this.#studio.answer?.values[this.#key.path] ?? 1);
+        return [current, ...Array.from({length: count - 1}, () => String(randomSeed()))];
     }
-  }
 
-  #cell(key, text) {
-    const canvas = el("canvas", { width: WIDTH, height: WIDTH, "aria-hidden": "true" });
-    const name = text.replaceAll('"', "");
-    const caption = el("span", { class: "cell-name" }, name);
-    const element = el("button", { type: "button", class: "cell", "aria-label": `Keep ${key.path} = ${name}`,
-      data: { value: text }, onclick: () => this.#keep(key, text) }, canvas, caption);
-    const value = this.#studio.answer?.values[key.path];
-    element.toggleAttribute("aria-current", toToml(value ?? "") === text || String(value) === text);
-    return { element, canvas, caption, text };
-  }
-
-  // Another foam is drawn as a draft, so that the simulation of the document is not stopped.
-  async #drawCell(key, cell, signal) {
-    const { state, map, player } = this.#studio;
-    const foam = changesFoam(key.path) || !this.#studio.painter.settled;
-    const body = { settings: state.settings([[key.path, cell.text]]), frame: foam ? 1 : player.frame, map, width: WIDTH,
-      quality: foam ? "draft" : "full", samples: "rgba" };
-    try {
-      const picture = await postPicture("/api/picture", body, signal);
-      cell.canvas.width = picture.width;
-      cell.canvas.height = picture.height;
-      cell.canvas.getContext("2d").putImageData(picture.pixels, 0, 0);
-      cell.element.classList.add("drawn");
-    } catch (error) {
-      if (error instanceof ApiError) {
-        cell.element.classList.add("failed");
-        cell.element.title = error.message;
-        cell.caption.textContent += ": not allowed";
-      }
+    // Values at equal distances on the slider of the key.
+    #numbers(key, count) {
+        const [from, to] = [Number($("vary-from").value), Number($("vary-to").value)];
+        const scale = scaleOf({...key, min: Math.min(from, to), max: Math.max(from, to) + 1e-12});
+        const position = (index) =>
+            scale.position(from) + ((scale.position(to) - scale.position(from)) * index) / (count - 1);
+        const values = Array.from({length: count}, (_, index) => scale.value(position(index)));
+        return [...new Set(values.map((value) => formatNumber(key.integer ? Math.round(value) : value, 4)))];
     }
-  }
 
-  #keep(key, text) {
-    this.#studio.state.set(key.path, text);
-    this.#studio.status.say(`${key.path} is now ${text}.`);
-    this.#studio.ui.set("mode", "picture");
-  }
+    async #draw() {
+        this.#abort?.abort();
+        if (!this.#open || this.#studio.baked) {
+            return;
+        }
+        const abort = new AbortController();
+        this.#abort = abort;
+        this.#stale = false;
+        const key = this.#key;
+        const cells = this.#values().map((text) => this.#cell(key, text));
+        $("sheet").replaceChildren(...cells.map((cell) => cell.element));
+        for (const cell of cells) {
+            await this.#drawCell(key, cell, abort.signal);
+            if (abort.signal.aborted) {
+                return;
+            }
+        }
+    }
+
+    #cell(key, text) {
+        const canvas = el("canvas", {width: kWidth, height: kWidth, "aria-hidden": "true"});
+        const name = text.replaceAll('"', "");
+        const caption = el("span", {class: "cell-name"}, name);
+        const element = el(
+            "button",
+            {
+                type: "button",
+                class: "cell",
+                "aria-label": `Keep ${key.path} = ${name}`,
+                data: {value: text},
+                onclick: () => this.#keep(key, text),
+            },
+            canvas,
+            caption,
+        );
+        const value = this.#studio.answer?.values[key.path];
+        element.toggleAttribute("aria-current", toToml(value ?? "") === text || String(value) === text);
+        return {element, canvas, caption, text};
+    }
+
+    // Another foam is drawn as a draft, so that the simulation of the document is not stopped.
+    async #drawCell(key, cell, signal) {
+        const {state, map, player} = this.#studio;
+        const foam = changesFoam(key.path) || !this.#studio.painter.settled;
+        const body = {
+            settings: state.settings([[key.path, cell.text]]),
+            frame: foam ? 1 : player.frame,
+            map,
+            width: kWidth,
+            quality: foam ? "draft" : "full",
+            samples: "rgba",
+        };
+        try {
+            const picture = await postPicture("/api/picture", body, signal);
+            cell.canvas.width = picture.width;
+            cell.canvas.height = picture.height;
+            cell.canvas.getContext("2d").putImageData(picture.pixels, 0, 0);
+            cell.element.classList.add("drawn");
+        } catch (error) {
+            if (error instanceof ApiError) {
+                cell.element.classList.add("failed");
+                cell.element.title = error.message;
+                cell.caption.textContent += ": not allowed";
+            }
+        }
+    }
+
+    #keep(key, text) {
+        this.#studio.state.set(key.path, text);
+        this.#studio.status.say(`${key.path} is now ${text}.`);
+        this.#studio.ui.set("mode", "picture");
+    }
 }
 
 function randomColor() {
-  return `#${Math.floor(Math.random() * 0x1000000).toString(16).padStart(6, "0")}`;
+    return `#${Math.floor(Math.random() * 0x1000000)
+        .toString(16)
+        .padStart(6, "0")}`;
 }
