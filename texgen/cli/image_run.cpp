@@ -24,7 +24,7 @@
 #include "texgen/stats/record.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -58,21 +58,32 @@ void print_images(const Preset& preset,
     }
 }
 
-/// Prints a note for each map that has clipped samples.
+/// Returns the keys that set the ranges of an image, and what to do with them to avoid clipping,
+/// such as "raise height.full".
+std::string advice_on_range(const DrawnImage& image, const MapOptions& options) {
+    const auto maps = image.sources();
+    const bool is_automatic = std::ranges::any_of(maps, [&](const Map* map) {
+        const AutoReal* const range = range_option_of(*map, options);
+        return range != nullptr && range->is_automatic;
+    });
+    return fmt::format(
+        "{} {}", is_automatic ? "set" : "raise", fmt::join(image.range_keys(), " or "));
+}
+
+/// Prints a note for each image that has clipped samples.
 void note_clipped(const BakeSummary& summary, const Preset& preset) {
     for (const WrittenNumbers& numbers : summary.numbers) {
         if (numbers.extent.clipped > 0.0) {
             print_stderr(
                 "foamtex: {}: up to {:.3g} % of the samples of a file are outside of {:g} "
-                "to {:g} and were clipped; the numbers are from {:.3g} to {:.3g}; {} {}",
-                numbers.map->name,
+                "to {:g} and were clipped; the numbers are from {:.3g} to {:.3g}; {}",
+                numbers.image.name(),
                 100.0 * numbers.extent.clipped,
                 numbers.range[0],
                 numbers.range[1],
                 numbers.extent.smallest,
                 numbers.extent.largest,
-                range_option_of(*numbers.map, preset.maps)->is_automatic ? "set" : "raise",
-                numbers.map->full_key);
+                advice_on_range(numbers.image, preset.maps));
         }
     }
 }

@@ -58,6 +58,9 @@ std::optional<MapSamples> samples_in(const JsonValue& value) {
     if (const auto range = value.find("range")) {
         samples.range = range_in(*range);
     }
+    if (const auto format = value.find("pixel_format")) {
+        samples.pixel_format = format->text();
+    }
     return samples;
 }
 

@@ -29,6 +29,9 @@ Json to_value(const ManifestMap& map) {
     if (map.samples && map.samples->range) {
         value["range"] = *map.samples->range;
     }
+    if (map.samples && !map.samples->pixel_format.empty()) {
+        value["pixel_format"] = map.samples->pixel_format;
+    }
     return value;
 }
 
