@@ -121,6 +121,14 @@ ManifestFile file_in(const JsonValue& value) {
     return file;
 }
 
+ManifestScene scene_in(const JsonValue& value) {
+    return {.path = path_in(value["path"]),
+            .format = value["format"].text(),
+            .bytes = static_cast<std::uint64_t>(
+                value["bytes"].integer(0, std::numeric_limits<std::int64_t>::max())),
+            .hash = value["hash"].text()};
+}
+
 FrameStatistics frame_in(const JsonValue& value) {
     return {.frame = value["frame"].count(),
             .tiles = value["tiles"].flag(),
@@ -200,6 +208,9 @@ BakedSet set_in(const JsonValue& value) {
                  .files = list_in(value["files"], file_in),
                  .frame_statistics = list_in(value["foam"], frame_in),
                  .failure = failure ? failure->text() : ""};
+    if (const auto scenes = value.find("scenes")) {
+        set.scenes = list_in(*scenes, scene_in);
+    }
     check_maps(set, value["files"]);
     return set;
 }

@@ -51,6 +51,13 @@ Json to_value(const ManifestFile& file) {
     return value;
 }
 
+Json to_value(const ManifestScene& scene) {
+    return {{"path", scene.path},
+            {"format", scene.format},
+            {"bytes", scene.bytes},
+            {"hash", scene.hash}};
+}
+
 Json to_value(const FrameStatistics& frame) {
     return {{"frame", frame.frame},
             {"tiles", frame.tiles},
@@ -102,7 +109,7 @@ std::string lines_of(const std::vector<Item>& items) {
 }
 
 std::string to_text(const BakedSet& set) {
-    const std::vector<std::pair<const char*, std::string>> members{
+    std::vector<std::pair<const char*, std::string>> members{
         {"foamtex", json_text(Json(set.version))},
         {"preset", json_text(Json(set.preset))},
         {"description", json_text(Json(set.description))},
@@ -119,6 +126,9 @@ std::string to_text(const BakedSet& set) {
         {"files", lines_of(set.files)},
         {"foam", lines_of(set.frame_statistics)},
         {"toml", json_text(Json(set.toml))}};
+    if (!set.scenes.empty()) {
+        members.insert(members.end() - 1, {"scenes", lines_of(set.scenes)});
+    }
     std::string text;
     for (const auto& [name, value] : members) {
         text += (text.empty() ? "      \"" : ",\n      \"") + std::string(name) + "\": " + value;
