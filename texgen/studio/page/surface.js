@@ -12,9 +12,11 @@ import {View} from "./surface_view.js";
 const kSamplers = ["base_color", "normal", "height", "data", "emission"];
 const kImages = ["baseColor", "normal", "height", "roughness", "occlusion", "metallic", "emission"];
 const kQualities = {
-    full: {antialias: true, anisotropy: 8, shadowSteps: 12, cells: 432, pixelRatio: 2},
-    fast: {antialias: false, anisotropy: 1, shadowSteps: 4, cells: 240, pixelRatio: 1},
+    full: {antialias: true, anisotropy: 8, shadowSteps: 12, cells: 432, pixelRatio: 2, samplesAtRest: 1},
+    fast: {antialias: false, anisotropy: 1, shadowSteps: 5, cells: 240, pixelRatio: 1, samplesAtRest: 4},
 };
+const kRest = 250;  // milliseconds after the last change
+const kLargestAtRest = 4e6;  // pixels
 const kLowestLight = 2;  // degrees above the plane, for a light that is moved with the pointer
 const kDegree = Math.PI / 180;
 const kNoWebGl = "The lit preview needs WebGL 2, which this browser does not offer or has turned off.";
@@ -125,9 +127,24 @@ export class Surface {
     // it shows the next picture, if something changed.
     render() {
         cancelAnimationFrame(this.frame);
+        clearTimeout(this.timer);
         this.frame = 0;
+        this.draw(Math.min(window.devicePixelRatio || 1, this.quality.pixelRatio));
+        if (this.quality.samplesAtRest > 1) {
+            this.timer = setTimeout(() => this.refine(), kRest);
+        }
+    }
+
+    // Draws with several samples per pixel; the browser computes their mean when it shows the canvas.
+    refine() {
+        const area = this.canvas.clientWidth * this.canvas.clientHeight;
+        this.draw(Math.sqrt(Math.min(this.quality.samplesAtRest, Math.max(kLargestAtRest / area, 1))));
+    }
+
+    // `ratio` is the number of pixels of the canvas per pixel of CSS.
+    draw(ratio) {
         const gl = this.gl;
-        if (gl.isContextLost() || !this.resize()) {
+        if (this.disposed || gl.isContextLost() || !this.resize(ratio)) {
             return;
         }
         this.update();
@@ -144,6 +161,7 @@ export class Surface {
     // Frees the memory of the graphics card. The canvas cannot be used for another Surface.
     dispose() {
         cancelAnimationFrame(this.frame);
+        clearTimeout(this.timer);
         this.disposed = true;
         this.resizes.disconnect();
         this.detachControls();
@@ -208,8 +226,7 @@ export class Surface {
     }
 
     // Returns false if the canvas is not visible.
-    resize() {
-        const ratio = Math.min(window.devicePixelRatio || 1, this.quality.pixelRatio);
+    resize(ratio) {
         const width = Math.round(this.canvas.clientWidth * ratio);
         const height = Math.round(this.canvas.clientHeight * ratio);
         if (this.canvas.width !== width || this.canvas.height !== height) {

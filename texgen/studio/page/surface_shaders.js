@@ -167,20 +167,23 @@ float visible_light(vec3 tangent, vec3 bitangent, vec3 normal, float start) {
     return 1.0 - clamp(blocked, 0.0, 1.0);
 }
 
-// Keeps colors up to 0.76 nearly as they are and compresses brighter ones ("PBR Neutral" of the Khronos Group, 2024).
+// Keeps colors up to 0.8 nearly as they are and compresses brighter ones towards white: "PBR Neutral" of the Khronos
+// Group (2024). kVeil is the brightness that reflected surroundings add to every color, and that is removed again; it is
+// 0.04 there, for brighter surroundings than ours.
 vec3 tone_mapped(vec3 color) {
-    const float kStart = 0.8 - 0.04;
+    const float kVeil = 0.016;
+    const float kStart = 0.8 - kVeil;
     const float kDesaturation = 0.15;
     float least = min(color.r, min(color.g, color.b));
-    color -= least < 0.08 ? least - 6.25 * least * least : 0.04;
+    color -= least < 2.0 * kVeil ? least - least * least / (4.0 * kVeil) : kVeil;
     float peak = max(color.r, max(color.g, color.b));
     if (peak < kStart) {
         return color;
     }
     float room = 1.0 - kStart;
     float compressed = 1.0 - room * room / (peak + room - kStart);
-    float share = 1.0 - 1.0 / (kDesaturation * (peak - compressed) + 1.0);
-    return mix(color * (compressed / peak), vec3(compressed), share);
+    float white = 1.0 - 1.0 / (kDesaturation * (peak - compressed) + 1.0);
+    return mix(color * (compressed / peak), vec3(compressed), white);
 }
 
 vec3 srgb(vec3 light) {
