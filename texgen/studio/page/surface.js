@@ -12,9 +12,10 @@ import {View} from "./surface_view.js";
 const kSamplers = ["base_color", "normal", "height", "data", "emission"];
 const kImages = ["baseColor", "normal", "height", "roughness", "occlusion", "metallic", "emission"];
 const kQualities = {
-    full: {antialias: true, anisotropy: 8, shadowSteps: 12, cells: 432, pixelRatio: 2, samplesAtRest: 1},
-    fast: {antialias: false, anisotropy: 1, shadowSteps: 5, cells: 240, pixelRatio: 1, samplesAtRest: 4},
+    full: {antialias: true, anisotropy: 8, shadowSteps: 12, cells: 660, pixelRatio: 2, samplesAtRest: 1},
+    fast: {antialias: false, anisotropy: 1, shadowSteps: 5, cells: 324, pixelRatio: 1, samplesAtRest: 4},
 };
+const kSmoothing = 1;  // levels of detail by which the displacement is smoother than the mesh could show
 const kRest = 250;  // milliseconds after the last change
 const kLargestAtRest = 4e6;  // pixels
 const kLowestLight = 2;  // degrees above the plane, for a light that is moved with the pointer
@@ -220,7 +221,7 @@ export class Surface {
         const newRadius = Math.min(Math.hypot(newX, newY), Math.cos(kLowestLight * kDegree));
         this.setLight({
             azimuth: (Math.atan2(newY, newX) / kDegree + 360) % 360,
-            elevation: Math.acos(newRadius) / kDegree,
+            elevation: Math.max(Math.acos(newRadius) / kDegree, kLowestLight),
         });
         this.canvas.dispatchEvent(new CustomEvent("lightchange", {detail: {...this.light}}));
     }
@@ -276,6 +277,7 @@ export class Surface {
         const azimuth = this.light.azimuth * kDegree;
         const elevation = this.light.elevation * kDegree;
         const across = Math.cos(elevation);
+        const texelsPerCell = heights.heightWidth * repeat / mesh.cellsPerTurn;
         gl.uniformMatrix3fv(uniforms.u_turn, false, view.turnMatrix());
         gl.uniformMatrix4fv(uniforms.u_projection, false, view.projection(aspect));
         gl.uniform3fv(uniforms.u_camera, view.cameraPosition(aspect));
@@ -291,7 +293,7 @@ export class Surface {
         gl.uniform1f(uniforms.u_height_top, heights.heightTop * this.relief);
         gl.uniform1f(uniforms.u_height_middle, heights.heightTop * this.relief * view.shape.middle);
         gl.uniform1f(uniforms.u_shadow_steps, this.quality.shadowSteps);
-        gl.uniform1f(uniforms.u_height_lod, Math.max(Math.log2(heights.heightWidth * repeat / mesh.cellsPerTurn), 0));
+        gl.uniform1f(uniforms.u_height_lod, Math.max(Math.log2(texelsPerCell) + kSmoothing, 0));
         gl.uniform2f(uniforms.u_slopes, this.relief, this.normalDirection === "dx" ? -this.relief : this.relief);
         kSamplers.forEach((name, unit) => gl.uniform1i(uniforms[`u_${name}`], unit));
     }

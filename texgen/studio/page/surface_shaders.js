@@ -18,7 +18,7 @@ uniform float u_origin;     // coordinates of the middle of the front, in tiles
 uniform float u_tile_width; // in units of positions
 uniform float u_height_scale;  // tile widths per unit of the height map
 uniform float u_height_middle; // the height that is not displaced, in tile widths
-uniform float u_height_lod;    // level of detail whose texels are as large as the cells of the mesh
+uniform float u_height_lod;    // level of detail that the mesh can show without aliasing
 uniform sampler2D u_height;
 
 out vec3 v_position;
