@@ -3,8 +3,9 @@
 // The lit preview: shows the maps of a material on a plane, a sphere or a cylinder, with WebGL 2.
 
 import {attachControls} from "./surface_controls.js";
+import {directionTo, movedLight} from "./surface_light.js";
 import {kShapes, meshOf} from "./surface_mesh.js";
-import {linked, suitableQuality, uniformsOf, uploaded} from "./surface_program.js";
+import {Fence, linked, suitableQuality, uniformsOf, uploaded} from "./surface_program.js";
 import {kFragmentShader, kVertexShader} from "./surface_shaders.js";
 import {checkImage, Textures} from "./surface_textures.js";
 import {View} from "./surface_view.js";
@@ -17,17 +18,14 @@ const kQualities = {
 };
 const kSmoothing = 1;  // levels of detail by which the displacement is smoother than the mesh could show
 const kRest = 250;  // milliseconds after the last change
+const kLongestBeforeRest = 600;  // milliseconds of a picture with one sample per pixel
 const kLargestAtRest = 4e6;  // pixels
-const kLowestLight = 2;  // degrees above the plane, for a light that is moved with the pointer
-const kDegree = Math.PI / 180;
 const kNoWebGl = "The lit preview needs WebGL 2, which this browser does not offer or has turned off.";
-const kHelp = "Lit preview of the surface. Arrow keys turn it, with Shift they move the light; plus and minus zoom.";
 
 // Draws on a canvas whenever something changed. After the user has moved the light, the canvas gets the event
 // "lightchange" with {azimuth, elevation} in `detail`.
 export class Surface {
-    // Throws an Error if the browser has no WebGL 2.
-    // `quality` is "full", "fast" for computers without a graphics card, or "auto".
+    // Throws an Error if the browser has no WebGL 2. `quality` is "full", "fast" for computers without a graphics card, or "auto".
     constructor(canvas, {quality = "auto"} = {}) {
         this.canvas = canvas;
         this.quality = kQualities[quality === "auto" ? suitableQuality() : quality];
@@ -136,10 +134,15 @@ export class Surface {
         }
     }
 
-    // Draws with several samples per pixel; the browser computes their mean when it shows the canvas.
+    // Draws with several samples per pixel, unless that takes too long; the browser computes their mean when it shows
+    // the canvas.
     refine() {
-        const area = this.canvas.clientWidth * this.canvas.clientHeight;
-        this.draw(Math.sqrt(Math.min(this.quality.samplesAtRest, Math.max(kLargestAtRest / area, 1))));
+        if (!this.fence.isPassed()) {
+            this.timer = setTimeout(() => this.refine(), kRest);
+        } else if (this.fence.milliseconds < kLongestBeforeRest) {
+            const area = this.canvas.clientWidth * this.canvas.clientHeight;
+            this.draw(Math.sqrt(Math.min(this.quality.samplesAtRest, Math.max(kLargestAtRest / area, 1))));
+        }
     }
 
     // `ratio` is the number of pixels of the canvas per pixel of CSS.
@@ -157,6 +160,7 @@ export class Surface {
         this.textures.bind(kSamplers);
         gl.bindVertexArray(this.mesh.array);
         gl.drawElements(gl.TRIANGLES, this.mesh.indexCount, gl.UNSIGNED_INT, 0);
+        this.fence.set();
     }
 
     // Frees the memory of the graphics card. The canvas cannot be used for another Surface.
@@ -179,7 +183,17 @@ export class Surface {
 
     invalidate() {
         if (!this.frame && !this.disposed) {
-            this.frame = requestAnimationFrame(() => this.render());
+            this.frame = requestAnimationFrame(() => this.renderIfIdle());
+        }
+    }
+
+    // Waits while the last picture is in work, so that pictures do not queue up.
+    renderIfIdle() {
+        this.frame = 0;
+        if (this.fence.isPassed()) {
+            this.render();
+        } else {
+            this.invalidate();
         }
     }
 
@@ -194,12 +208,6 @@ export class Surface {
         }, options);
         this.resizes = new ResizeObserver(() => this.invalidate());
         this.resizes.observe(canvas);
-        canvas.style.touchAction = "none";
-        canvas.tabIndex = Math.max(canvas.tabIndex, 0);
-        if (!canvas.hasAttribute("aria-label")) {
-            canvas.setAttribute("role", "img");
-            canvas.setAttribute("aria-label", kHelp);
-        }
         const then = (action) => (...values) => {
             action(...values);
             this.invalidate();
@@ -212,17 +220,8 @@ export class Surface {
         });
     }
 
-    // The light is a point on a half sphere, which is seen from the front and moved along the canvas.
     moveLight(x, y) {
-        const azimuth = this.light.azimuth * kDegree;
-        const radius = Math.cos(Math.max(this.light.elevation, 0) * kDegree);
-        const newX = radius * Math.cos(azimuth) + x;
-        const newY = radius * Math.sin(azimuth) + y;
-        const newRadius = Math.min(Math.hypot(newX, newY), Math.cos(kLowestLight * kDegree));
-        this.setLight({
-            azimuth: (Math.atan2(newY, newX) / kDegree + 360) % 360,
-            elevation: Math.max(Math.acos(newRadius) / kDegree, kLowestLight),
-        });
+        this.setLight(movedLight(this.light, x, y));
         this.canvas.dispatchEvent(new CustomEvent("lightchange", {detail: {...this.light}}));
     }
 
@@ -242,6 +241,7 @@ export class Surface {
         const gl = this.gl;
         this.program = linked(gl, kVertexShader, kFragmentShader);
         this.uniforms = uniformsOf(gl, this.program);
+        this.fence = new Fence(gl);
         this.textures = new Textures(gl, this.quality.anisotropy);
         this.mesh = null;
         this.meshChanged = true;
@@ -274,14 +274,11 @@ export class Surface {
         const {gl, uniforms, view, mesh, heights} = this;
         const aspect = this.canvas.width / this.canvas.height;
         const repeat = mesh.tiles * this.tiling;
-        const azimuth = this.light.azimuth * kDegree;
-        const elevation = this.light.elevation * kDegree;
-        const across = Math.cos(elevation);
         const texelsPerCell = heights.heightWidth * repeat / mesh.cellsPerTurn;
         gl.uniformMatrix3fv(uniforms.u_turn, false, view.turnMatrix());
         gl.uniformMatrix4fv(uniforms.u_projection, false, view.projection(aspect));
         gl.uniform3fv(uniforms.u_camera, view.cameraPosition(aspect));
-        gl.uniform3f(uniforms.u_light, across * Math.cos(azimuth), across * Math.sin(azimuth), Math.sin(elevation));
+        gl.uniform3fv(uniforms.u_light, directionTo(this.light));
         gl.uniform3fv(uniforms.u_sky, view.shape.sky);
         gl.uniform3fv(uniforms.u_background, this.background);
         gl.uniform1f(uniforms.u_strength, this.lightStrength);

@@ -146,13 +146,20 @@ function cylinder(columns) {
 // not displaced, as a fraction of the largest one; the edges of the cylinder only meet if it is 0. `lift` moves the
 // image up if the camera is tilted, as the near side of the plane looks larger than the far one.
 const kDegree = Math.PI / 180;
+const kAnyTilt = [-89 * kDegree, 89 * kDegree];
 export const kShapes = {
-    plane: {make: (cells) => plane(cells * 2 / 3), turnsAbout: "z", tilts: [-88 * kDegree, 0], tilt: -42 * kDegree, radius: 1.05, sky: [0, 0, 1],
-            middle: 0.5, lift: 0.16},
-    sphere: {make: sphere, turnsAbout: "y", tilts: [-89 * kDegree, 89 * kDegree], tilt: 12 * kDegree, radius: 1.1,
-             sky: [0, 1, 0], middle: 0.5, lift: 0},
-    cylinder: {make: cylinder, turnsAbout: "y", tilts: [-89 * kDegree, 89 * kDegree], tilt: 18 * kDegree, radius: 1.4,
-               sky: [0, 1, 0], middle: 0, lift: 0},
+    plane: {
+        make: (cells) => plane(cells * 2 / 3), turnsAbout: "z", tilts: [-88 * kDegree, 0], tilt: -42 * kDegree,
+        radius: 1.05, sky: [0, 0, 1], middle: 0.5, lift: 0.16,
+    },
+    sphere: {
+        make: sphere, turnsAbout: "y", tilts: kAnyTilt, tilt: 12 * kDegree,
+        radius: 1.1, sky: [0, 1, 0], middle: 0.5, lift: 0,
+    },
+    cylinder: {
+        make: cylinder, turnsAbout: "y", tilts: kAnyTilt, tilt: 18 * kDegree,
+        radius: 1.4, sky: [0, 1, 0], middle: 0, lift: 0,
+    },
 };
 
 // Returns the mesh of the shape `name`: vertices, indices, tiles, tileWidth, and the number of cells of the mesh along

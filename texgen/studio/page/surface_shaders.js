@@ -168,8 +168,8 @@ float visible_light(vec3 tangent, vec3 bitangent, vec3 normal, float start) {
 }
 
 // Keeps colors up to 0.8 nearly as they are and compresses brighter ones towards white: "PBR Neutral" of the Khronos
-// Group (2024). kVeil is the brightness that reflected surroundings add to every color, and that is removed again; it is
-// 0.04 there, for brighter surroundings than ours.
+// Group (2024). kVeil is the brightness that reflected surroundings add to every color, and that is removed again. It
+// is 0.04 there, for brighter surroundings.
 vec3 tone_mapped(vec3 color) {
     const float kVeil = 0.016;
     const float kStart = 0.8 - kVeil;
