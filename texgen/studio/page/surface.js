@@ -18,14 +18,15 @@ const kQualities = {
 };
 const kSmoothing = 1;  // levels of detail by which the displacement is smoother than the mesh could show
 const kRest = 250;  // milliseconds after the last change
-const kLongestBeforeRest = 600;  // milliseconds of a picture with one sample per pixel
+const kLongestBeforeRest = 1500;  // milliseconds of a picture with one sample per pixel
 const kLargestAtRest = 4e6;  // pixels
 const kNoWebGl = "The lit preview needs WebGL 2, which this browser does not offer or has turned off.";
 
 // Draws on a canvas whenever something changed. After the user has moved the light, the canvas gets the event
 // "lightchange" with {azimuth, elevation} in `detail`.
 export class Surface {
-    // Throws an Error if the browser has no WebGL 2. `quality` is "full", "fast" for computers without a graphics card, or "auto".
+    // `quality` is "full", "fast" (for a computer without a graphics card) or "auto". Throws an Error if the browser has
+    // no WebGL 2.
     constructor(canvas, {quality = "auto"} = {}) {
         this.canvas = canvas;
         this.quality = kQualities[quality === "auto" ? suitableQuality() : quality];
