@@ -25,8 +25,8 @@ const kNoWebGl = "The lit preview needs WebGL 2, which this browser does not off
 // Draws on a canvas whenever something changed. After the user has moved the light, the canvas gets the event
 // "lightchange" with {azimuth, elevation} in `detail`.
 export class Surface {
-    // `quality` is "full", "fast" (for a computer without a graphics card) or "auto". Throws an Error if the browser has
-    // no WebGL 2.
+    // `quality` is "full", "fast" (for a computer without a graphics card) or "auto". Throws an Error if the browser
+    // has no WebGL 2.
     constructor(canvas, {quality = "auto"} = {}) {
         this.canvas = canvas;
         this.quality = kQualities[quality === "auto" ? suitableQuality() : quality];
