@@ -12,10 +12,13 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
 cd -- "$root"
 # shellcheck source=samples/setup/packages.sh
 source samples/setup/packages.sh
+# shellcheck source=samples/setup/node.sh
+source samples/setup/node.sh
 
 preset=${FOAM_PRESET:-release}
 
 ensure_packages "${foam_build_packages[@]}" "${foam_test_packages[@]}"
+ensure_npm tests/browser tests/interop
 say "building in build/$preset"
 cmake --preset "$preset"
 cmake --build --preset "$preset"

@@ -5,15 +5,11 @@
 # with nvddsinfo. Usage: tests/interop/dds.sh [PROGRAM], where PROGRAM is the program foamtex of the preset ci by default.
 set -euo pipefail
 
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
-# shellcheck source=samples/setup/packages.sh
-source "$root/samples/setup/packages.sh"
-[[ -z $(print_missing libnvtt-bin python3-pil python3-numpy) ]] || exit 77  # a skipped test
-program=$(realpath -- "${1:-$root/build/ci/texgen/foamtex}")
-scratch=$(mktemp -d)
-trap 'rm -rf -- "$scratch"' EXIT
+# shellcheck source=tests/interop/textures.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/textures.sh"
+skip_without libnvtt-bin python3-pil python3-numpy
 
-/usr/bin/python3 "$root/tests/interop/dds.py" "$program" "$scratch"
+/usr/bin/python3 tests/interop/dds.py "$program" "$scratch"
 
 "$program" bake lava --frames 1-3 --size 64x32 --maps albedo,height --out "$scratch/array/{map}.####.png" -q
 "$program" flipbook "$scratch/array" --dds -q

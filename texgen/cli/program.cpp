@@ -32,6 +32,7 @@ constexpr const char* kVersion = "foamtex " FOAMTEX_VERSION R"(
 License: Apache-2.0. Presets, and the images that they make: CC0-1.0 (public domain).)";
 
 constexpr const char* kFooter = R"(Examples:
+  foamtex studio                               try presets in the browser
   foamtex bake sea_foam                        48 frames of a tileable texture, in out/
   foamtex presets show sea_foam > my.toml      a starting point for a preset of your own
   foamtex bake my.toml --frames 1-120
@@ -100,6 +101,12 @@ ExitCode parse_and_run(int argc, char** argv, std::string& command) {
     app.footer(kFooter);
     for (const AddCommand add : all_commands()) {
         add(app, action);
+    }
+    if (argc < 2) {
+        return report(
+            "a command is needed: 'foamtex studio' shows presets in the browser, 'foamtex bake "
+            "sea_foam' bakes one (see foamtex --help)",
+            ExitCode::BadRequest);
     }
     try {
         app.parse(argc, argv);

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "texgen/image/file_io.h"
+#include "texgen/image/frame_rate.h"
 #include "texgen/image/mip_chain.h"
 #include "texgen/image/picture.h"
 #include "texgen/image/pixel_format.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,6 +36,14 @@ struct GpuEncoding {
     int threads = 1;
 };
 
+/// How the layers of an array texture play as an animation.
+struct TextureAnimation {
+    FrameRate rate;
+    bool repeats = false;  // true if the first layer follows the last one; false to play once
+
+    friend bool operator==(const TextureAnimation&, const TextureAnimation&) = default;
+};
+
 /// A texture as graphics hardware reads it: images of all layers and mip levels. The rows of an
 /// image run from the top to the bottom.
 struct GpuTexture {
@@ -44,6 +54,8 @@ struct GpuTexture {
     bool opaque = true;     // true if a fourth channel is 1 everywhere because there is no alpha
     std::vector<std::vector<Bytes>> layers;  // for each layer, its mip levels from the full size on
     std::vector<std::pair<std::string, std::string>> text;  // ImageMetadata::text
+    /// Set if the layers of an array are frames of an animation. A DDS cannot store it.
+    std::optional<TextureAnimation> animation = {};
 
     int levels() const { return static_cast<int>(layers.front().size()); }
 };

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -35,6 +37,8 @@ constexpr std::size_t kMostLevelBytes = std::size_t{1} << 32U;  // of a level be
 // Zstandard stores at most 128 KiB of equal bytes in a block of 4 bytes. The limit keeps a small
 // file from claiming much memory.
 constexpr std::size_t kLargestRatio = 32768;
+constexpr std::string_view kAnimation = "KTXanimData";
+constexpr std::size_t kAnimationBytes = 12;  // duration of a frame, time units per second, loops
 
 void check(bool holds, const char* reason) {
     if (!holds) {
@@ -47,23 +51,41 @@ void pad(Bytes& bytes, std::size_t unit) {
     bytes.resize((bytes.size() + unit - 1) / unit * unit);
 }
 
-// Returns the keys and values of a file, sorted as the specification requires. The value of
-// KTXswizzle says that the texture has no alpha.
+std::string text_in(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// Returns the value of KTXanimData. The number of loops is 0 for an animation without an end.
+std::string animation_value(const TextureAnimation& animation) {
+    Bytes bytes;
+    append(bytes, static_cast<std::uint32_t>(animation.rate.seconds));
+    append(bytes, static_cast<std::uint32_t>(animation.rate.frames));
+    append(bytes, animation.repeats ? 0U : 1U);
+    return text_in(bytes);
+}
+
+// Returns the keys and values of a file, sorted as the specification requires. Values that are
+// texts end with a byte of 0. The value of KTXswizzle says that the texture has no alpha.
 Bytes key_value_data(const GpuTexture& texture) {
-    std::map<std::string, std::string> values(texture.text.begin(), texture.text.end());
+    std::map<std::string, std::string, std::less<>> values(texture.text.begin(),
+                                                           texture.text.end());
     values["KTXorientation"] = "rd";  // x to the right, y down
     values["KTXwriter"] = "foamtex " FOAMTEX_VERSION;
     if (texture.opaque && facts_of(texture.format).channels == 4) {
         values["KTXswizzle"] = "rgb1";
     }
+    for (auto& [key, value] : values) {
+        value.push_back('\0');
+    }
+    if (texture.is_array && texture.animation) {
+        values.emplace(kAnimation, animation_value(*texture.animation));
+    }
     Bytes bytes;
     for (const auto& [key, value] : values) {
-        append(bytes, static_cast<std::uint32_t>(key.size() + value.size() + 2));
-        for (const std::string_view text : {std::string_view(key), std::string_view(value)}) {
-            const auto characters = std::as_bytes(std::span(text));
-            bytes.insert(bytes.end(), characters.begin(), characters.end());
-            bytes.push_back(std::byte{0});
-        }
+        append(bytes, static_cast<std::uint32_t>(key.size() + 1 + value.size()));
+        const std::string entry = key + '\0' + value;
+        const auto characters = std::as_bytes(std::span(entry));
+        bytes.insert(bytes.end(), characters.begin(), characters.end());
         pad(bytes, 4);
     }
     return bytes;
@@ -137,13 +159,17 @@ Bytes header_of(const GpuTexture& texture, std::size_t descriptor_bytes, std::si
     return bytes;
 }
 
-// Reads the text of a key or a value, which may end with a byte of 0.
-std::string text_in(std::span<const std::byte> bytes) {
-    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.ends_with('\0')) {
-        text.pop_back();
-    }
-    return text;
+// Reads the value of KTXanimData.
+TextureAnimation animation_in(std::span<const std::byte> value) {
+    check(value.size() == kAnimationBytes, "KTXanimData has another size than 12 bytes");
+    ByteReader reader(value);
+    const std::uint32_t duration = reader.number();
+    const std::uint32_t timescale = reader.number();
+    constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
+    check(duration > 0 && timescale > 0 && duration <= kMost && timescale <= kMost,
+          "KTXanimData gives no frame rate");
+    return {.rate = {static_cast<int>(timescale), static_cast<int>(duration)},
+            .repeats = reader.number() != 1};
 }
 
 void read_values(std::span<const std::byte> data, GpuTexture& texture) {
@@ -157,7 +183,15 @@ void read_values(std::span<const std::byte> data, GpuTexture& texture) {
         check(end != entry.end(), "a key has no end");
         const auto key_size = static_cast<std::size_t>(end - entry.begin());
         const std::string key = text_in(entry.first(key_size));
-        const std::string value = text_in(entry.subspan(key_size + 1));
+        const auto value_bytes = entry.subspan(key_size + 1);
+        if (key == kAnimation) {
+            texture.animation = animation_in(value_bytes);
+            continue;
+        }
+        std::string value = text_in(value_bytes);
+        if (value.ends_with('\0')) {
+            value.pop_back();
+        }
         texture.opaque = texture.opaque || (key == "KTXswizzle" && value == "rgb1");
         if (!key.starts_with("KTX")) {
             texture.text.emplace_back(key, value);

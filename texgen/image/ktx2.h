@@ -11,8 +11,8 @@
 namespace foam::texgen {
 
 /// Returns a texture as a KTX 2.0 file (Khronos Texture), whose mip levels are compressed with
-/// Zstandard. The texts become key/value data. On one machine, equal textures give equal bytes.
-/// Throws OutputError if Zstandard fails.
+/// Zstandard. The texts become key/value data, and so does the animation of an array. On one
+/// machine, equal textures give equal bytes. Throws OutputError if Zstandard fails.
 Bytes encode_ktx2(const GpuTexture& texture);
 
 /// Returns the texture in a KTX 2.0 file. Throws InputError if the stream is malformed or

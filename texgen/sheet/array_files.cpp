@@ -72,11 +72,13 @@ void check_same(const GpuTexture& frame, const GpuTexture& array, const MapFile&
 }  // namespace
 
 StagedFile stage_array(const MapSequence& sequence,
+                       const TextureAnimation& animation,
                        const std::filesystem::path& path,
                        ProgressMeter& progress) {
     make_folders(path.parent_path());
     GpuTexture array = texture_in(sequence.files.front(), sequence.map);
     array.is_array = true;
+    array.animation = animation;
     array.layers.resize(sequence.files.size());
     std::vector<char> opaque(sequence.files.size(), array.opaque ? 1 : 0);
     parallel_for(static_cast<int>(sequence.files.size()) - 1, 0, [&](int k) {

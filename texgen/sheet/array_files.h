@@ -4,6 +4,7 @@
 
 #include "texgen/animation/progress_meter.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/gpu_texture.h"
 #include "texgen/sheet/map_sequence.h"
 
 #include <filesystem>
@@ -17,9 +18,12 @@ namespace foam::texgen {
 /// all threads. The memory contains the whole array, the encoded file and one frame per thread.
 /// `progress` counts each frame; the last frame counts when the file has been written.
 ///
+/// `animation` is stored in the file if its format can do so.
+///
 /// Throws InputError if a file cannot be read, if its size or its format differs from that of the
 /// first frame, or if its samples are not codes. Throws OutputError if the array cannot be written.
 StagedFile stage_array(const MapSequence& sequence,
+                       const TextureAnimation& animation,
                        const std::filesystem::path& path,
                        ProgressMeter& progress);
 

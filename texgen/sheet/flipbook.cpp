@@ -122,13 +122,14 @@ Flipbook write_flipbook(const BakedSet& set,
     ProgressMeter progress(
         Phase::Sheets, static_cast<int>(sequences.size() * frames.size()), on_progress);
     progress.begin();
+    const TextureAnimation animation{playing_rate(set, frames), closes(set.loop, frames)};
     // No file gets its name before all files are complete.
     std::vector<StagedFile> staged;
     std::vector<SheetImage> images;
     for (const MapSequence& sequence : sequences) {
         const std::string name = file_name_of(sequence, names, options);
         staged.push_back(is_array(options)
-                             ? stage_array(sequence, to / name, progress)
+                             ? stage_array(sequence, animation, to / name, progress)
                              : stage_sheet(sequence, flipbook.layout, to / name, progress));
         flipbook.files.push_back(to / name);
         images.push_back({name, sequence});

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 namespace foam::texgen {
@@ -17,15 +16,6 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kSameDisplacement = 1e-9;  // largest relative difference of equal displacements
-
-// Returns true if the frames form a closed loop: if successive frame numbers have the same
-// difference (step), and the number of frames times the magnitude of the step is the period of the
-// loop. The step of a single frame is 1.
-bool closes(const ManifestLoop& loop, std::span<const int> frames) {
-    const std::optional<int> step = common_step(frames);
-    return loop.period > 0 && step &&
-           std::abs(*step) * static_cast<int>(frames.size()) == loop.period;
-}
 
 Json loop_value(const BakedSet& set, std::span<const int> frames) {
     return {{"kind", set.loop.kind},

@@ -85,6 +85,12 @@ std::optional<int> common_step(std::span<const int> frames) {
     return step;
 }
 
+bool closes(const ManifestLoop& loop, std::span<const int> frames) {
+    const std::optional<int> step = common_step(frames);
+    return loop.period > 0 && step &&
+           std::abs(*step) * static_cast<int>(frames.size()) == loop.period;
+}
+
 FrameRate playing_rate(const BakedSet& set, std::span<const int> frames) {
     return {set.frames_per_second, std::abs(common_step(frames).value_or(1))};
 }

@@ -14,12 +14,12 @@ namespace foam::texgen {
 struct HttpRequest {
     std::string method;  // "GET", "POST", ...
     std::string target;  // the path, such as "/api/picture"
-    std::string host;
-    std::string origin;
-    std::string fetch_site;  // Sec-Fetch-Site
-    std::string content_type;
-    std::string cookie;
-    std::string body;
+    std::string host = {};
+    std::string origin = {};
+    std::string fetch_site = {};  // Sec-Fetch-Site
+    std::string content_type = {};
+    std::string cookie = {};
+    std::string body = {};
 };
 
 /// The status codes of HTTP that the studio uses.

@@ -144,53 +144,56 @@ class HttpServer::Listener {
         }
 
       private:
+        // What follows a response: the next request, the end of the connection, or, after a request
+        // that was not read completely, reading the rest of it.
+        enum class Next { Read, Close, Drain };
+
         // Continues after a request has been read, or could not be read.
         void take(const error_code& error) {
             is_idle_ = false;
             if (error) {
                 if (std::optional<HttpResponse> answer = answer_to(error)) {
-                    write(*std::move(answer), false);
+                    write(*std::move(answer), Next::Drain);
                 } else {
                     listener_.remove(this);
                 }
                 return;
             }
             stream_.expires_never();
-            const bool keep_alive = parser_->get().keep_alive();
-            asio::post(*listener_.pool_,
-                       [self = shared_from_this(),
-                        request = plain(parser_->release()),
-                        keep_alive]() mutable {
-                           HttpResponse response = (*self->listener_.handler_)(request);
-                           asio::post(self->listener_.io_,
-                                      [self, response = std::move(response), keep_alive]() mutable {
-                                          self->write(std::move(response), keep_alive);
-                                      });
-                       });
+            const Next next = parser_->get().keep_alive() ? Next::Read : Next::Close;
+            asio::post(
+                *listener_.pool_,
+                [self = shared_from_this(), request = plain(parser_->release()), next]() mutable {
+                    HttpResponse response = (*self->listener_.handler_)(request);
+                    asio::post(self->listener_.io_,
+                               [self, response = std::move(response), next]() mutable {
+                                   self->write(std::move(response), next);
+                               });
+                });
         }
 
-        void write(HttpResponse response, bool keep_alive) {
+        void write(HttpResponse response, Next next) {
             message_.emplace();
             message_->result(static_cast<unsigned>(response.status));
             message_->set(http::field::content_type, response.content_type);
             for (const auto& [name, value] : response.headers) {
                 message_->set(name, value);
             }
-            message_->keep_alive(keep_alive);
+            message_->keep_alive(next == Next::Read);
             message_->body() = std::move(response.body);
             message_->prepare_payload();
             stream_.expires_after(listener_.limits_.transfer);
             http::async_write(
                 stream_,
                 *message_,
-                [self = shared_from_this(), keep_alive](const error_code& error, std::size_t) {
+                [self = shared_from_this(), next](const error_code& error, std::size_t) {
                     self->message_.reset();
-                    if (error) {
-                        self->listener_.remove(self.get());
-                    } else if (keep_alive && self->listener_.waiting_.empty()) {
+                    if (!error && next == Next::Read && self->listener_.waiting_.empty()) {
                         self->read();
-                    } else {
+                    } else if (!error && next == Next::Drain) {
                         self->begin_drain();
+                    } else {
+                        self->listener_.remove(self.get());
                     }
                 });
         }
@@ -198,6 +201,7 @@ class HttpServer::Listener {
         // Ends the connection so that the client gets the whole response: if the socket were closed
         // while parts of the request are unread, the system would reset the connection.
         void begin_drain() {
+            is_idle_ = true;
             error_code ignored;
             stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
             stream_.expires_after(kDrainTime);
@@ -224,7 +228,7 @@ class HttpServer::Listener {
         std::optional<http::request_parser<http::string_body>> parser_;
         std::optional<http::response<http::string_body>> message_;
         Listener& listener_;
-        bool is_idle_ = true;
+        bool is_idle_ = true;  // true if nobody misses the connection when it is closed
     };
 
     void listen(const tcp::endpoint& endpoint) {

@@ -111,17 +111,19 @@ bool includes(const DistanceNeeds& all, const DistanceNeeds& some) {
 
 std::string rgba_from_top(const Image<std::uint8_t>& codes) {
     const int channels = codes.channels();
-    std::string bytes;
-    bytes.reserve(static_cast<std::size_t>(codes.width()) *
-                  static_cast<std::size_t>(codes.height()) * kRgba);
+    const int green = channels == 1 ? 0 : 1;
+    const int blue = channels == 1 ? 0 : 2;
+    std::string bytes(static_cast<std::size_t>(codes.width()) *
+                          static_cast<std::size_t>(codes.height()) * kRgba,
+                      '\0');
+    char* to = bytes.data();
     for (int y = codes.height() - 1; y >= 0; --y) {
-        const std::uint8_t* pixel = codes.row(y).data();
-        for (int x = 0; x < codes.width(); ++x, pixel += channels) {
-            const bool is_gray = channels == 1;
-            bytes += static_cast<char>(pixel[0]);
-            bytes += static_cast<char>(pixel[is_gray ? 0 : 1]);
-            bytes += static_cast<char>(pixel[is_gray ? 0 : 2]);
-            bytes += static_cast<char>(channels == kRgba ? pixel[3] : kOpaque);
+        const std::uint8_t* from = codes.row(y).data();
+        for (int x = 0; x < codes.width(); ++x, from += channels, to += kRgba) {
+            to[0] = static_cast<char>(from[0]);
+            to[1] = static_cast<char>(from[green]);
+            to[2] = static_cast<char>(from[blue]);
+            to[3] = static_cast<char>(channels == kRgba ? from[3] : kOpaque);
         }
     }
     return bytes;
@@ -162,6 +164,7 @@ struct Painter::Shown {
 struct Painter::DrawnMap {
     MapImage image;
     bool is_exact = false;
+    std::optional<double> unit_width = {};  // of the map height: its unit in image widths
 };
 
 Painter::Painter(FrameStore& store) : store_(store) {}
@@ -259,6 +262,9 @@ Painter::DrawnMap Painter::drawn(const Preset& preset,
         fit_to_picture(std::get<NumberPixels>(drawn.image),
                        range_option_of(map, reduced.options)->value);
     }
+    if (map.name == kHeightMap.name) {
+        drawn.unit_width = height_unit(frame.layers.layers, reduced.options.relief);
+    }
     drawn.is_exact = has_range && request.quality != PictureQuality::Draft;
     return drawn;
 }
@@ -273,6 +279,7 @@ HttpResponse Painter::draw(const Preset& preset, const PictureRequest& request) 
                          {"channels", request.floats ? size.channels : kRgba},
                          {"frame", request.frame},
                          {"exact", map.is_exact},
+                         {"unit_width", number_or_null(map.unit_width)},
                          {"low", numbers != nullptr ? Json(numbers->low) : Json(nullptr)},
                          {"high", numbers != nullptr ? Json(numbers->high) : Json(nullptr)}};
     HttpResponse response{.content_type = "application/octet-stream",

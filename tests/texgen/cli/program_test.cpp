@@ -36,7 +36,9 @@ TEST(Program, PrintsItsVersionAndLicenses) {
 }
 
 TEST(Program, ABadCommandLineIsOneLineAndCode2) {
-    expect_rejected("", "A subcommand is required (see foamtex --help)");
+    expect_rejected("",
+                    "a command is needed: 'foamtex studio' shows presets in the browser, 'foamtex "
+                    "bake sea_foam' bakes one (see foamtex --help)");
     expect_rejected("bake", "PRESET is required (see foamtex bake --help)");
     expect_rejected("bake sea_foam --bogus",
                     "bake has no option '--bogus' (see foamtex bake --help)");

@@ -92,6 +92,43 @@ TEST(Ktx2, IsReadAsItWasWritten) {
     EXPECT_EQ(back.text, sorted);
 }
 
+// KTXanimData has three numbers: the duration of a frame in time units, the time units per second,
+// and the number of loops, which is 0 for an animation without an end. 24000 frames in 1001 seconds
+// are frames of 1001 units, of which a second has 24000.
+TEST(Ktx2, AnArrayStoresItsAnimation) {
+    GpuTexture texture = small_array();
+    for (const bool repeats : {true, false}) {
+        texture.animation = {.rate = {24000, 1001}, .repeats = repeats};
+        const Bytes bytes = encode_ktx2(texture);
+        const std::string key("KTXanimData\0", 12);
+        const auto found = std::ranges::search(bytes, std::as_bytes(std::span(key)));
+        ASSERT_FALSE(found.empty());
+        const auto position = static_cast<std::size_t>(found.begin() - bytes.begin());
+        EXPECT_EQ(number_at(bytes, position - 4), 24U);  // bytes of the key and the value
+        EXPECT_EQ(number_at(bytes, position + 12), 1001U);
+        EXPECT_EQ(number_at(bytes, position + 16), 24000U);
+        EXPECT_EQ(number_at(bytes, position + 20), repeats ? 0U : 1U);
+        EXPECT_EQ(decode_ktx2(bytes).animation, texture.animation);
+    }
+}
+
+// The specification allows an animation for arrays alone.
+TEST(Ktx2, ASingleTextureStoresNoAnimation) {
+    GpuTexture texture = small_array();
+    texture.is_array = false;
+    texture.layers.pop_back();
+    texture.animation = {.rate = {24, 1}, .repeats = true};
+    EXPECT_FALSE(decode_ktx2(encode_ktx2(texture)).animation);
+}
+
+TEST(Ktx2, RejectsAnAnimationWithoutFrameRate) {
+    GpuTexture texture = small_array();
+    texture.animation = {.rate = {24, 0}, .repeats = true};
+    EXPECT_THROW(decode_ktx2(encode_ktx2(texture)), InputError);
+    texture.animation = {.rate = {0, 1}, .repeats = true};
+    EXPECT_THROW(decode_ktx2(encode_ktx2(texture)), InputError);
+}
+
 TEST(Ktx2, ATextureWithAlphaIsNotOpaque) {
     GpuTexture texture = small_array();
     texture.opaque = false;

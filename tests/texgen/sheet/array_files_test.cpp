@@ -104,5 +104,21 @@ TEST(ArrayFiles, AreWrittenAsKtx2) {
     EXPECT_EQ(array.layers, array_in(folder, "albedo").layers);
 }
 
+// All four frames of the loop close it, at 24 frames per second. Every second of them, in reverse
+// order, too, at half the rate. Three frames do not.
+TEST(ArrayFiles, AKtx2StoresTheAnimation) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path()), {"height"});
+    const auto animation_of = [&](const std::vector<int>& frames) {
+        write_flipbook(
+            set, folder.path(), {.frames = frames, .array_suffix = ".ktx2"}, folder.path());
+        const auto path = folder.path() / "small_array_height.ktx2";
+        return decode_ktx2(read_file(path, kImageInput)).animation;
+    };
+    EXPECT_EQ(animation_of({}), (TextureAnimation{{24, 1}, true}));
+    EXPECT_EQ(animation_of({4, 2}), (TextureAnimation{{24, 2}, true}));
+    EXPECT_EQ(animation_of({1, 2, 3}), (TextureAnimation{{24, 1}, false}));
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// The lit preview: shows the maps of a material on a plane, a sphere or a cylinder, with WebGL 2.
+
+import {attachControls} from "./surface_controls.js";
+import {kShapes, meshOf} from "./surface_mesh.js";
+import {linked, suitableQuality, uniformsOf, uploaded} from "./surface_program.js";
+import {kFragmentShader, kVertexShader} from "./surface_shaders.js";
+import {checkImage, Textures} from "./surface_textures.js";
+import {View} from "./surface_view.js";
+
+const kSamplers = ["base_color", "normal", "height", "data", "emission"];
+const kImages = ["baseColor", "normal", "height", "roughness", "occlusion", "metallic", "emission"];
+const kQualities = {
+    full: {antialias: true, anisotropy: 8, shadowSteps: 12, cells: 432, pixelRatio: 2},
+    fast: {antialias: false, anisotropy: 1, shadowSteps: 4, cells: 240, pixelRatio: 1},
+};
+const kLowestLight = 2;  // degrees above the plane, for a light that is moved with the pointer
+const kDegree = Math.PI / 180;
+const kNoWebGl = "The lit preview needs WebGL 2, which this browser does not offer or has turned off.";
+const kHelp = "Lit preview of the surface. Arrow keys turn it, with Shift they move the light; plus and minus zoom.";
+
+// Draws on a canvas whenever something changed. After the user has moved the light, the canvas gets the event
+// "lightchange" with {azimuth, elevation} in `detail`.
+export class Surface {
+    // Throws an Error if the browser has no WebGL 2.
+    // `quality` is "full", "fast" for computers without a graphics card, or "auto".
+    constructor(canvas, {quality = "auto"} = {}) {
+        this.canvas = canvas;
+        this.quality = kQualities[quality === "auto" ? suitableQuality() : quality];
+        this.gl = canvas.getContext("webgl2", {alpha: false, antialias: this.quality.antialias});
+        if (!this.gl) {
+            throw new Error(kNoWebGl);
+        }
+        this.images = {};
+        this.shape = "plane";
+        this.tiling = 1;
+        this.light = {azimuth: 135, elevation: 50};
+        this.lightStrength = 0.85;
+        this.ambient = 0.4;
+        this.relief = 1;
+        this.normalDirection = "gl";
+        this.background = [0.17, 0.18, 0.2];
+        this.view = new View(this.shape);
+        this.frame = 0;
+        this.build();
+        this.listen();
+    }
+
+    // Each image is null or {width, height, data}; a missing one is null. Rows go from the top to the bottom, and data
+    // are bytes R G B A. Colors are sRGB; alpha of the base color shows the background. The map height may be a
+    // Float32Array with one number per pixel; its property `unit` is the number of tile widths that the number 1 (or
+    // the code 255) stands for. `unit` is 1 for floats and 0.05 for bytes, unless it is given. Without normals, the
+    // normals of the height are used. An image that is the same object as before is not sent to the graphics card
+    // again. Throws an Error if an image is too large or its data have the wrong length.
+    setImages(images) {
+        const largest = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE) ?? Infinity;  // null if the context is lost
+        for (const name of kImages) {
+            checkImage(name, images[name], largest);
+        }
+        this.images = Object.fromEntries(kImages.map((name) => [name, images[name] ?? null]));
+        this.imagesChanged = true;
+        this.invalidate();
+    }
+
+    // "plane", "sphere" or "cylinder". Shows the default view of the shape.
+    setShape(shape) {
+        if (!(shape in kShapes)) {
+            throw new Error(`There is no shape "${shape}"; allowed are ${Object.keys(kShapes).join(", ")}.`);
+        }
+        if (shape !== this.shape) {
+            this.shape = shape;
+            this.view.setShape(shape);
+            this.meshChanged = true;
+            this.invalidate();
+        }
+    }
+
+    // The number of tiles along the side of the plane, or along the visible half of the other shapes: 1, 2, ...
+    setTiling(tiling) {
+        this.set("tiling", Math.max(Math.round(tiling), 1));
+    }
+
+    // The direction to the light in degrees, as in the map lit: the azimuth is counterclockwise from the right, and the
+    // elevation is the angle above the plane, or from the outline of a round shape towards the viewer.
+    setLight({azimuth, elevation}) {
+        this.set("light", {azimuth, elevation});
+    }
+
+    // The brightness of a white, rough surface that faces the light. The default is 0.85.
+    setLightStrength(strength) {
+        this.set("lightStrength", strength);
+    }
+
+    // The brightness of a white surface below the whole sky. The default is 0.4.
+    setAmbient(ambient) {
+        this.set("ambient", ambient);
+    }
+
+    // Factor on the heights and on the slopes of the normals.
+    setRelief(scale) {
+        this.set("relief", scale);
+    }
+
+    // The direction in which green is positive: "gl" is up, "dx" is down.
+    setNormalDirection(direction) {
+        this.set("normalDirection", direction);
+    }
+
+    // Any opaque color of CSS.
+    setBackground(cssColor) {
+        const painter = document.createElement("canvas").getContext("2d");
+        painter.fillStyle = cssColor;
+        painter.fillRect(0, 0, 1, 1);
+        this.set("background", [...painter.getImageData(0, 0, 1, 1).data.slice(0, 3)].map((code) => code / 255));
+    }
+
+    // Shows the default view of the shape.
+    resetView() {
+        this.view.reset();
+        this.invalidate();
+    }
+
+    // Draws now. Pixels can be read from the canvas in the same task. Otherwise the browser calls this function before
+    // it shows the next picture, if something changed.
+    render() {
+        cancelAnimationFrame(this.frame);
+        this.frame = 0;
+        const gl = this.gl;
+        if (gl.isContextLost() || !this.resize()) {
+            return;
+        }
+        this.update();
+        gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+        gl.clearColor(...this.background, 1);
+        gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+        gl.useProgram(this.program);
+        this.setUniforms();
+        this.textures.bind(kSamplers);
+        gl.bindVertexArray(this.mesh.array);
+        gl.drawElements(gl.TRIANGLES, this.mesh.indexCount, gl.UNSIGNED_INT, 0);
+    }
+
+    // Frees the memory of the graphics card. The canvas cannot be used for another Surface.
+    dispose() {
+        cancelAnimationFrame(this.frame);
+        this.disposed = true;
+        this.resizes.disconnect();
+        this.detachControls();
+        this.stop.abort();
+        this.textures.dispose();
+        this.deleteMesh();
+        this.gl.deleteProgram(this.program);
+    }
+
+    set(name, value) {
+        this[name] = value;
+        this.invalidate();
+    }
+
+    invalidate() {
+        if (!this.frame && !this.disposed) {
+            this.frame = requestAnimationFrame(() => this.render());
+        }
+    }
+
+    listen() {
+        const canvas = this.canvas;
+        this.stop = new AbortController();
+        const options = {signal: this.stop.signal};
+        canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), options);
+        canvas.addEventListener("webglcontextrestored", () => {
+            this.build();
+            this.invalidate();
+        }, options);
+        this.resizes = new ResizeObserver(() => this.invalidate());
+        this.resizes.observe(canvas);
+        canvas.style.touchAction = "none";
+        canvas.tabIndex = Math.max(canvas.tabIndex, 0);
+        if (!canvas.hasAttribute("aria-label")) {
+            canvas.setAttribute("role", "img");
+            canvas.setAttribute("aria-label", kHelp);
+        }
+        const then = (action) => (...values) => {
+            action(...values);
+            this.invalidate();
+        };
+        this.detachControls = attachControls(canvas, {
+            orbit: then((turn, tilt) => this.view.orbit(turn, tilt)),
+            zoom: then((factor, at) => this.view.zoomBy(factor, at)),
+            reset: then(() => this.view.reset()),
+            light: (x, y) => this.moveLight(x, y),
+        });
+    }
+
+    // The light is a point on a half sphere, which is seen from the front and moved along the canvas.
+    moveLight(x, y) {
+        const azimuth = this.light.azimuth * kDegree;
+        const radius = Math.cos(Math.max(this.light.elevation, 0) * kDegree);
+        const newX = radius * Math.cos(azimuth) + x;
+        const newY = radius * Math.sin(azimuth) + y;
+        const newRadius = Math.min(Math.hypot(newX, newY), Math.cos(kLowestLight * kDegree));
+        this.setLight({
+            azimuth: (Math.atan2(newY, newX) / kDegree + 360) % 360,
+            elevation: Math.acos(newRadius) / kDegree,
+        });
+        this.canvas.dispatchEvent(new CustomEvent("lightchange", {detail: {...this.light}}));
+    }
+
+    // Returns false if the canvas is not visible.
+    resize() {
+        const ratio = Math.min(window.devicePixelRatio || 1, this.quality.pixelRatio);
+        const width = Math.round(this.canvas.clientWidth * ratio);
+        const height = Math.round(this.canvas.clientHeight * ratio);
+        if (this.canvas.width !== width || this.canvas.height !== height) {
+            this.canvas.width = width;
+            this.canvas.height = height;
+        }
+        return width > 0 && height > 0;
+    }
+
+    // Creates everything that a context holds, after the start and after the context was restored.
+    build() {
+        const gl = this.gl;
+        this.program = linked(gl, kVertexShader, kFragmentShader);
+        this.uniforms = uniformsOf(gl, this.program);
+        this.textures = new Textures(gl, this.quality.anisotropy);
+        this.mesh = null;
+        this.meshChanged = true;
+        this.imagesChanged = true;
+        gl.enable(gl.DEPTH_TEST);
+        gl.enable(gl.CULL_FACE);
+    }
+
+    update() {
+        if (this.imagesChanged) {
+            this.heights = this.textures.update(this.images);
+            this.imagesChanged = false;
+        }
+        if (this.meshChanged) {
+            this.deleteMesh();
+            this.mesh = uploaded(this.gl, this.program, meshOf(this.shape, this.quality.cells));
+            this.meshChanged = false;
+        }
+    }
+
+    deleteMesh() {
+        if (this.mesh) {
+            this.gl.deleteVertexArray(this.mesh.array);
+            this.mesh.buffers.forEach((buffer) => this.gl.deleteBuffer(buffer));
+            this.mesh = null;
+        }
+    }
+
+    setUniforms() {
+        const {gl, uniforms, view, mesh, heights} = this;
+        const aspect = this.canvas.width / this.canvas.height;
+        const repeat = mesh.tiles * this.tiling;
+        const azimuth = this.light.azimuth * kDegree;
+        const elevation = this.light.elevation * kDegree;
+        const across = Math.cos(elevation);
+        gl.uniformMatrix3fv(uniforms.u_turn, false, view.turnMatrix());
+        gl.uniformMatrix4fv(uniforms.u_projection, false, view.projection(aspect));
+        gl.uniform3fv(uniforms.u_camera, view.cameraPosition(aspect));
+        gl.uniform3f(uniforms.u_light, across * Math.cos(azimuth), across * Math.sin(azimuth), Math.sin(elevation));
+        gl.uniform3fv(uniforms.u_sky, view.shape.sky);
+        gl.uniform3fv(uniforms.u_background, this.background);
+        gl.uniform1f(uniforms.u_strength, this.lightStrength);
+        gl.uniform1f(uniforms.u_ambient, this.ambient);
+        gl.uniform1f(uniforms.u_repeat, repeat);
+        gl.uniform1f(uniforms.u_origin, this.shape === "plane" ? this.tiling / 2 : 0.5);
+        gl.uniform1f(uniforms.u_tile_width, mesh.tileWidth / this.tiling);
+        gl.uniform1f(uniforms.u_height_scale, heights.heightUnit * this.relief);
+        gl.uniform1f(uniforms.u_height_top, heights.heightTop * this.relief);
+        gl.uniform1f(uniforms.u_height_middle, heights.heightTop * this.relief * view.shape.middle);
+        gl.uniform1f(uniforms.u_shadow_steps, this.quality.shadowSteps);
+        gl.uniform1f(uniforms.u_height_lod, Math.max(Math.log2(heights.heightWidth * repeat / mesh.cellsPerTurn), 0));
+        gl.uniform2f(uniforms.u_slopes, this.relief, this.normalDirection === "dx" ? -this.relief : this.relief);
+        kSamplers.forEach((name, unit) => gl.uniform1i(uniforms[`u_${name}`], unit));
+    }
+}
