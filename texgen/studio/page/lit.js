@@ -110,7 +110,7 @@ export class Lit {
             images[name] = (await ask(map, "rgba")).pixels;
         }
         const height = await ask("height", "float");
-        images.height = {data: height.numbers, width: height.width, height: height.height, unit: diameter(answer)};
+        images.height = {data: height.numbers, width: height.width, height: height.height, unit: height.unit_width};
         return images;
     }
 
@@ -143,9 +143,4 @@ function fillSliders() {
     for (const slider of $("lit-tools").querySelectorAll("input")) {
         slider.style.setProperty("--fill", `${(100 * (slider.value - slider.min)) / (slider.max - slider.min)}%`);
     }
-}
-
-// The diameter of a mean bubble, which is the unit of heights, in tile widths.
-function diameter({size, values}) {
-    return Math.sqrt((4 * size[1]) / size[0] / (Math.PI * values["foam.bubbles"]));
 }
