@@ -53,7 +53,7 @@ Image<float> read_channels(const SceneImage& image) {
     return pixels;
 }
 
-// The images of the first frame, each read once.
+// The images of the first frame. They are read when they are needed for the first time.
 class PreviewImages {
   public:
     explicit PreviewImages(const SceneMaterial& material) : material_(material) {}
@@ -66,6 +66,8 @@ class PreviewImages {
         }
         return found->second;
     }
+    /// Releases the memory of all images. They are read again if they are needed again.
+    void clear() { read_.clear(); }
 
   private:
     const SceneMaterial& material_;
@@ -173,11 +175,17 @@ PreviewTextures preview_textures(const SceneMaterial& material) {
     PreviewImages frame(material);
     PreviewTextures textures;
     textures.color = color_texture(material, frame);
+    frame.clear();
+    if (material.lit) {
+        return textures;  // other textures have no effect
+    }
     if (material.emission) {
         textures.emission = colors_of(frame, *material.emission, false);
+        frame.clear();
     }
     if (material.normal) {
         textures.normal = normal_texture(frame, *material.normal);
+        frame.clear();
     }
     textures.surface = surface_texture(material, frame);
     return textures;
