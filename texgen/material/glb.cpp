@@ -105,7 +105,7 @@ class GlbWriter {
         attributes["POSITION"] =
             add_vectors(positions, 3, {{"min", {-x, -y, 0.0F}}, {"max", {x, y, 0.0F}}});
         attributes["NORMAL"] = add_vectors(at_all_corners({0, 0, 1}), 3, Json::object());
-        if (textures_.normal && !material_.lit) {
+        if (textures_.normal) {
             attributes["TANGENT"] = add_vectors(at_all_corners({1, 0, 0, 1}), 4, Json::object());
         }
         if (json_.contains("textures")) {

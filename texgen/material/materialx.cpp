@@ -47,9 +47,9 @@ class MaterialXWriter {
     void write_comment() {
         if (material_.frames.size() > 1) {
             xml_.comment(fmt::format(
-                "The images are those of frame {} of {} frames, because MaterialX has no time. A "
-                "program that replaces tokens plays the frames if {{0Nframe}} takes the place of "
-                "the N digits of the frame number in the names of the files.",
+                "The images are those of frame {} of {} frames. Programs that know the frame "
+                "tokens of MaterialX play all frames if {{0Nframe}} takes the place of the N "
+                "digits of the frame number in the names of the files.",
                 material_.frames.front(),
                 material_.frames.size()));
         }

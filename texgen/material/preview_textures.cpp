@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -53,7 +54,7 @@ Image<float> read_channels(const SceneImage& image) {
     return pixels;
 }
 
-// The images of the first frame, each read once.
+// The images of the first frame. They are read when they are needed for the first time.
 class PreviewImages {
   public:
     explicit PreviewImages(const SceneMaterial& material) : material_(material) {}
@@ -66,6 +67,8 @@ class PreviewImages {
         }
         return found->second;
     }
+    /// Releases the memory of all images. They are read again if they are needed again.
+    void clear() { read_.clear(); }
 
   private:
     const SceneMaterial& material_;
@@ -104,18 +107,41 @@ Texture colors_of(PreviewImages& frame, std::size_t index, bool with_opacity) {
     return converted(frame.channels(index), with_opacity ? 4 : 3, code_of);
 }
 
+// Returns a texture of one color.
+Texture filled(int width, int height, const std::array<std::uint8_t, 3>& color) {
+    Texture texture(width, height, 3);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            std::ranges::copy(color, texture.pixel(x, y).begin());
+        }
+    }
+    return texture;
+}
+
+// Writes the numbers of a channel into a channel of a texture.
+void copy_numbers(PreviewImages& frame,
+                  const SceneChannel& channel,
+                  Texture& texture,
+                  std::size_t to) {
+    const Image<float>& numbers = frame.channels(channel.image);
+    const double scale = frame.image(channel.image).scale.at(channel.channel);
+    const double bias = frame.image(channel.image).bias.at(channel.channel);
+    for (int y = 0; y < texture.height(); ++y) {
+        for (int x = 0; x < texture.width(); ++x) {
+            const auto number = static_cast<double>(numbers.pixel(x, y)[channel.channel]);
+            texture.pixel(x, y)[to] = to_code(scale * number + bias);
+        }
+    }
+}
+
 Texture with_opacity(const Texture& colors, PreviewImages& frame, const SceneChannel& opacity) {
     Texture texture(colors.width(), colors.height(), 4);
-    const Image<float>& numbers = frame.channels(opacity.image);
     for (int y = 0; y < colors.height(); ++y) {
         for (int x = 0; x < colors.width(); ++x) {
             std::ranges::copy(colors.pixel(x, y), texture.pixel(x, y).begin());
-            const auto number = static_cast<double>(numbers.pixel(x, y)[opacity.channel]);
-            const SceneImage& image = frame.image(opacity.image);
-            texture.pixel(x, y)[3] =
-                to_code(image.scale.at(opacity.channel) * number + image.bias.at(opacity.channel));
         }
     }
+    copy_numbers(frame, opacity, texture, 3);
     return texture;
 }
 
@@ -142,26 +168,14 @@ Texture normal_texture(PreviewImages& frame, std::size_t index) {
 // Returns occlusion, roughness and metalness, as glTF packs them.
 std::optional<Texture> surface_texture(const SceneMaterial& material, PreviewImages& frame) {
     const std::array packed = {material.occlusion, material.roughness, material.metallic};
-    const auto first =
-        std::ranges::find_if(packed, [](const auto& one) { return one.has_value(); });
-    if (first == packed.end()) {
-        return std::nullopt;
-    }
-    const Image<float>& size = frame.channels((*first)->image);
-    Texture texture(size.width(), size.height(), 3);
+    std::optional<Texture> texture;
     for (std::size_t c = 0; c < packed.size(); ++c) {
-        const double missing = c == 2 ? 0.0 : 1.0;
-        for (int y = 0; y < size.height(); ++y) {
-            for (int x = 0; x < size.width(); ++x) {
-                double number = missing;
-                if (packed.at(c)) {
-                    const auto& [image, channel] = *packed.at(c);
-                    number = frame.image(image).scale.at(channel) *
-                                 static_cast<double>(frame.channels(image).pixel(x, y)[channel]) +
-                             frame.image(image).bias.at(channel);
-                }
-                texture.pixel(x, y)[c] = to_code(number);
+        if (packed.at(c)) {
+            const Image<float>& numbers = frame.channels(packed.at(c)->image);
+            if (!texture) {
+                texture = filled(numbers.width(), numbers.height(), {255, 255, 0});
             }
+            copy_numbers(frame, *packed.at(c), *texture, c);
         }
     }
     return texture;
@@ -173,11 +187,17 @@ PreviewTextures preview_textures(const SceneMaterial& material) {
     PreviewImages frame(material);
     PreviewTextures textures;
     textures.color = color_texture(material, frame);
+    frame.clear();
+    if (material.lit) {
+        return textures;  // other textures have no effect
+    }
     if (material.emission) {
         textures.emission = colors_of(frame, *material.emission, false);
+        frame.clear();
     }
     if (material.normal) {
         textures.normal = normal_texture(frame, *material.normal);
+        frame.clear();
     }
     textures.surface = surface_texture(material, frame);
     return textures;

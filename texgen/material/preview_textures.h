@@ -11,7 +11,7 @@
 namespace foam::texgen {
 
 /// The textures of a material of glTF, made of the images of the first frame. All have 8 bits per
-/// sample.
+/// sample. If the colors are those of the map lit, there are no other textures.
 struct PreviewTextures {
     // Colors as sRGB: of the material without light or, if there is none, of the map lit. With a
     // fourth channel, the opacity, if the material has one.

@@ -62,7 +62,8 @@ void check_scenes(const Preset& preset) {
     if (scene_sources(preset).is_empty()) {
         throw std::invalid_argument(fmt::format(
             "output.scene needs a map of a material, such as albedo, lit, normal, height, "
-            "roughness, metallic, occlusion or emission, but image.maps has only {}",
+            "roughness, metallic, occlusion or emission, but image.maps has only {}; set "
+            "output.scene to [] for no scene",
             fmt::join(preset.image.maps, ", ")));
     }
     const bool can_refer = has_single_images(FilePattern(preset.output.pattern));

@@ -90,7 +90,9 @@ TEST(SceneFiles, NeedAMapOfAMaterial) {
     preset.output.scene = {"gltf"};
     EXPECT_EQ(fault_of(preset),
               "output.scene needs a map of a material, such as albedo, lit, normal, height, "
-              "roughness, metallic, occlusion or emission, but image.maps has only id, motion");
+              "roughness, metallic, occlusion or emission, but image.maps has only id, motion; set "
+              "output.scene "
+              "to [] for no scene");
 }
 
 }  // namespace
