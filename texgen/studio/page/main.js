@@ -2,7 +2,7 @@
 
 // Starts the page.
 
-import {ApiError, connection, getProgram, keepAlive, startSession} from "./api.js";
+import {connection, connectionState, getProgram, keepAlive, startSession} from "./api.js";
 import {showConnection} from "./banner.js";
 import {Studio} from "./studio.js";
 import {startTheme} from "./theme.js";
@@ -18,7 +18,7 @@ async function start() {
         studio.start();
         keepAlive();
     } catch (error) {
-        if (error instanceof ApiError && error.status !== 403) {
+        if (connectionState() === "online") {
             throw error;
         }
         connection.on((state) => state === "online" && location.reload());
