@@ -18,7 +18,7 @@ source samples/setup/node.sh
 preset=${FOAM_PRESET:-release}
 
 ensure_packages "${foam_build_packages[@]}" "${foam_test_packages[@]}"
-ensure_npm tests/browser tests/interop
+ensure_npm tests/browser tests/interop tests/interop/scenes tests/studio
 say "building in build/$preset"
 cmake --preset "$preset"
 cmake --build --preset "$preset"

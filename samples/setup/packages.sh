@@ -14,7 +14,7 @@ foam_build_packages=(
 foam_test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev evolver gnuplot-nox
     pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools python3 python3-jsonschema
-    libnvtt-bin python3-numpy python3-pil chromium
+    libnvtt-bin python3-numpy python3-pil chromium libxml2-utils
 )
 foam_check_packages=(clang libclang-rt-14-dev clang-format clang-tidy ccache python3 reuse)
 

@@ -37,10 +37,11 @@ export async function launch_chromium(options = {}) {
     });
 }
 
-// Opens a page whose errors are collected: messages of the console of type "error", and exceptions that no code caught.
+// Opens a page, with cookies of its own, whose errors are collected: messages of the console of type "error", and exceptions that no code caught.
 // Returns the page and the list, which grows.
 export async function open_page(browser) {
-    const page = await browser.newPage();
+    const context = await browser.newContext();
+    const page = await context.newPage();
     const errors = [];
     page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
     page.on("pageerror", (error) => errors.push(error.message));

@@ -69,8 +69,8 @@ class FrameWriter {
         return all;
     }
 
-    /// Returns the ranges and the extents of the numbers in the written files, one element per map
-    /// (BakeSummary::numbers). Must not be called during `write`.
+    /// Returns the ranges and the extents of the numbers in the written files, one element per
+    /// image (BakeSummary::numbers). Must not be called during `write`.
     const std::vector<WrittenNumbers>& numbers() const { return numbers_; }
 
     /// Returns the meter of the phase Frames, which counts the written frames.
@@ -104,14 +104,15 @@ class FrameWriter {
         meter_.add(baked.shown);
     }
 
-    // Precondition: `file.numbers` is set. The file then stores codes, so it has only one map, and
-    // this map has a range.
+    // Precondition: `file.numbers` is set. The file then stores codes, so it has only one
+    // image, and this image has a range.
     void add_numbers(const WrittenFile& file) {
         const auto& [image, samples] = file.images.front();
-        const Map* const map = image.map();
-        const auto found = std::ranges::find(numbers_, map, &WrittenNumbers::map);
+        const auto found = std::ranges::find_if(numbers_, [&](const WrittenNumbers& numbers) {
+            return numbers.image.name() == image.name();
+        });
         if (found == numbers_.end()) {
-            numbers_.push_back({map, *samples.range, *file.numbers});
+            numbers_.push_back({image, *samples.range, *file.numbers});
         } else {
             found->extent = joined(found->extent, *file.numbers);
         }

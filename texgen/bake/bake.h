@@ -27,10 +27,10 @@ struct BakeOptions {
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 
-/// Describes the numbers of a map, before they are rounded to codes (integer samples), in all files
-/// of the map that a bake has written.
+/// Describes the numbers of an image, before they are rounded to codes (integer samples), in all
+/// files of the image that a bake has written.
 struct WrittenNumbers {
-    const Map* map = nullptr;
+    DrawnImage image;
     std::array<double, 2> range{};  // the numbers that the smallest and the largest code represent
     NumberExtent extent;
 };
@@ -40,8 +40,8 @@ struct BakeSummary {
     RunOutcome outcome;  // if the run failed, the frames before the failure were still written
     // The files that were written or kept, in the order of BakeOptions::frames.
     std::vector<std::filesystem::path> files;
-    // One element per map that has a Map::full_key and of which a file was written, in any order;
-    // empty if the files store numbers instead of codes.
+    // One element per image that has WrittenFile::numbers and of which a file was written, in any
+    // order; empty if the files store numbers instead of codes.
     std::vector<WrittenNumbers> numbers;
     int kept = 0;  // number of frames whose existing files were kept; set by bake_recorded
 };

@@ -4,6 +4,7 @@
 
 #include "core/parallel/parallel_for.h"
 #include "texgen/bake/file_pattern.h"
+#include "texgen/blocks/texel_block.h"
 #include "texgen/image/format.h"
 #include "texgen/preset/drawn_images.h"
 
@@ -75,6 +76,49 @@ double bytes_per_layer_sample(SampleType numbers) {
     return numbers == SampleType::Half ? 6.0 : 8.0;
 }
 
+// The number of copies of a sheet that are in memory when it is written: its samples and the
+// content of its file. A KTX2 file is compressed once more.
+double copies_of_sheet(SheetKind sheets) {
+    return sheets == SheetKind::Ktx2 ? 3.0 : 2.0;
+}
+
+// Returns the bytes per pixel of an image in an array texture with mip levels, as texture_of
+// compresses it (image/gpu_texture.h).
+double array_bytes_per_pixel(const MapTraits& traits, const ImageOptions& size) {
+    constexpr double kMipLevels = 4.0 / 3.0;
+    const int channels = channel_count(traits);
+    const int stored = channels == 3 ? 4 : channels;
+    const bool has_whole_blocks = size.width % kBlockSide == 0 && size.height % kBlockSide == 0;
+    if (traits.png_bits > 8) {
+        return kMipLevels * 2 * stored;
+    }
+    if (traits.kind == MapKind::Id || !has_whole_blocks) {
+        return kMipLevels * stored;
+    }
+    return kMipLevels * (channels == 1 ? 0.5 : 1.0);
+}
+
+// Returns the memory, in bytes per pixel of a frame, that the sheet of an image takes while it is
+// composed and written.
+double sheet_bytes_per_pixel(const MapTraits& traits, const Preset& preset, bool is_png) {
+    const SheetKind sheets = preset.output.sheets;
+    if (sheets == SheetKind::Dds || sheets == SheetKind::Ktx2) {
+        return copies_of_sheet(sheets) * array_bytes_per_pixel(traits, preset.image);
+    }
+    const double bytes = is_png ? traits.png_bits / 8.0 : 4.0;
+    return copies_of_sheet(sheets) * channel_count(traits) * bytes;
+}
+
+// Returns the memory, in bytes, of the largest sheet that a bake joins its frames to at the end
+// (output.sheets). The sheets are made one after the other.
+double sheet_memory(const Preset& preset, double pixels, bool is_png) {
+    double largest = 0.0;
+    for (const DrawnImage& image : drawn_images(preset)) {
+        largest = std::max(largest, sheet_bytes_per_pixel(image.traits(), preset, is_png));
+    }
+    return preset.output.sheets == SheetKind::None ? 0.0 : pixels * largest;
+}
+
 }  // namespace
 
 std::uint64_t estimated_foam_memory(const Preset& preset) {
@@ -95,7 +139,11 @@ std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int thr
     const double pixels = static_cast<double>(preset.image.width) * preset.image.height;
     const auto drawn =
         static_cast<double>(std::min(frames, static_cast<std::size_t>(thread_count(threads))));
-    return estimated_foam_memory(preset) + static_cast<std::uint64_t>(drawn * pixels * per_pixel);
+    // The memory of drawing is not returned to the system before the sheets are made.
+    return estimated_foam_memory(preset) +
+           static_cast<std::uint64_t>(
+               drawn * pixels * per_pixel +
+               sheet_memory(preset, static_cast<double>(frames) * pixels, is_png));
 }
 
 }  // namespace foam::texgen

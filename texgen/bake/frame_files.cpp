@@ -5,6 +5,7 @@
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
+#include "texgen/image/texture_file.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/maps/number_channels.h"
 #include "texgen/maps/quantize.h"
@@ -14,6 +15,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,6 +60,14 @@ EncodingOptions encoding_of(const OutputOptions& output, const DrawnImage& image
 ChannelGroup coded(const MapImage& image, int bits) {
     return std::visit([](auto codes) { return code_channels(std::move(codes)); },
                       quantize(image, bits).codes);
+}
+
+// Returns WrittenFile::numbers for an image that is stored as codes.
+std::optional<NumberExtent> extent_in(const DrawnImage& image, const MapImage& pixels) {
+    const std::vector<std::size_t> channels = image.ranged_channels();
+    const auto* const numbers = std::get_if<NumberPixels>(&pixels);
+    return numbers != nullptr && !channels.empty() ? std::optional(extent_of(*numbers, channels))
+                                                   : std::nullopt;
 }
 
 }  // namespace
@@ -114,8 +124,12 @@ WrittenFile FrameFiles::write_images(std::span<const DrawnImage> images, ShownLa
     WrittenFile written{};
     written.path = path(images.front(), frame);
     const Picture picture = picture_of(images, shown, written);
-    const Bytes stream =
-        pattern_.format().encode(picture, encoding_of(preset_.output, images.front()));
+    const EncodingOptions encoding = encoding_of(preset_.output, images.front());
+    if (find_texture_format(pattern_.format().suffix) != nullptr) {
+        written.images.front().second.pixel_format =
+            facts_of(pixel_format_of(picture, encoding.gpu)).name;
+    }
+    const Bytes stream = pattern_.format().encode(picture, encoding);
     make_folders(written.path.parent_path());
     write_file(written.path, stream);
     written.bytes = stream.size();
@@ -124,10 +138,9 @@ WrittenFile FrameFiles::write_images(std::span<const DrawnImage> images, ShownLa
     return written;
 }
 
-// Returns the picture of a file and adds a description of each image to `written`. For a file of
-// codes (integer samples, such as a PNG), also stores in `written` the extent of the numbers, if
-// the image is a map with a key for its range, and the displacement, if it is the map `height`. If
-// the file contains several images, the channels of each image are in a layer with its name.
+// Returns the picture of a file and adds descriptions of its images, numbers and heights to
+// `written`. If the file contains several images, the channels of each image are in a layer with
+// its name.
 Picture FrameFiles::picture_of(std::span<const DrawnImage> images,
                                ShownLayers& shown,
                                WrittenFile& written) const {
@@ -139,16 +152,13 @@ Picture FrameFiles::picture_of(std::span<const DrawnImage> images,
         const MapTraits& traits = image.traits();
         MapImage pixels = image.draw(shown, preset_.maps);
         written.images.emplace_back(image, describe_samples(image, pixels, format, numbers));
+        if (!written.displacement) {
+            written.displacement = displacement_of(image, shown);
+        }
         picture.metadata.color =
             picture.metadata.color || std::holds_alternative<ColorPixels>(pixels);
         if (format.samples == FormatSamples::Codes) {
-            if (!traits.full_key.empty()) {
-                written.numbers = extent_of(std::get<NumberPixels>(pixels));
-            }
-            if (traits.name == kHeightMap.name) {
-                written.displacement =
-                    preset_.maps.height.full.value * height_unit(shown.layers, preset_.maps.relief);
-            }
+            written.numbers = extent_in(image, pixels);
             picture.groups.push_back(coded(pixels, code_bits(image, format)));
         } else {
             const ChannelNames names{images.size() > 1 ? traits.name : "", traits.channels};
@@ -156,6 +166,19 @@ Picture FrameFiles::picture_of(std::span<const DrawnImage> images,
         }
     }
     return picture;
+}
+
+// Returns WrittenFile::displacement for an image.
+std::optional<double> FrameFiles::displacement_of(const DrawnImage& image,
+                                                  const ShownLayers& shown) const {
+    const auto sources = image.sources();
+    if (std::ranges::find(sources, kHeightMap.name, &Map::name) == sources.end()) {
+        return std::nullopt;
+    }
+    const bool in_units =
+        image.map() != nullptr && pattern_.format().samples == FormatSamples::Numbers;
+    return (in_units ? 1.0 : preset_.maps.height.full.value) *
+           height_unit(shown.layers, preset_.maps.relief);
 }
 
 // Returns the metadata of a file. Unless output.texts leaves texts out, a file of codes contains,

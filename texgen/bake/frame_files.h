@@ -10,6 +10,7 @@
 #include "texgen/preset/preset.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ class FrameFiles {
     Picture picture_of(std::span<const DrawnImage> images,
                        ShownLayers& shown,
                        WrittenFile& written) const;
+    std::optional<double> displacement_of(const DrawnImage& image, const ShownLayers& shown) const;
     ImageMetadata metadata_of(std::span<const DrawnImage> images) const;
     std::filesystem::path path(const DrawnImage& image, int frame) const;
 

@@ -29,6 +29,8 @@ struct MapSamples {
     // store floating-point numbers do not clamp them to this range. Previews show the first number
     // of the range as black and the second number as white.
     std::optional<std::array<double, 2>> range;
+    // Only in a file for graphics hardware, such as a DDS: the name of the PixelFormat.
+    std::string pixel_format{};
 
     friend bool operator==(const MapSamples&, const MapSamples&) = default;
 };
@@ -51,12 +53,14 @@ struct WrittenFile {
     std::vector<std::pair<DrawnImage, MapSamples>> images;  // one image, or one per layer
     std::uint64_t bytes = 0;                                // size of the file in bytes
     std::string pixels;                                     // pixel_hash of the picture
-    // The extent of the numbers that the codes represent; nullopt if the file stores floating-point
-    // numbers, if no key of the preset sets the range of its
-    // map (Map::full_key is empty), or if the image is a packing.
+    // The extent of the numbers that the codes represent, in the channels whose map has a key for
+    // its range (DrawnImage::ranged_channels); nullopt if there is no such channel, if the file
+    // stores floating-point numbers, or if it is a packing of colors.
     std::optional<NumberExtent> numbers{};
-    // The height that the largest code represents, as a fraction of the width of the image; only
-    // for codes of the map height.
+    // A height, as a fraction of the width of the image: the height that the largest code of the
+    // map height represents, or the number 1 if the file stores floating-point numbers. In a
+    // packing, the height that the fraction 1 of the map height represents. In a file of several
+    // images, this member describes the first image that contains heights. nullopt without heights.
     std::optional<double> displacement{};
 };
 

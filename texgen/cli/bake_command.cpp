@@ -18,12 +18,11 @@ constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake sea_foam --size 2048 --seed 7 --out 'foam/{map}.####.png'
   foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
   foamtex bake sea_foam --maps albedo,film --out 'out/layers.####.exr'
-  foamtex bake lava --for unreal
-The loop of a preset has frames.count frames; --set frames.count=N changes its length.
+  foamtex bake lava --for unreal --scene usda
+A loop has frames.count frames; foamtex presets keys lists this and all other keys for --set.
 --progress json prints one JSON object per line: phase; done and total, in units of the phase;
-seconds since the start; seconds_left of the phase; frame; bubbles; and, while a loop is closed,
-cycle and measure (the closing error in mean bubble diameters). Unknown values are null.
-Keys for --set: foamtex presets keys)";
+seconds since the start; seconds_left of the phase; frame; bubbles; and, in a loop that is closed,
+cycle and measure (its closing error in mean bubble diameters).)";
 
 struct BakeArguments {
     RunArguments run;

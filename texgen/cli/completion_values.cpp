@@ -2,6 +2,8 @@
 
 #include "texgen/cli/completion_values.h"
 
+#include "texgen/preset/output_options.h"
+
 #include <fmt/core.h>
 #include <fmt/format.h>
 
@@ -27,6 +29,10 @@ Values values_of(const ArgumentGrammar& argument, const CompletionWords& words) 
     const std::string& name = argument.names.back();
     if (name == "--maps") {
         return {ValueKind::List, words.maps};
+    }
+    if (name == "--scene") {
+        const auto formats = scene_formats();
+        return {ValueKind::List, {formats.begin(), formats.end()}};
     }
     if (name == "--map" || name == "MAP") {
         return {ValueKind::Words, words.maps};

@@ -18,13 +18,14 @@
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/maps/all_maps.h"
+#include "texgen/material/scene_files.h"
 #include "texgen/preset/drawn_images.h"
 #include "texgen/sheet/flipbook.h"
 #include "texgen/stats/files.h"
 #include "texgen/stats/record.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -58,21 +59,32 @@ void print_images(const Preset& preset,
     }
 }
 
-/// Prints a note for each map that has clipped samples.
+/// Returns the keys that set the ranges of an image, and what to do with them to avoid clipping,
+/// such as "raise height.full".
+std::string advice_on_range(const DrawnImage& image, const MapOptions& options) {
+    const auto maps = image.sources();
+    const bool is_automatic = std::ranges::any_of(maps, [&](const Map* map) {
+        const AutoReal* const range = range_option_of(*map, options);
+        return range != nullptr && range->is_automatic;
+    });
+    return fmt::format(
+        "{} {}", is_automatic ? "set" : "raise", fmt::join(image.range_keys(), " or "));
+}
+
+/// Prints a note for each image that has clipped samples.
 void note_clipped(const BakeSummary& summary, const Preset& preset) {
     for (const WrittenNumbers& numbers : summary.numbers) {
         if (numbers.extent.clipped > 0.0) {
             print_stderr(
                 "foamtex: {}: up to {:.3g} % of the samples of a file are outside of {:g} "
-                "to {:g} and were clipped; the numbers are from {:.3g} to {:.3g}; {} {}",
-                numbers.map->name,
+                "to {:g} and were clipped; the numbers are from {:.3g} to {:.3g}; {}",
+                numbers.image.name(),
                 100.0 * numbers.extent.clipped,
                 numbers.range[0],
                 numbers.range[1],
                 numbers.extent.smallest,
                 numbers.extent.largest,
-                range_option_of(*numbers.map, preset.maps)->is_automatic ? "set" : "raise",
-                numbers.map->full_key);
+                advice_on_range(numbers.image, preset.maps));
         }
     }
 }
@@ -86,19 +98,26 @@ void note_unused_normal_y(const ImageArguments& arguments, const Preset& preset)
     }
 }
 
+/// The files that a run writes besides images and their manifest.
+struct OtherFiles {
+    std::vector<std::filesystem::path> sheets;
+    std::vector<std::filesystem::path> scenes;
+    StatisticsFiles statistics;
+};
+
 void print_report(const Preset& preset,
                   const BakeOptions& options,
                   const BakeSummary& summary,
-                  const std::vector<std::filesystem::path>& sheets,
-                  const std::vector<std::filesystem::path>& statistics) {
+                  const OtherFiles& written) {
     Json report = json_report(summary.outcome);
     report["preset"] = preset.name;
     report["frames"] = format_frame_range(options.frames);
     report["kept"] = summary.kept;
     report["manifest"] = (manifest_folder(preset) / kManifestName).string();
     report["files"] = path_list(summary.files);
-    report["sheets"] = path_list(sheets);
-    report["statistics"] = path_list(statistics);
+    report["sheets"] = path_list(written.sheets);
+    report["scenes"] = path_list(written.scenes);
+    report["statistics"] = path_list(written.statistics.paths);
     print_json(report);
 }
 
@@ -119,6 +138,50 @@ Assignment pack_assignment(const std::vector<std::string>& packings) {
     return {location, "output.pack", {std::move(list)}};
 }
 
+/// Draws the frames and writes the image files and their manifest.
+BakeSummary bake_images(const Preset& preset,
+                        const BakeOptions& options,
+                        const ImageArguments& arguments,
+                        const ProgressOptions& progress,
+                        Recorder& recorder) {
+    std::function<void(const std::vector<ReplacedFiles>&)> on_replace;
+    if (progress.verbosity != Verbosity::Quiet) {
+        on_replace = [&](const std::vector<ReplacedFiles>& replaced) {
+            warn_of_replaced_files(replaced, preset);
+        };
+    }
+    try {
+        ProgressReporter reporter(progress);
+        return bake_recorded(
+            preset,
+            options,
+            {.on_progress = reporter.callback(),
+             .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
+            {.resume = arguments.resume ? Resume::Yes : Resume::No, .on_replace = on_replace});
+    } catch (const Interrupted&) {
+        print_stderr("foamtex: to continue, run the same command with --resume");
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw OutOfMemory(
+            memory_needed(estimated_memory(preset, options.frames.size(), options.threads)));
+    }
+}
+
+/// Writes what output.sheets and output.scene ask for.
+OtherFiles write_sheets_and_scenes(const Preset& preset,
+                                   const BakeOptions& options,
+                                   const ProgressOptions& progress) {
+    OtherFiles written;
+    if (preset.output.sheets != SheetKind::None) {
+        ProgressReporter reporter(progress);
+        written.sheets = write_sheets(preset, options.frames, reporter.callback()).files;
+    }
+    if (!preset.output.scene.empty()) {
+        written.scenes = write_scenes(preset);
+    }
+    return written;
+}
+
 }  // namespace
 
 void add_image_options(CLI::App& command, ImageArguments& arguments) {
@@ -137,6 +200,10 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
                     arguments.out,
                     "File names, " + format_suffixes() + "; {preset}, {map} and #### are replaced")
         ->option_text("PATTERN");
+    command
+        .add_option(
+            "--scene", arguments.scene, "Also write the material as scene files: usda, mtlx, gltf")
+        ->option_text("A,B");
     command
         .add_flag(
             "--stats", arguments.stats, "Also write statistics to {preset}_stats beside the images")
@@ -161,6 +228,10 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
         assignments.push_back(
             {"--normal-y " + *arguments.normal_y, "normal.y", {*arguments.normal_y}});
     }
+    if (arguments.scene) {
+        assignments.push_back(
+            {"--scene " + *arguments.scene, "output.scene", list_value(*arguments.scene)});
+    }
     if (arguments.out) {
         assignments.push_back({"--out " + *arguments.out, "output.pattern", {*arguments.out}});
     }
@@ -172,60 +243,38 @@ ExitCode run_images(const Preset& preset,
                     const ImageArguments& arguments,
                     const ProgressOptions& progress) {
     const Verbosity verbosity = progress.verbosity;
-    const std::uint64_t memory = estimated_memory(preset, options.frames.size(), options.threads);
+    check_scenes(preset);
     if (verbosity != Verbosity::Quiet) {
         note_unused_normal_y(arguments, preset);
         warn_of_full_disk(estimated_size(preset, options.frames), manifest_folder(preset));
-        warn_of_little_memory(memory);
+        warn_of_little_memory(estimated_memory(preset, options.frames.size(), options.threads));
     }
-    const FilePattern pattern(preset.output.pattern);
     Recorder recorder(preset);
-    std::function<void(const std::vector<ReplacedFiles>&)> on_replace;
-    if (verbosity != Verbosity::Quiet) {
-        on_replace = [&](const std::vector<ReplacedFiles>& replaced) {
-            warn_of_replaced_files(replaced, preset);
-        };
+    const BakeSummary summary = bake_images(preset, options, arguments, progress, recorder);
+    OtherFiles written;
+    if (summary.outcome.status == RunStatus::Complete) {
+        written = write_sheets_and_scenes(preset, options, progress);
     }
-    const BakeSummary summary = [&] {
-        try {
-            ProgressReporter reporter(progress);
-            return bake_recorded(
-                preset,
-                options,
-                {.on_progress = reporter.callback(),
-                 .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
-                {.resume = arguments.resume ? Resume::Yes : Resume::No, .on_replace = on_replace});
-        } catch (const Interrupted&) {
-            print_stderr("foamtex: to continue, run the same command with --resume");
-            throw;
-        } catch (const std::bad_alloc&) {
-            throw OutOfMemory(memory_needed(memory));
-        }
-    }();
-    std::vector<std::filesystem::path> sheets;
-    if (preset.output.sheets != SheetKind::None && summary.outcome.status == RunStatus::Complete) {
-        ProgressReporter reporter(progress);
-        sheets = write_sheets(preset, options.frames, reporter.callback()).files;
-    }
-    StatisticsFiles statistics;
     if (arguments.stats) {
-        statistics = write_statistics(recorder.run(), statistics_folder(preset, pattern));
+        written.statistics = write_statistics(
+            recorder.run(), statistics_folder(preset, FilePattern(preset.output.pattern)));
     }
     if (verbosity != Verbosity::Quiet) {
         note_clipped(summary, preset);
         warn_of_missing_bubbles(preset, summary.outcome);
     }
     if (arguments.json) {
-        print_report(preset, options, summary, sheets, statistics.paths);
+        print_report(preset, options, summary, written);
     }
     if (summary.outcome.status != RunStatus::Complete) {
         return report_failure(summary.outcome);
     }
     if (verbosity != Verbosity::Quiet && !arguments.json) {
-        print_images(preset, pattern, options.frames);
-        print_files(sheets);
-        print_files(statistics.paths);
-        note_missing_charts(statistics);
+        print_images(preset, FilePattern(preset.output.pattern), options.frames);
+        print_files(written.sheets);
+        print_files(written.scenes);
+        print_files(written.statistics.paths);
+        note_missing_charts(written.statistics);
     }
     return ExitCode::Success;
 }

@@ -33,15 +33,6 @@ Value size_value(const std::string& size) {
     return {Value::List{read_value(width), read_value(height)}};
 }
 
-/// Returns the list ["a", "b"] for the text "a,b".
-Value list_value(const std::string& words) {
-    Value::List list;
-    for (const std::string& word : CLI::detail::split(words, ',')) {
-        list.push_back({word});
-    }
-    return {std::move(list)};
-}
-
 /// Returns the assignments of every `--set`, followed by the assignments of the other options that
 /// set a key. The other options override `--set`, because later assignments win.
 std::vector<Assignment> assignments_of(const RunArguments& arguments) {
@@ -138,6 +129,14 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
             ->excludes(quiet)
             ->option_text(" ");
     add_progress_option(command, arguments.progress)->excludes(quiet)->excludes(verbose);
+}
+
+Value list_value(const std::string& words) {
+    Value::List list;
+    for (const std::string& word : CLI::detail::split(words, ',')) {
+        list.push_back({word});
+    }
+    return {std::move(list)};
 }
 
 Assignment maps_assignment(const std::string& maps) {

@@ -41,6 +41,9 @@ void add_frame_options(CLI::App& command, RunArguments& arguments);
 /// Adds --threads, -q, -v and --progress. The arguments must outlive the parsing.
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
+/// Returns the list ["a", "b"] for the text "a,b".
+Value list_value(const std::string& words);
+
 /// Returns the assignment that the option `--maps A,B` makes, for the argument `more` of preset_of.
 /// `maps` is the text "A,B".
 Assignment maps_assignment(const std::string& maps);

@@ -137,6 +137,21 @@ void merge(Manifest& manifest, const BakedSet& set) {
     });
 }
 
+void add_scenes(Manifest& manifest,
+                std::string_view parameters,
+                const std::vector<ManifestScene>& scenes) {
+    BakedSet* const set = find_by(manifest.sets, &BakedSet::parameters, parameters);
+    if (set == nullptr) {
+        return;
+    }
+    for (BakedSet& other : manifest.sets) {
+        std::erase_if(other.scenes, [&](const ManifestScene& scene) {
+            return find_by(scenes, &ManifestScene::path, scene.path) != nullptr;
+        });
+    }
+    set->scenes.insert(set->scenes.end(), scenes.begin(), scenes.end());
+}
+
 std::vector<ReplacedFiles> replaced_files(const Manifest& manifest,
                                           std::string_view parameters,
                                           const std::vector<std::string>& paths) {

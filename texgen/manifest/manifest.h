@@ -48,6 +48,17 @@ struct ManifestFile {
     friend bool operator==(const ManifestFile&, const ManifestFile&) = default;
 };
 
+/// One scene file, which describes the material that the images of a set make
+/// (material/scene_files.h).
+struct ManifestScene {
+    std::string path;         // relative to the folder of the manifest, with '/'
+    std::string format;       // a word of output.scene, such as "usda"
+    std::uint64_t bytes = 0;  // size of the file
+    std::string hash;         // text_hash of the content of the file
+
+    friend bool operator==(const ManifestScene&, const ManifestScene&) = default;
+};
+
 /// Statistics of the foam in a frame, in foam units, and the time spent on the frame. T1s, T2s and
 /// `simulating` cover the simulation since the previous frame of the bake; for the first frame,
 /// since the foam was seeded.
@@ -95,13 +106,14 @@ struct ManifestConventions {
 };
 
 /// A set of images: maps and frames of one preset, baked with the same version of foamtex and the
-/// same values of all keys except image.maps.
+/// same values of all keys except image.maps and output.scene.
 struct BakedSet {
     std::string version;  // version of foamtex
     std::string preset;   // name of the preset
     std::string description;
     std::string toml;        // all keys of the preset as TOML
-    std::string parameters;  // hash of version, preset name and all keys except image.maps
+    std::string parameters;  // hash of version, preset name and all keys except image.maps and
+                             // output.scene
     std::uint64_t seed = 0;
     int width = 0;
     int height = 0;
@@ -114,6 +126,7 @@ struct BakedSet {
     std::vector<FrameStatistics> frame_statistics;  // in a Manifest, sorted by frame
     // The reason why the last bake ended early; empty if it did not end early, or if complete().
     std::string failure;
+    std::vector<ManifestScene> scenes{};
 
     /// Returns true if every map has a file of each of its requested frames.
     bool complete() const;
@@ -147,10 +160,10 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// parameters, the maps, files and frame statistics of `set` are then added to that set; new
 /// statistics of a frame replace its old statistics. The members `toml`, `loop` and `failure` of
 /// `set` replace the old ones, with two exceptions: the old closing error stays if `set` has none,
-/// and there is no failure if the merged set is complete. The conventions are replaced if `set` has
-/// the map motion. If the manifest has no set with the same parameters, `set` is appended. In
-/// either case, the set becomes the last one of the manifest. Other sets that have no files left
-/// are removed.
+/// and there is no failure if the merged set is complete. The scene files of the old set stay. The
+/// conventions are replaced if `set` has the map motion. If the manifest has no set with the same
+/// parameters, `set` is appended. In either case, the set becomes the last one of the manifest.
+/// Other sets that have no files left are removed.
 void merge(Manifest& manifest, const BakedSet& set);
 
 /// The number of files of a set that a bake of another set replaces.
@@ -158,6 +171,12 @@ struct ReplacedFiles {
     const BakedSet* set = nullptr;  // refers to an element of Manifest::sets
     std::size_t count = 0;          // number of files
 };
+
+/// Adds scene files to the set with the given parameters. They replace the scene files with the
+/// same paths in all sets. Does nothing if there is no such set.
+void add_scenes(Manifest& manifest,
+                std::string_view parameters,
+                const std::vector<ManifestScene>& scenes);
 
 /// Returns how many of the files with the given paths belong to each set whose parameters differ
 /// from `parameters`. Sets without such files are left out.

@@ -58,6 +58,9 @@ std::optional<MapSamples> samples_in(const JsonValue& value) {
     if (const auto range = value.find("range")) {
         samples.range = range_in(*range);
     }
+    if (const auto format = value.find("pixel_format")) {
+        samples.pixel_format = format->text();
+    }
     return samples;
 }
 
@@ -116,6 +119,14 @@ ManifestFile file_in(const JsonValue& value) {
         value["maps"].reject("at least one map");
     }
     return file;
+}
+
+ManifestScene scene_in(const JsonValue& value) {
+    return {.path = path_in(value["path"]),
+            .format = value["format"].text(),
+            .bytes = static_cast<std::uint64_t>(
+                value["bytes"].integer(0, std::numeric_limits<std::int64_t>::max())),
+            .hash = value["hash"].text()};
 }
 
 FrameStatistics frame_in(const JsonValue& value) {
@@ -197,6 +208,9 @@ BakedSet set_in(const JsonValue& value) {
                  .files = list_in(value["files"], file_in),
                  .frame_statistics = list_in(value["foam"], frame_in),
                  .failure = failure ? failure->text() : ""};
+    if (const auto scenes = value.find("scenes")) {
+        set.scenes = list_in(*scenes, scene_in);
+    }
     check_maps(set, value["files"]);
     return set;
 }

@@ -29,6 +29,9 @@ Json to_value(const ManifestMap& map) {
     if (map.samples && map.samples->range) {
         value["range"] = *map.samples->range;
     }
+    if (map.samples && !map.samples->pixel_format.empty()) {
+        value["pixel_format"] = map.samples->pixel_format;
+    }
     return value;
 }
 
@@ -46,6 +49,13 @@ Json to_value(const ManifestFile& file) {
         value["displacement"] = *file.displacement;
     }
     return value;
+}
+
+Json to_value(const ManifestScene& scene) {
+    return {{"path", scene.path},
+            {"format", scene.format},
+            {"bytes", scene.bytes},
+            {"hash", scene.hash}};
 }
 
 Json to_value(const FrameStatistics& frame) {
@@ -99,7 +109,7 @@ std::string lines_of(const std::vector<Item>& items) {
 }
 
 std::string to_text(const BakedSet& set) {
-    const std::vector<std::pair<const char*, std::string>> members{
+    std::vector<std::pair<const char*, std::string>> members{
         {"foamtex", json_text(Json(set.version))},
         {"preset", json_text(Json(set.preset))},
         {"description", json_text(Json(set.description))},
@@ -116,6 +126,9 @@ std::string to_text(const BakedSet& set) {
         {"files", lines_of(set.files)},
         {"foam", lines_of(set.frame_statistics)},
         {"toml", json_text(Json(set.toml))}};
+    if (!set.scenes.empty()) {
+        members.insert(members.end() - 1, {"scenes", lines_of(set.scenes)});
+    }
     std::string text;
     for (const auto& [name, value] : members) {
         text += (text.empty() ? "      \"" : ",\n      \"") + std::string(name) + "\": " + value;

@@ -56,6 +56,35 @@ std::vector<std::string> DrawnImage::packed_channels() const {
     return texts;
 }
 
+std::vector<std::size_t> DrawnImage::ranged_channels() const {
+    std::vector<std::size_t> channels;
+    const auto count = static_cast<std::size_t>(channel_count(traits()));
+    for (std::size_t k = 0; k < count; ++k) {
+        const PackedChannel* const packed = packed_channel(k);
+        const Map* const map = packed != nullptr ? packed->map : this->map();
+        if (map != nullptr && !map->full_key.empty()) {
+            channels.push_back(k);
+        }
+    }
+    return channels;
+}
+
+std::vector<std::string_view> DrawnImage::range_keys() const {
+    std::vector<std::string_view> keys;
+    for (const Map* const map : maps_) {
+        if (!map->full_key.empty()) {
+            keys.push_back(map->full_key);
+        }
+    }
+    return keys;
+}
+
+const PackedChannel* DrawnImage::packed_channel(std::size_t channel) const {
+    return packed_ && channel < packed_->packing.channels.size()
+               ? &packed_->packing.channels[channel]
+               : nullptr;
+}
+
 MapImage DrawnImage::draw(ShownLayers& shown, const MapOptions& options) const {
     return packed_ ? draw_packed(packed_->packing, shown, options)
                    : texgen::draw(*maps_.front(), shown, options);

@@ -4,6 +4,7 @@
 
 #include "texgen/maps/packing.h"
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,6 +31,13 @@ class DrawnImage {
     std::span<const Map* const> sources() const { return maps_; }
     /// Returns the texts of the channels of a packing (PackedChannel::text); empty for a map.
     std::vector<std::string> packed_channels() const;
+    /// Returns the indices of the channels whose map has a key for its range (Map::full_key).
+    std::vector<std::size_t> ranged_channels() const;
+    /// Returns the keys of these ranges, such as "height.full", each once.
+    std::vector<std::string_view> range_keys() const;
+    /// Returns what a channel of a packing contains, or nullptr if the image has no such channel or
+    /// is a map.
+    const PackedChannel* packed_channel(std::size_t channel) const;
     /// Returns true if the image is a packing of colors (Packing::is_color).
     bool packs_colors() const { return packed_ && packed_->packing.is_color; }
 

@@ -4,6 +4,9 @@
 
 #include "texgen/maps/map_image.h"
 
+#include <cstddef>
+#include <span>
+
 namespace foam::texgen {
 
 /// The smallest and the largest number of an image, and the fraction of its numbers that are
@@ -20,6 +23,10 @@ struct NumberExtent {
 
 /// Returns the extent of the numbers of an image.
 NumberExtent extent_of(const NumberPixels& numbers);
+
+/// Returns the extent of the numbers in some channels of an image, which are given by their
+/// indices.
+NumberExtent extent_of(const NumberPixels& numbers, std::span<const std::size_t> channels);
 
 /// Returns the extent of two images together: the smallest and the largest number of both, and the
 /// larger of the two clipped fractions. Precondition: both images have a finite number.

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 
@@ -177,6 +178,39 @@ Keys<OutputOptions> sheet_keys() {
                 .unused_with("output.sheets", {"none"})};
 }
 
+constexpr std::array<std::string_view, 3> kSceneFormats = {"usda", "mtlx", "gltf"};
+
+// Lists of formats of scene files, each at most once. The list may be empty. A single format may be
+// written without brackets.
+struct SceneFormats {
+    WordLists words_or_none{kSceneFormats};
+
+    std::span<const std::string_view> words() const { return words_or_none.words(); }
+    std::string allowed() const { return words_or_none.allowed() + ", or []"; }
+    std::string schema() const {
+        return any_of_schema(words_or_none.schema(), R"({"type": "array", "maxItems": 0})");
+    }
+    bool read(const Value& value, std::vector<std::string>& member) const {
+        const auto* const list = std::get_if<Value::List>(&value.data);
+        if (list != nullptr && list->empty()) {
+            member.clear();
+            return true;
+        }
+        return words_or_none.read(value, member);
+    }
+    Value write(const std::vector<std::string>& member) const {
+        return words_or_none.write(member);
+    }
+};
+
+Keys<OutputOptions> scene_keys() {
+    return {key("scene",
+                SceneFormats{},
+                "scene files of the material, which bake and render write beside manifest.json: "
+                "OpenUSD (usda), MaterialX (mtlx), and a preview of the first frame (gltf)",
+                &OutputOptions::scene)};
+}
+
 Keys<OutputOptions> texture_keys() {
     constexpr Choices<BlockCompression> kBlocks = {
         {{{"auto", BlockCompression::Auto}, {"none", BlockCompression::None}}}};
@@ -197,6 +231,10 @@ Keys<OutputOptions> texture_keys() {
 
 }  // namespace
 
+std::span<const std::string_view> scene_formats() {
+    return kSceneFormats;
+}
+
 NamedMap parse_named_map(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) {
@@ -215,7 +253,8 @@ NamedMap parse_named_map(std::string_view text) {
 }
 
 Keys<OutputOptions> output_keys() {
-    return joined({file_keys(), name_keys(), sheet_keys(), exr_keys(), texture_keys()});
+    return joined(
+        {file_keys(), name_keys(), sheet_keys(), scene_keys(), exr_keys(), texture_keys()});
 }
 
 }  // namespace foam::texgen

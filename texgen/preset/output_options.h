@@ -7,6 +7,7 @@
 #include "texgen/image/gpu_texture.h"
 #include "texgen/keys/key.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,9 @@ enum class SheetKind {
     Ktx2,   // one array texture per map, a KTX2 file
 };
 
+/// Returns the formats of scene files, as output.scene names them: "usda", "mtlx" and "gltf".
+std::span<const std::string_view> scene_formats();
+
 /// The names, the channels and the encoding of image files.
 struct OutputOptions {
     std::string pattern = "out/{preset}_{map}.####.png";  // see FilePattern (bake/file_pattern.h)
@@ -47,6 +51,7 @@ struct OutputOptions {
     SheetKind sheets = SheetKind::None;
     // The paths of sheets without a suffix. {preset} and {map} are replaced.
     std::string sheet_pattern = "out/{preset}_sheet_{map}";
+    std::vector<std::string> scene = {};  // the scene files to write; words of scene_formats()
     FileTexts texts = FileTexts::Written;
     int frames_per_second = 24;  // stored in EXR files and in manifest.json
     Compression png_compression = Compression::Fast;

@@ -71,10 +71,10 @@ void check_same(const GpuTexture& frame, const GpuTexture& array, const MapFile&
 
 }  // namespace
 
-StagedFile stage_array(const MapSequence& sequence,
-                       const TextureAnimation& animation,
-                       const std::filesystem::path& path,
-                       ProgressMeter& progress) {
+StagedArray stage_array(const MapSequence& sequence,
+                        const TextureAnimation& animation,
+                        const std::filesystem::path& path,
+                        ProgressMeter& progress) {
     make_folders(path.parent_path());
     GpuTexture array = texture_in(sequence.files.front(), sequence.map);
     array.is_array = true;
@@ -90,7 +90,8 @@ StagedFile stage_array(const MapSequence& sequence,
         progress.add();
     });
     array.opaque = std::ranges::all_of(opaque, [](char is_opaque) { return is_opaque != 0; });
-    StagedFile staged(path, find_texture_format(path.string())->encode(array));
+    StagedArray staged{StagedFile(path, find_texture_format(path.string())->encode(array)),
+                       array.format};
     progress.add();
     return staged;
 }

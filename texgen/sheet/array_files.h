@@ -5,11 +5,18 @@
 #include "texgen/animation/progress_meter.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/gpu_texture.h"
+#include "texgen/image/pixel_format.h"
 #include "texgen/sheet/map_sequence.h"
 
 #include <filesystem>
 
 namespace foam::texgen {
+
+/// An array texture whose file has been staged.
+struct StagedArray {
+    StagedFile file;
+    PixelFormat format = PixelFormat::Rgba8;
+};
 
 /// Reads the frames of a map and stages a file of an array texture, which has a layer with all mip
 /// levels for each frame (GpuTexture). The suffix of `path` is that of a TextureFormat. Frames that
@@ -22,9 +29,9 @@ namespace foam::texgen {
 ///
 /// Throws InputError if a file cannot be read, if its size or its format differs from that of the
 /// first frame, or if its samples are not codes. Throws OutputError if the array cannot be written.
-StagedFile stage_array(const MapSequence& sequence,
-                       const TextureAnimation& animation,
-                       const std::filesystem::path& path,
-                       ProgressMeter& progress);
+StagedArray stage_array(const MapSequence& sequence,
+                        const TextureAnimation& animation,
+                        const std::filesystem::path& path,
+                        ProgressMeter& progress);
 
 }  // namespace foam::texgen

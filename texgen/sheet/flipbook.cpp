@@ -128,11 +128,15 @@ Flipbook write_flipbook(const BakedSet& set,
     std::vector<SheetImage> images;
     for (const MapSequence& sequence : sequences) {
         const std::string name = file_name_of(sequence, names, options);
-        staged.push_back(is_array(options)
-                             ? stage_array(sequence, animation, to / name, progress)
-                             : stage_sheet(sequence, flipbook.layout, to / name, progress));
-        flipbook.files.push_back(to / name);
         images.push_back({name, sequence});
+        if (is_array(options)) {
+            StagedArray array = stage_array(sequence, animation, to / name, progress);
+            images.back().pixel_format = facts_of(array.format).name;
+            staged.push_back(std::move(array.file));
+        } else {
+            staged.push_back(stage_sheet(sequence, flipbook.layout, to / name, progress));
+        }
+        flipbook.files.push_back(to / name);
     }
     flipbook.files.push_back(to / json_name_of(names));
     Json description = is_array(options) ? array_json(set, frames, images)

@@ -71,6 +71,13 @@ Json displacement_value(const BakedSet& set, std::span<const int> frames, const 
     return number_or_null(common);
 }
 
+// Returns true if a channel of a packed image contains heights.
+bool packs_height(const ManifestMap& map) {
+    return std::ranges::any_of(map.packed, [](const std::string& channel) {
+        return channel == kHeightMap.name || channel == "1-" + std::string(kHeightMap.name);
+    });
+}
+
 Json image_value(const SheetImage& image, const BakedSet& set, std::span<const int> frames) {
     const ManifestMap& map = image.sequence.map;
     Json value{
@@ -89,7 +96,10 @@ Json image_value(const SheetImage& image, const BakedSet& set, std::span<const i
     if (map.samples->range) {
         value["range"] = *map.samples->range;
     }
-    if (map.name == kHeightMap.name) {
+    if (!image.pixel_format.empty()) {
+        value["pixel_format"] = image.pixel_format;
+    }
+    if (map.name == kHeightMap.name || packs_height(map)) {
         value["displacement"] = displacement_value(set, frames, map.name);
     }
     return value;

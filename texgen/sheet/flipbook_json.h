@@ -16,6 +16,7 @@ namespace foam::texgen {
 struct SheetImage {
     std::string file;  // file name, relative to the folder of the JSON file
     MapSequence sequence;
+    std::string pixel_format = {};  // of an array texture: the name of its PixelFormat
 };
 
 /// Returns a JSON description of the sheets, for programs that play them. `frames` are the numbers

@@ -8,6 +8,7 @@
 #include "texgen/image/format.h"
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/material/profile.h"
+#include "texgen/material/scene_files.h"
 #include "texgen/material/shipped_profiles.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/sheet/flipbook.h"
@@ -265,6 +266,10 @@ void BakeJobs::run(Job& job) {
             preset.output.sheets != SheetKind::None) {
             const Flipbook sheets = write_sheets(preset, job.frames, report);
             files.insert(files.begin(), sheets.files.begin(), sheets.files.end());
+        }
+        if (summary.outcome.status == RunStatus::Complete && !preset.output.scene.empty()) {
+            const std::vector<std::filesystem::path> scenes = write_scenes(preset);
+            files.insert(files.begin(), scenes.begin(), scenes.end());
         }
         {
             const std::scoped_lock lock(job.mutex);

@@ -10,6 +10,7 @@
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/manifest/manifest_file.h"
+#include "texgen/verify/scene_check.h"
 
 #include <fmt/core.h>
 
@@ -232,6 +233,8 @@ VerifiedSet verify_set(const BakedSet& set,
             note_seams(found.maps.back(), set.loop.period, found.problems);
         }
     }
+    const std::vector<std::string> scenes = scene_problems(set, folder);
+    found.problems.insert(found.problems.end(), scenes.begin(), scenes.end());
     return found;
 }
 

@@ -26,6 +26,7 @@ struct Subject {
     int size;
     int frames;
     int threads;
+    SheetKind sheets = SheetKind::None;
 };
 
 Preset preset_of(const Subject& subject) {
@@ -34,6 +35,7 @@ Preset preset_of(const Subject& subject) {
     preset.seeding.bubbles = subject.bubbles;
     preset.image.width = preset.image.height = subject.size;
     preset.output.pattern = subject.name;
+    preset.output.sheets = subject.sheets;
     return preset;
 }
 
@@ -49,16 +51,30 @@ std::string joined(const std::vector<std::string>& maps) {
 double measured_memory(const Subject& subject) {
     const TemporaryFolder folder;
     std::vector<std::string> arguments{
-        "foamtex",   "bake",
-        "sea_foam",  "-q",
-        "--set",     "loop.kind=none",
-        "--set",     "frames.warm_up=0",
-        "--set",     "foam.bubbles=" + std::to_string(subject.bubbles),
-        "--frames",  "1-" + std::to_string(subject.frames),
-        "--size",    std::to_string(subject.size),
-        "--maps",    joined(subject.maps),
-        "--threads", std::to_string(subject.threads),
-        "--out",     (folder.path() / subject.name).string()};
+        "foamtex",
+        "bake",
+        "sea_foam",
+        "-q",
+        "--set",
+        "loop.kind=none",
+        "--set",
+        "frames.warm_up=0",
+        "--set",
+        "foam.bubbles=" + std::to_string(subject.bubbles),
+        "--frames",
+        "1-" + std::to_string(subject.frames),
+        "--size",
+        std::to_string(subject.size),
+        "--maps",
+        joined(subject.maps),
+        "--threads",
+        std::to_string(subject.threads),
+        "--set",
+        std::string("output.sheets=") + (subject.sheets == SheetKind::None ? "none" : "ktx2"),
+        "--set",
+        "output.sheet_pattern=" + (folder.path() / "{map}").string(),
+        "--out",
+        (folder.path() / subject.name).string()};
     std::vector<char*> pointers;
     for (std::string& argument : arguments) {
         pointers.push_back(argument.data());
@@ -98,7 +114,8 @@ TEST(EstimatedMemory, IsRightWithinAFactorOfOneAndAHalf) {
         {"{map}.#.exr", {"height", "distance"}, 100, 1024, 1, 1},
         {"all.#.exr", {"albedo", "height", "id", "normal"}, 100, 1024, 2, 2},
         {"all.#.exr", {"height", "distance", "curvature", "normal"}, 100, 1024, 1, 1},
-        {"{map}.#.png", {"albedo"}, 10000, 64, 1, 1}};
+        {"{map}.#.png", {"albedo"}, 10000, 64, 1, 1},
+        {"{map}.#.png", {"albedo", "height"}, 100, 512, 32, 2, SheetKind::Ktx2}};
     for (const Subject& subject : subjects) {
         const auto estimated = static_cast<double>(estimated_memory(
             preset_of(subject), static_cast<std::size_t>(subject.frames), subject.threads));
@@ -116,6 +133,24 @@ TEST(EstimatedMemory, LayersOfFloatsNeedMoreThanHalfFloats) {
     const std::uint64_t floats = estimated_memory(preset, 1, 1);
     preset.output.exr_numbers = SampleType::Half;
     EXPECT_EQ(floats - estimated_memory(preset, 1, 1), 4U * 2U * 1024U * 1024U);
+}
+
+// An array of BC4 blocks has half a byte per pixel, and a third more for its mip levels. The array
+// and its file are in memory; a KTX2 file twice. A sheet has the samples of the frames.
+TEST(EstimatedMemory, IncludesSheets) {
+    Preset preset = preset_of({"{map}.#.png", {"film"}, 100, 768, 1, 1});
+    const auto added = [&](SheetKind sheets) {
+        preset.output.sheets = SheetKind::None;
+        const std::uint64_t without = estimated_memory(preset, 6, 1);
+        preset.output.sheets = sheets;
+        return estimated_memory(preset, 6, 1) - without;
+    };
+    const std::uint64_t pixels = 6U * 768U * 768U;
+    EXPECT_EQ(added(SheetKind::Dds), pixels * 4 / 3);
+    EXPECT_EQ(added(SheetKind::Ktx2), pixels * 2);
+    EXPECT_EQ(added(SheetKind::Strip), pixels * 2);
+    preset.image.width = 767;
+    EXPECT_EQ(added(SheetKind::Dds), 6U * 768U * 767U * 8 / 3);
 }
 
 TEST(EstimatedMemory, GrowsWithFramesUpToTheThreads) {

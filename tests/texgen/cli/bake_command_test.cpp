@@ -44,6 +44,35 @@ TEST(BakeCommand, PacksChannels) {
                     "output.names");
 }
 
+TEST(BakeCommand, WritesSceneFiles) {
+    const Outcome outcome = run_program(
+        "bake sea_foam --set foam.bubbles=16 --frames 1 --size 16 --maps albedo --out o/x.png "
+        "--scene usda,gltf");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "o/x.png\no/sea_foam.usda\no/sea_foam.glb\n");
+    EXPECT_EQ(outcome.written.size(), 4U);
+    const Outcome json =
+        run_program("bake sea_foam --set foam.bubbles=16 --frames 1 --size 16 --scene mtlx --json");
+    EXPECT_NE(json.out.find("\"scenes\":[\"out/sea_foam.mtlx\"]"), std::string::npos) << json.out;
+    expect_rejected("bake sea_foam --scene usd",
+                    "--scene usd: key 'output.scene' = [\"usd\"]: must be a list, without "
+                    "duplicates, of \"usda\", \"mtlx\", \"gltf\", or []; did you mean 'usda'?");
+    expect_rejected("bake sea_foam --scene usda --out x.####.dds",
+                    "output.scene = \"usda\" needs PNG files, or EXR files with {map} in their "
+                    "names, but output.pattern is 'x.####.dds'; a scene of the format gltf is "
+                    "possible");
+}
+
+TEST(BakeCommand, NotesClippedHeightsOfAPacking) {
+    const Outcome outcome = run_program(
+        "bake sea_foam --set foam.bubbles=16 --frames 1 --size 16 --maps albedo "
+        "--pack H=height,0,0 --set height.full=0.01");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("foamtex: H: up to ")) << outcome.err;
+    EXPECT_NE(outcome.err.find("outside of 0 to 1 and were clipped"), std::string::npos);
+    EXPECT_NE(outcome.err.find("; raise height.full\n"), std::string::npos) << outcome.err;
+}
+
 TEST(BakeCommand, BakesAndMeasuresAPatch) {
     const std::string patch =
         " soap_raft --set foam.bubbles=16 --set foam.outline='POLYGON((0 0, 3 0, 3 1, 0 1))'"

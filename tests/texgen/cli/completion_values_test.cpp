@@ -19,6 +19,8 @@ TEST(CompletionValues, FollowFromTheArgument) {
     };
     EXPECT_EQ(values("--maps", "A,B").kind, ValueKind::List);
     EXPECT_EQ(values("--maps", "A,B").words, Words{"albedo"});
+    EXPECT_EQ(values("--scene", "A,B").kind, ValueKind::List);
+    EXPECT_EQ(values("--scene", "A,B").words, (Words{"usda", "mtlx", "gltf"}));
     EXPECT_EQ(values("--map", "MAP").kind, ValueKind::Words);
     EXPECT_EQ(values("--map", "MAP").words, Words{"albedo"});
     EXPECT_EQ(values("MAP", "").words, Words{"albedo"});

@@ -32,13 +32,14 @@ TEST(ProfilesCommand, PrintsAProfile) {
 TEST(ProfilesCommand, AProfileSelectsTheFilesOfABake) {
     const std::string bake =
         "bake lava --set foam.bubbles=16 --frames 1 --size 16 --threads 1 --for gltf";
-    EXPECT_EQ(run_program(bake).out,
-              "out/lava_baseColor.0001.png\nout/lava_normal.0001.png\n"
-              "out/lava_emissive.0001.png\nout/lava_occlusionRoughnessMetallic.0001.png\n");
+    EXPECT_EQ(
+        run_program(bake).out,
+        "out/lava_baseColor.0001.png\nout/lava_normal.0001.png\n"
+        "out/lava_emissive.0001.png\nout/lava_occlusionRoughnessMetallic.0001.png\nout/lava.glb\n");
     EXPECT_EQ(run_program(bake + " --maps albedo --out 'a/{map}.png' --pack X=0,0,roughness").out,
-              "a/baseColor.png\na/X.png\n");
+              "a/baseColor.png\na/X.png\na/lava.glb\n");
     EXPECT_EQ(run_program(bake + " --set lit.glow=0 --set 'output.pack=[]'").out,
-              "out/lava_baseColor.0001.png\nout/lava_normal.0001.png\n");
+              "out/lava_baseColor.0001.png\nout/lava_normal.0001.png\nout/lava.glb\n");
 }
 
 // The frames are joined to array textures, whose names are those of the engine.

@@ -62,6 +62,12 @@ TEST(ManifestReader, FilesAreInsideTheFolder) {
     }
 }
 
+TEST(ManifestReader, SceneFilesAreInsideTheFolder) {
+    EXPECT_EQ(error_of("\"a.usda\"", "\"../a.usda\""),
+              "cannot read 'm.json': sets[0].scenes[0].path = \"../a.usda\": "
+              "must be a path inside the folder of the manifest: relative and without '..'");
+}
+
 // The names become parts of the names of sheets and previews.
 TEST(ManifestReader, NamesArePlain) {
     EXPECT_EQ(

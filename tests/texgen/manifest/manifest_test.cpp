@@ -91,6 +91,27 @@ TEST(Manifest, CountsFilesOfOtherSetsThatAreReplaced) {
     EXPECT_EQ(replaced.front().count, 1U);
 }
 
+// A scene file belongs to the set that wrote it last. Baking more frames keeps the scene files.
+TEST(Manifest, SceneFilesBelongToTheirLastWriter) {
+    Manifest manifest = small_manifest();
+    const std::string first = manifest.sets[0].parameters;
+    const std::string second = manifest.sets[1].parameters;
+    ASSERT_NE(first, second);
+    const ManifestScene scene{"a.usda", "usda", 7, "xyz"};
+    add_scenes(manifest, first, {scene});
+    ASSERT_EQ(manifest.sets[0].scenes.size(), 2U);
+    EXPECT_EQ(manifest.sets[0].scenes.back(), scene);
+    add_scenes(manifest, second, {scene});
+    EXPECT_EQ(manifest.sets[0].scenes.size(), 1U);
+    EXPECT_EQ(manifest.sets[1].scenes, std::vector{scene});
+    add_scenes(manifest, "other", {scene});
+    EXPECT_EQ(manifest.sets[1].scenes, std::vector{scene});
+    BakedSet more = manifest.sets[1];
+    more.scenes.clear();
+    merge(manifest, more);
+    EXPECT_EQ(manifest.sets.back().scenes, std::vector{scene});
+}
+
 TEST(Manifest, AFailureIsKeptUntilTheSetIsComplete) {
     Manifest manifest;
     BakedSet broken = small_set("a", {1, 2}, {1});

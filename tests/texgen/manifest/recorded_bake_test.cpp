@@ -131,6 +131,51 @@ TEST(RecordedBake, RecordsClippedNumbers) {
               joined(*set.find_file("height", 1)->numbers, *set.find_file("height", 2)->numbers));
 }
 
+// Only the channel height has a range; the channel that is inverted has the same extent as a map.
+TEST(RecordedBake, RecordsTheClippedNumbersAndTheHeightsOfPackings) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"height"};
+    preset.output.pack = {"P=height,roughness,0.5", "Q=roughness,metallic,0.5"};
+    preset.maps.height.full = {0.25};
+    const BakeSummary summary = bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    EXPECT_EQ(summary.numbers.size(), 2U);
+    const BakedSet set = only_set(folder.path());
+    const ManifestFile& height = *set.find_file("height", 1);
+    const ManifestFile& packed = *set.find_file("P", 1);
+    EXPECT_GT(packed.numbers.value().clipped, 0.0);
+    EXPECT_EQ(packed.numbers->clipped, height.numbers.value().clipped);
+    EXPECT_FLOAT_EQ(static_cast<float>(packed.numbers->largest),
+                    static_cast<float>(height.numbers->largest / 0.25));
+    EXPECT_EQ(packed.displacement, height.displacement);
+    EXPECT_EQ(set.find_file("Q", 1)->numbers, std::nullopt);
+    EXPECT_EQ(set.find_file("Q", 1)->displacement, std::nullopt);
+}
+
+// The number 1 in an EXR is a bubble diameter; the largest code of a PNG is height.full diameters.
+TEST(RecordedBake, RecordsTheHeightOfTheNumberOneInAnExr) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / "png" / kPattern);
+    preset.image.maps = {"height"};
+    preset.maps.height.full = {0.25};
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    preset.output.pattern = (folder.path() / "exr" / "{map}.####.exr").string();
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    const double png = only_set(folder.path() / "png").files.front().displacement.value();
+    const double exr = only_set(folder.path() / "exr").files.front().displacement.value();
+    EXPECT_DOUBLE_EQ(png, 0.25 * exr);
+}
+
+TEST(RecordedBake, RecordsThePixelFormatOfTextures) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / "{map}.####.dds");
+    preset.image.maps = {"albedo", "height"};
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    const BakedSet set = only_set(folder.path());
+    EXPECT_EQ(set.find_map("albedo")->samples->pixel_format, "BC7_UNORM_SRGB");
+    EXPECT_EQ(set.find_map("height")->samples->pixel_format, "R16_UNORM");
+}
+
 TEST(RecordedBake, RecordsTheLayersOfAnExr) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);

@@ -55,6 +55,8 @@ inline Manifest small_manifest() {
     manifest.sets[0].failure = "the disk is full";
     manifest.sets[0].files.front().numbers = NumberExtent{-0.25, 0.5, 0.125};
     manifest.sets[0].files.front().displacement = 0.0625;
+    manifest.sets[0].maps.front().samples->pixel_format = "R16_UNORM";
+    manifest.sets[0].scenes = {{"a.usda", "usda", 123, "abc"}, {"sub/a.glb", "gltf", 0, ""}};
     manifest.sets[1].loop.closing_error.reset();
     manifest.sets[1].maps.front().note.clear();
     manifest.sets[1].maps.front().samples->range.reset();

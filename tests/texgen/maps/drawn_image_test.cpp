@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foam::texgen {
@@ -34,6 +36,20 @@ TEST(DrawnImage, OfAPackingHasTraitsOfItsOwn) {
     EXPECT_TRUE(image.traits().full_key.empty());
     EXPECT_EQ(image.packed_channels(),
               (std::vector<std::string>{"height", "roughness", "0.5", "1-height"}));
+}
+
+TEST(DrawnImage, KnowsTheChannelsWithARange) {
+    const DrawnImage packed(parse_packing("P=roughness,1-height,motion.Y"));
+    EXPECT_EQ(packed.ranged_channels(), (std::vector<std::size_t>{1, 2}));
+    EXPECT_EQ(packed.range_keys(),
+              (std::vector<std::string_view>{"height.full", "motion.multiplier"}));
+    EXPECT_EQ(packed.packed_channel(1)->map, &find_map("height"));
+    EXPECT_TRUE(packed.packed_channel(1)->inverted);
+    EXPECT_EQ(packed.packed_channel(3), nullptr);
+    const DrawnImage motion(find_map("motion"));
+    EXPECT_EQ(motion.ranged_channels(), (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(motion.packed_channel(0), nullptr);
+    EXPECT_TRUE(DrawnImage(find_map("normal")).ranged_channels().empty());
 }
 
 TEST(DrawnImage, ThePackedChannelsAreNotedWithTheirRanges) {

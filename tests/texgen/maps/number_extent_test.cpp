@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -31,6 +34,14 @@ TEST(NumberExtent, NumbersThatAreNotFiniteDoNotCount) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(extent_of(row_of({kInfinity, nan, -kInfinity, 1.0F})), (NumberExtent{1.0, 1.0, 0.0}));
     EXPECT_EQ(extent_of(row_of({nan})), NumberExtent{});
+}
+
+// Two pixels of three channels: (3, 0, 0.5) and (1, -2, 2.5). The range is from -1 to 2.
+TEST(NumberExtent, OfSomeChannelsLeavesOutTheOthers) {
+    NumberPixels pixels{Image<float>(2, 1, 3), -1.0, 2.0};
+    std::ranges::copy(std::vector<float>{3, 0, 0.5, 1, -2, 2.5}, pixels.pixels.samples().begin());
+    EXPECT_EQ(extent_of(pixels, std::vector<std::size_t>{0, 2}), (NumberExtent{0.5, 3.0, 0.5}));
+    EXPECT_EQ(extent_of(pixels, std::vector<std::size_t>{1}), (NumberExtent{-2.0, 0.0, 0.5}));
 }
 
 TEST(NumberExtent, TheExtentOfTwoImagesCoversBoth) {

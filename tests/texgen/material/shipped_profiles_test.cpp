@@ -71,6 +71,7 @@ TEST(ShippedProfiles, HaveTheLayoutsOfTheirEngines) {
     EXPECT_EQ(file_names(gltf),
               (Names{"baseColor", "normal", "emissive", "occlusionRoughnessMetallic"}));
     EXPECT_EQ(gltf.output.pack, (Names{"occlusionRoughnessMetallic=occlusion,roughness,metallic"}));
+    EXPECT_EQ(gltf.output.scene, Names{"gltf"});
 
     const Preset blender = with_profile("lava", "blender");
     EXPECT_EQ(

@@ -56,6 +56,23 @@ TEST(OutputOptions, PackingsAndNamesAreListsOrSingleTexts) {
     }
 }
 
+TEST(OutputOptions, ScenesAreAListOfFormatsThatMayBeEmpty) {
+    const Keys<OutputOptions> keys = output_keys();
+    const auto key = std::ranges::find(keys, "scene", &KeyInfo::path);
+    OutputOptions options;
+    EXPECT_TRUE(key->is_default(options));
+    EXPECT_TRUE(key->read({"usda"}, options));
+    EXPECT_TRUE(key->read({Value::List{{"gltf"}, {"mtlx"}}}, options));
+    EXPECT_EQ(options.scene, (std::vector<std::string>{"gltf", "mtlx"}));
+    EXPECT_EQ(to_toml(*key->write(options)), "[\"gltf\", \"mtlx\"]");
+    for (const Value& wrong : {Value{"glb"}, Value{Value::List{{"usda"}, {"usda"}}}, Value{true}}) {
+        EXPECT_FALSE(key->read(wrong, options));
+    }
+    EXPECT_EQ(options.scene.size(), 2U);
+    EXPECT_TRUE(key->read({Value::List{}}, options));
+    EXPECT_TRUE(options.scene.empty());
+}
+
 TEST(OutputOptions, ChoicesHaveTheirWords) {
     test::expect_words(output_keys(), "texts", {"written", "left-out"});
     test::expect_words(output_keys(), "png_compression", {"fast", "small", "none"});

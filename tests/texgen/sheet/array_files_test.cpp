@@ -74,6 +74,7 @@ TEST(ArrayFiles, TheJsonDescribesLayers) {
     EXPECT_EQ(json["layout"]["mip_levels"], 6);
     EXPECT_EQ(json["layout"]["frame_size"], (std::vector<int>{32, 24}));
     EXPECT_EQ(json["images"][0]["file"], "small_array_height.dds");
+    EXPECT_EQ(json["images"][0]["pixel_format"], "R16_UNORM");
     EXPECT_EQ(json["loop"]["closes"], true);
 }
 

@@ -87,10 +87,11 @@ function kindOf(schema) {
     return schema.pattern === kColor ? {kind: "color"} : {kind: "text"};
 }
 
-// A key with alternatives takes a word or a number ("auto", 0), or one item or a list of items.
-function kindOfAlternatives(alternatives) {
+// A key with alternatives takes a word or a number ("auto", 0), or one item or a list of items, which may also be empty.
+function kindOfAlternatives(nested) {
+    const alternatives = nested.flatMap((one) => one.anyOf ?? [one]);
     const word = alternatives.find((one) => "const" in one);
-    const list = alternatives.find((one) => one.type === "array");
+    const list = alternatives.find((one) => one.type === "array" && one.items);
     if (list) {
         return listKind(list);
     }

@@ -3,8 +3,9 @@
 // The lit preview: shows the maps of a material on a plane, a sphere or a cylinder, with WebGL 2.
 
 import {attachControls} from "./surface_controls.js";
+import {directionTo, movedLight} from "./surface_light.js";
 import {kShapes, meshOf} from "./surface_mesh.js";
-import {linked, suitableQuality, uniformsOf, uploaded} from "./surface_program.js";
+import {Fence, linked, suitableQuality, uniformsOf, uploaded} from "./surface_program.js";
 import {kFragmentShader, kVertexShader} from "./surface_shaders.js";
 import {checkImage, Textures} from "./surface_textures.js";
 import {View} from "./surface_view.js";
@@ -12,19 +13,20 @@ import {View} from "./surface_view.js";
 const kSamplers = ["base_color", "normal", "height", "data", "emission"];
 const kImages = ["baseColor", "normal", "height", "roughness", "occlusion", "metallic", "emission"];
 const kQualities = {
-    full: {antialias: true, anisotropy: 8, shadowSteps: 12, cells: 432, pixelRatio: 2},
-    fast: {antialias: false, anisotropy: 1, shadowSteps: 4, cells: 240, pixelRatio: 1},
+    full: {antialias: true, anisotropy: 8, shadowSteps: 12, cells: 660, pixelRatio: 2, samplesAtRest: 1},
+    fast: {antialias: false, anisotropy: 1, shadowSteps: 5, cells: 324, pixelRatio: 1, samplesAtRest: 4},
 };
-const kLowestLight = 2;  // degrees above the plane, for a light that is moved with the pointer
-const kDegree = Math.PI / 180;
+const kSmoothing = 1;  // levels of detail by which the displacement is smoother than the mesh could show
+const kRest = 250;  // milliseconds after the last change
+const kLongestBeforeRest = 1500;  // milliseconds of a picture with one sample per pixel
+const kLargestAtRest = 4e6;  // pixels
 const kNoWebGl = "The lit preview needs WebGL 2, which this browser does not offer or has turned off.";
-const kHelp = "Lit preview of the surface. Arrow keys turn it, with Shift they move the light; plus and minus zoom.";
 
 // Draws on a canvas whenever something changed. After the user has moved the light, the canvas gets the event
 // "lightchange" with {azimuth, elevation} in `detail`.
 export class Surface {
-    // Throws an Error if the browser has no WebGL 2.
-    // `quality` is "full", "fast" for computers without a graphics card, or "auto".
+    // `quality` is "full", "fast" (for a computer without a graphics card) or "auto". Throws an Error if the browser
+    // has no WebGL 2.
     constructor(canvas, {quality = "auto"} = {}) {
         this.canvas = canvas;
         this.quality = kQualities[quality === "auto" ? suitableQuality() : quality];
@@ -125,9 +127,29 @@ export class Surface {
     // it shows the next picture, if something changed.
     render() {
         cancelAnimationFrame(this.frame);
+        clearTimeout(this.timer);
         this.frame = 0;
+        this.draw(Math.min(window.devicePixelRatio || 1, this.quality.pixelRatio));
+        if (this.quality.samplesAtRest > 1) {
+            this.timer = setTimeout(() => this.refine(), kRest);
+        }
+    }
+
+    // Draws with several samples per pixel, unless that takes too long; the browser computes their mean when it shows
+    // the canvas.
+    refine() {
+        if (!this.fence.isPassed()) {
+            this.timer = setTimeout(() => this.refine(), kRest);
+        } else if (this.fence.milliseconds < kLongestBeforeRest) {
+            const area = this.canvas.clientWidth * this.canvas.clientHeight;
+            this.draw(Math.sqrt(Math.min(this.quality.samplesAtRest, Math.max(kLargestAtRest / area, 1))));
+        }
+    }
+
+    // `ratio` is the number of pixels of the canvas per pixel of CSS.
+    draw(ratio) {
         const gl = this.gl;
-        if (gl.isContextLost() || !this.resize()) {
+        if (this.disposed || gl.isContextLost() || !this.resize(ratio)) {
             return;
         }
         this.update();
@@ -139,11 +161,13 @@ export class Surface {
         this.textures.bind(kSamplers);
         gl.bindVertexArray(this.mesh.array);
         gl.drawElements(gl.TRIANGLES, this.mesh.indexCount, gl.UNSIGNED_INT, 0);
+        this.fence.set();
     }
 
     // Frees the memory of the graphics card. The canvas cannot be used for another Surface.
     dispose() {
         cancelAnimationFrame(this.frame);
+        clearTimeout(this.timer);
         this.disposed = true;
         this.resizes.disconnect();
         this.detachControls();
@@ -160,7 +184,17 @@ export class Surface {
 
     invalidate() {
         if (!this.frame && !this.disposed) {
-            this.frame = requestAnimationFrame(() => this.render());
+            this.frame = requestAnimationFrame(() => this.renderIfIdle());
+        }
+    }
+
+    // Waits while the last picture is in work, so that pictures do not queue up.
+    renderIfIdle() {
+        this.frame = 0;
+        if (this.fence.isPassed()) {
+            this.render();
+        } else {
+            this.invalidate();
         }
     }
 
@@ -175,12 +209,6 @@ export class Surface {
         }, options);
         this.resizes = new ResizeObserver(() => this.invalidate());
         this.resizes.observe(canvas);
-        canvas.style.touchAction = "none";
-        canvas.tabIndex = Math.max(canvas.tabIndex, 0);
-        if (!canvas.hasAttribute("aria-label")) {
-            canvas.setAttribute("role", "img");
-            canvas.setAttribute("aria-label", kHelp);
-        }
         const then = (action) => (...values) => {
             action(...values);
             this.invalidate();
@@ -193,23 +221,13 @@ export class Surface {
         });
     }
 
-    // The light is a point on a half sphere, which is seen from the front and moved along the canvas.
     moveLight(x, y) {
-        const azimuth = this.light.azimuth * kDegree;
-        const radius = Math.cos(Math.max(this.light.elevation, 0) * kDegree);
-        const newX = radius * Math.cos(azimuth) + x;
-        const newY = radius * Math.sin(azimuth) + y;
-        const newRadius = Math.min(Math.hypot(newX, newY), Math.cos(kLowestLight * kDegree));
-        this.setLight({
-            azimuth: (Math.atan2(newY, newX) / kDegree + 360) % 360,
-            elevation: Math.acos(newRadius) / kDegree,
-        });
+        this.setLight(movedLight(this.light, x, y));
         this.canvas.dispatchEvent(new CustomEvent("lightchange", {detail: {...this.light}}));
     }
 
     // Returns false if the canvas is not visible.
-    resize() {
-        const ratio = Math.min(window.devicePixelRatio || 1, this.quality.pixelRatio);
+    resize(ratio) {
         const width = Math.round(this.canvas.clientWidth * ratio);
         const height = Math.round(this.canvas.clientHeight * ratio);
         if (this.canvas.width !== width || this.canvas.height !== height) {
@@ -224,6 +242,7 @@ export class Surface {
         const gl = this.gl;
         this.program = linked(gl, kVertexShader, kFragmentShader);
         this.uniforms = uniformsOf(gl, this.program);
+        this.fence = new Fence(gl);
         this.textures = new Textures(gl, this.quality.anisotropy);
         this.mesh = null;
         this.meshChanged = true;
@@ -256,13 +275,11 @@ export class Surface {
         const {gl, uniforms, view, mesh, heights} = this;
         const aspect = this.canvas.width / this.canvas.height;
         const repeat = mesh.tiles * this.tiling;
-        const azimuth = this.light.azimuth * kDegree;
-        const elevation = this.light.elevation * kDegree;
-        const across = Math.cos(elevation);
+        const texelsPerCell = heights.heightWidth * repeat / mesh.cellsPerTurn;
         gl.uniformMatrix3fv(uniforms.u_turn, false, view.turnMatrix());
         gl.uniformMatrix4fv(uniforms.u_projection, false, view.projection(aspect));
         gl.uniform3fv(uniforms.u_camera, view.cameraPosition(aspect));
-        gl.uniform3f(uniforms.u_light, across * Math.cos(azimuth), across * Math.sin(azimuth), Math.sin(elevation));
+        gl.uniform3fv(uniforms.u_light, directionTo(this.light));
         gl.uniform3fv(uniforms.u_sky, view.shape.sky);
         gl.uniform3fv(uniforms.u_background, this.background);
         gl.uniform1f(uniforms.u_strength, this.lightStrength);
@@ -274,7 +291,7 @@ export class Surface {
         gl.uniform1f(uniforms.u_height_top, heights.heightTop * this.relief);
         gl.uniform1f(uniforms.u_height_middle, heights.heightTop * this.relief * view.shape.middle);
         gl.uniform1f(uniforms.u_shadow_steps, this.quality.shadowSteps);
-        gl.uniform1f(uniforms.u_height_lod, Math.max(Math.log2(heights.heightWidth * repeat / mesh.cellsPerTurn), 0));
+        gl.uniform1f(uniforms.u_height_lod, Math.max(Math.log2(texelsPerCell) + kSmoothing, 0));
         gl.uniform2f(uniforms.u_slopes, this.relief, this.normalDirection === "dx" ? -this.relief : this.relief);
         kSamplers.forEach((name, unit) => gl.uniform1i(uniforms[`u_${name}`], unit));
     }

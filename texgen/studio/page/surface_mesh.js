@@ -28,7 +28,8 @@ class MeshBuilder {
     }
 
     // Adds (columns + 1) x (rows + 1) vertices, made by vertexAt(a, b) for a and b from 0 to 1, and their triangles.
-    // The triangles are counterclockwise if a points to the right and b points up.
+    // The triangles are counterclockwise if a points to the right and b points up. The diagonals alternate, so that
+    // creases look the same in all directions.
     grid(columns, rows, vertexAt) {
         const first = this.vertexCount;
         for (let row = 0; row <= rows; ++row) {
@@ -40,7 +41,10 @@ class MeshBuilder {
             for (let column = 0; column < columns; ++column) {
                 const corner = first + row * (columns + 1) + column;
                 const above = corner + columns + 1;
-                this.indices.set([corner, corner + 1, above + 1, corner, above + 1, above], this.indexCount);
+                const triangles = (row + column) % 2 === 0
+                    ? [corner, corner + 1, above + 1, corner, above + 1, above]
+                    : [corner, corner + 1, above, corner + 1, above + 1, above];
+                this.indices.set(triangles, this.indexCount);
                 this.indexCount += 6;
             }
         }
@@ -99,7 +103,7 @@ function sphere(columns) {
 // fades out at the edges, where the side meets the two flat ends.
 function cylinder(columns) {
     const rows = columns / 2;
-    const capRows = columns / 4;
+    const capRows = Math.round(columns / 4);
     const radius = kCylinderRadius;
     const half = radius * Math.PI / 2;
     const kEdge = 0.05;
@@ -142,17 +146,24 @@ function cylinder(columns) {
 // not displaced, as a fraction of the largest one; the edges of the cylinder only meet if it is 0. `lift` moves the
 // image up if the camera is tilted, as the near side of the plane looks larger than the far one.
 const kDegree = Math.PI / 180;
+const kAnyTilt = [-89 * kDegree, 89 * kDegree];
 export const kShapes = {
-    plane: {make: (cells) => plane(cells * 2 / 3), turnsAbout: "z", tilts: [-88 * kDegree, 0], tilt: -42 * kDegree, radius: 1.05, sky: [0, 0, 1],
-            middle: 0.5, lift: 0.16},
-    sphere: {make: sphere, turnsAbout: "y", tilts: [-89 * kDegree, 89 * kDegree], tilt: 12 * kDegree, radius: 1.1,
-             sky: [0, 1, 0], middle: 0.5, lift: 0},
-    cylinder: {make: cylinder, turnsAbout: "y", tilts: [-89 * kDegree, 89 * kDegree], tilt: 18 * kDegree, radius: 1.4,
-               sky: [0, 1, 0], middle: 0, lift: 0},
+    plane: {
+        make: (cells) => plane(cells * 2 / 3), turnsAbout: "z", tilts: [-88 * kDegree, 0], tilt: -42 * kDegree,
+        radius: 1.05, sky: [0, 0, 1], middle: 0.5, lift: 0.16,
+    },
+    sphere: {
+        make: sphere, turnsAbout: "y", tilts: kAnyTilt, tilt: 12 * kDegree,
+        radius: 1.1, sky: [0, 1, 0], middle: 0.5, lift: 0,
+    },
+    cylinder: {
+        make: cylinder, turnsAbout: "y", tilts: kAnyTilt, tilt: 18 * kDegree,
+        radius: 1.4, sky: [0, 1, 0], middle: 0, lift: 0,
+    },
 };
 
 // Returns the mesh of the shape `name`: vertices, indices, tiles, tileWidth, and the number of cells of the mesh along
-// one unit of u. The circumference of round shapes has `cells` cells, which is an even number.
+// one unit of u. The circumference of round shapes has `cells` cells, a multiple of 6.
 export function meshOf(name, cells) {
     const {builder, ...measures} = kShapes[name].make(cells);
     return {vertices: builder.vertices, indices: builder.indices, ...measures};

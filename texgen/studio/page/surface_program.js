@@ -19,6 +19,34 @@ export function suitableQuality() {
     return kSoftwareRenderers.test(renderer) ? "fast" : "full";
 }
 
+// Tells when the graphics card has finished a picture, and how long this took.
+export class Fence {
+    constructor(gl) {
+        this.gl = gl;
+        this.sync = null;
+        this.milliseconds = 0;  // between the last calls of set and of isPassed that found it finished
+    }
+
+    // Call this function after the commands of a picture.
+    set() {
+        this.gl.deleteSync(this.sync);
+        this.sync = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+        this.start = performance.now();
+        this.gl.flush();
+    }
+
+    // Returns true if all pictures are finished. The browser updates the answer between tasks.
+    isPassed() {
+        const gl = this.gl;
+        if (this.sync && (gl.isContextLost() || gl.getSyncParameter(this.sync, gl.SYNC_STATUS) === gl.SIGNALED)) {
+            this.milliseconds = performance.now() - this.start;
+            gl.deleteSync(this.sync);
+            this.sync = null;
+        }
+        return !this.sync;
+    }
+}
+
 function compiled(gl, type, source) {
     const shader = gl.createShader(type);
     gl.shaderSource(shader, source);

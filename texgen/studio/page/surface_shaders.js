@@ -18,7 +18,7 @@ uniform float u_origin;     // coordinates of the middle of the front, in tiles
 uniform float u_tile_width; // in units of positions
 uniform float u_height_scale;  // tile widths per unit of the height map
 uniform float u_height_middle; // the height that is not displaced, in tile widths
-uniform float u_height_lod;    // level of detail whose texels are as large as the cells of the mesh
+uniform float u_height_lod;    // level of detail that the mesh can show without aliasing
 uniform sampler2D u_height;
 
 out vec3 v_position;
@@ -167,20 +167,23 @@ float visible_light(vec3 tangent, vec3 bitangent, vec3 normal, float start) {
     return 1.0 - clamp(blocked, 0.0, 1.0);
 }
 
-// Keeps colors up to 0.76 nearly as they are and compresses brighter ones ("PBR Neutral" of the Khronos Group, 2024).
+// Keeps colors up to 0.8 nearly as they are and compresses brighter ones towards white: "PBR Neutral" of the Khronos
+// Group (2024). kVeil is the brightness that reflected surroundings add to every color, and that is removed again. It
+// is 0.04 there, for brighter surroundings.
 vec3 tone_mapped(vec3 color) {
-    const float kStart = 0.8 - 0.04;
+    const float kVeil = 0.016;
+    const float kStart = 0.8 - kVeil;
     const float kDesaturation = 0.15;
     float least = min(color.r, min(color.g, color.b));
-    color -= least < 0.08 ? least - 6.25 * least * least : 0.04;
+    color -= least < 2.0 * kVeil ? least - least * least / (4.0 * kVeil) : kVeil;
     float peak = max(color.r, max(color.g, color.b));
     if (peak < kStart) {
         return color;
     }
     float room = 1.0 - kStart;
     float compressed = 1.0 - room * room / (peak + room - kStart);
-    float share = 1.0 - 1.0 / (kDesaturation * (peak - compressed) + 1.0);
-    return mix(color * (compressed / peak), vec3(compressed), share);
+    float white = 1.0 - 1.0 / (kDesaturation * (peak - compressed) + 1.0);
+    return mix(color * (compressed / peak), vec3(compressed), white);
 }
 
 vec3 srgb(vec3 light) {

@@ -25,8 +25,8 @@ export class Textures {
                                      gl.getExtension("EXT_color_buffer_half_float"));
     }
 
-    // Sends the images to the graphics card. Returns {heightUnit, heightTop, heightWidth}: the tile widths of the height
-    // 1, the largest height in tile widths, and the width of the height map in pixels.
+    // Sends the images to the graphics card. Returns {heightUnit, heightTop, heightWidth}: the tile widths of the
+    // height 1, the largest height in tile widths, and the width of the height map in pixels.
     update(images) {
         const gl = this.gl;
         const colors = {internal: gl.SRGB8_ALPHA8, format: gl.RGBA, type: gl.UNSIGNED_BYTE, mips: true};
@@ -87,7 +87,8 @@ export class Textures {
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, mips ? gl.LINEAR_MIPMAP_LINEAR : gl.LINEAR);
         if (this.anisotropic && mips) {
             const largest = gl.getParameter(this.anisotropic.MAX_TEXTURE_MAX_ANISOTROPY_EXT);
-            gl.texParameterf(gl.TEXTURE_2D, this.anisotropic.TEXTURE_MAX_ANISOTROPY_EXT, Math.min(largest, this.anisotropy));
+            const samples = Math.min(largest, this.anisotropy);
+            gl.texParameterf(gl.TEXTURE_2D, this.anisotropic.TEXTURE_MAX_ANISOTROPY_EXT, samples);
         }
     }
 

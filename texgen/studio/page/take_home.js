@@ -116,7 +116,8 @@ export class TakeHome {
 
     async #save(event) {
         event.preventDefault();
-        const file = $("save-name").value.trim();
+        const name = $("save-name").value.trim();
+        const file = name.endsWith(".toml") ? name : `${name}.toml`;
         try {
             const answer = await post("/api/save", {
                 settings: this.#studio.state.settings(),

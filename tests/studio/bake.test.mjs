@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Bakes, saved presets and downloads of the page.
+
+import assert from "node:assert/strict";
+import { readFile, readdir } from "node:fs/promises";
+import path from "node:path";
+import test from "node:test";
+import { open_studio, run, set_key, with_studio } from "./studio.mjs";
+
+async function fill_bake_form(page, folder, side) {
+    await page.click("#bake-open");
+    await page.fill("#bake-folder", folder);
+    await page.fill("#bake-width", String(side));
+    await page.fill("#bake-height", String(side));
+}
+
+test("a bake writes a folder that verify accepts", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        const { page, errors } = await open_studio(browser, studio.url);
+        await set_key(page, "frames.count", 6);
+        await set_key(page, "foam.bubbles", 50);
+        await fill_bake_form(page, "baked", 128);
+        await page.click("#bake-start");
+        await page.locator("#bake-status").filter({ hasText: /complete|done|finished/i }).waitFor({ timeout: 60_000 });
+        const files = await readdir(path.join(folder, "baked"));
+        assert.equal(files.filter((file) => file.endsWith(".png")).length, 6);
+        await run(["verify", path.join(folder, "baked")]);
+        assert.deepEqual(errors, []);
+    }));
+
+test("a bake can be cancelled", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        const { page } = await open_studio(browser, studio.url);
+        await fill_bake_form(page, "long", 4096);
+        await page.click("#bake-start");
+        await page.locator("#bake-cancel").click();
+        await page.locator("#bake-status").filter({ hasText: /cancelled/i }).waitFor({ timeout: 60_000 });
+        // No frame of this size is drawn so quickly, and none is left half-written.
+        const files = await readdir(path.join(folder, "long")).catch(() => []);
+        assert.deepEqual(files.filter((file) => file.endsWith(".png")), []);
+    }));
+
+test("the page saves presets that the program reads", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        const { page } = await open_studio(browser, studio.url);
+        await set_key(page, "foam.seed", 7);
+        await page.click("#take-home");
+        await page.click("#save-preset");
+        await page.fill("#save-name", "mine");
+        await page.locator("#save-form button[type=submit]").click();
+        await page.locator("#gallery-files").getByText("mine").waitFor();
+        assert.match(await readFile(path.join(folder, "mine.toml"), "utf8"), /extends = "sea_foam"/);
+        const described = await run(["presets", "show", path.join(folder, "mine.toml")]);
+        assert.match(described, /seed = 7/);
+    }));
+
+test("a frame can be downloaded", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        const { page } = await open_studio(browser, studio.url);
+        await set_key(page, "image.size", [64, 64]);
+        await page.click("#take-home");
+        const [download] = await Promise.all([page.waitForEvent("download"), page.click("#download-frame")]);
+        const file = path.join(folder, download.suggestedFilename());
+        await download.saveAs(file);
+        assert.equal((await readFile(file)).subarray(1, 4).toString(), "PNG");
+    }));

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// Returns a name as an identifier of OpenUSD and MaterialX: ASCII letters, digits and '_', of
+/// which the first is no digit. Every other byte becomes '_'. An empty name becomes "_".
+std::string identifier(std::string_view name);
+
+/// Identifiers that differ from each other.
+class Identifiers {
+  public:
+    /// Returns identifier(name), with a number at the end if it has been returned before.
+    std::string unique(std::string_view name);
+
+  private:
+    std::set<std::string> used_;
+};
+
+}  // namespace foam::texgen

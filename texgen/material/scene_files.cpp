@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/material/scene_files.h"
+
+#include "texgen/bake/file_pattern.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/format.h"
+#include "texgen/image/pixel_hash.h"
+#include "texgen/image/texture_file.h"
+#include "texgen/manifest/bake_recorder.h"
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/material/glb.h"
+#include "texgen/material/materialx.h"
+#include "texgen/material/preview_textures.h"
+#include "texgen/material/scene_material.h"
+#include "texgen/material/scene_sources.h"
+#include "texgen/material/usda.h"
+
+#include <fmt/format.h>
+
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::string_view kGltf = "gltf";
+
+// Returns the suffix of the files of a format. A file of glTF in one piece ends in ".glb".
+std::string_view suffix_of(std::string_view format) {
+    return format == kGltf ? "glb" : format;
+}
+
+Bytes content_of(std::string_view format, const SceneMaterial& material) {
+    if (format == kGltf) {
+        return glb(material, preview_textures(material));
+    }
+    const std::string text = format == "usda" ? usda_text(material) : materialx_text(material);
+    Bytes content;
+    append(content, std::as_bytes(std::span(text)));
+    return content;
+}
+
+std::string hash_of(const Bytes& content) {
+    return text_hash({reinterpret_cast<const char*>(content.data()), content.size()});
+}
+
+// Returns true if a scene can refer to the files of a bake.
+bool has_single_images(const FilePattern& pattern) {
+    return find_texture_format(pattern.format().suffix) == nullptr &&
+           !pattern.stores_all_maps_in_one_file();
+}
+
+}  // namespace
+
+void check_scenes(const Preset& preset) {
+    if (preset.output.scene.empty()) {
+        return;
+    }
+    if (scene_sources(preset).is_empty()) {
+        throw std::invalid_argument(fmt::format(
+            "output.scene needs a map of a material, such as albedo, lit, normal, height, "
+            "roughness, metallic, occlusion or emission, but image.maps has only {}; set "
+            "output.scene to [] for no scene",
+            fmt::join(preset.image.maps, ", ")));
+    }
+    const bool can_refer = has_single_images(FilePattern(preset.output.pattern));
+    for (const std::string& format : preset.output.scene) {
+        if (format != kGltf && !can_refer) {
+            throw std::invalid_argument(fmt::format(
+                "output.scene = \"{}\" needs PNG files, or EXR files with {{map}} in their names, "
+                "but output.pattern is '{}'; a scene of the format gltf is possible",
+                format,
+                preset.output.pattern));
+        }
+    }
+}
+
+std::vector<std::filesystem::path> write_scenes(const Preset& preset) {
+    const std::filesystem::path folder = manifest_folder(preset);
+    const BakedSet set = read_manifest(folder).sets.back();
+    const SceneMaterial material = scene_material(preset, set, folder);
+    std::vector<std::filesystem::path> paths;
+    std::vector<StagedFile> staged;
+    std::vector<ManifestScene> scenes;
+    for (const std::string& format : preset.output.scene) {
+        const std::string name = fmt::format("{}.{}", preset.name, suffix_of(format));
+        const Bytes content = content_of(format, material);
+        staged.emplace_back(folder / name, content);
+        scenes.push_back({name, format, content.size(), hash_of(content)});
+        paths.push_back(folder / name);
+    }
+    for (StagedFile& file : staged) {
+        file.publish();
+    }
+    update_manifest(folder,
+                    [&](Manifest& manifest) { add_scenes(manifest, set.parameters, scenes); });
+    return paths;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/manifest/manifest.h"
+#include "texgen/preset/preset.h"
+#include "texgen/sheet/map_sequence.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The width of the plane that shows the material in a scene, meters. It shows the image once.
+inline constexpr double kPlaneWidth = 1.0;
+
+/// An image of a material, and its files of all frames. The number that a sample represents in the
+/// material is scale * sample + bias. Samples of codes are from 0 to 1.
+struct SceneImage {
+    std::string id;                     // a name for nodes, unique in the material (identifier.h)
+    MapSequence sequence;               // the files, in the order of SceneMaterial::frames
+    std::vector<std::string> paths;     // their paths, relative to the folder of the manifest
+    std::vector<std::string> channels;  // the names of the channels in a file, such as "R"
+    std::array<double, 4> scale{1.0, 1.0, 1.0, 1.0};
+    std::array<double, 4> bias{};
+
+    const MapSamples& samples() const { return *sequence.map.samples; }
+    bool is_color() const { return samples().kind == "color"; }
+    bool has_codes() const { return samples().type.starts_with("uint"); }
+};
+
+/// A channel of an image of a material.
+struct SceneChannel {
+    std::size_t image = 0;    // index in SceneMaterial::images
+    std::size_t channel = 0;  // 0 for the first channel
+};
+
+/// A material as a scene file describes it. Images are given by their indices in `images`. The
+/// members correspond to those of SceneSources.
+struct SceneMaterial {
+    std::string id;                     // the name of the preset as an identifier
+    std::string preset;                 // the name of the preset
+    std::string description;            // of the preset
+    double plane_height = kPlaneWidth;  // meters
+    bool tiles = true;                  // true if the images of all frames tile
+    int frames_per_second = 24;
+    std::vector<int> frames;  // the frames of which all images exist, in increasing order
+    std::vector<SceneImage> images;
+    std::optional<std::size_t> base_color;
+    std::optional<std::size_t> lit;
+    std::optional<std::size_t> emission;
+    std::optional<std::size_t> normal;
+    bool is_normal_down = false;
+    std::optional<SceneChannel> opacity;
+    std::optional<SceneChannel> roughness;
+    std::optional<SceneChannel> metallic;
+    std::optional<SceneChannel> occlusion;
+    std::optional<SceneChannel> height;
+    // The height in meters that the number 1 of the channel `height` represents, for each frame.
+    std::vector<double> displacements;
+
+    /// Returns true if all frames have the same displacement.
+    bool has_one_displacement() const;
+};
+
+/// Returns the material that the images of a preset make. `set` is the set of a manifest into which
+/// the preset has been baked, and `folder` is the folder of the manifest. Throws InputError if no
+/// frame has all images. Precondition: scene_sources(preset) is not empty.
+SceneMaterial scene_material(const Preset& preset,
+                             const BakedSet& set,
+                             const std::filesystem::path& folder);
+
+}  // namespace foam::texgen

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/material/scene_material.h"
+
+#include <string>
+
+namespace foam::texgen {
+
+/// Returns a scene of OpenUSD as text: a plane in the plane of x and y, which faces z, and its
+/// material, a UsdPreviewSurface. The frames are time samples: the time code of a frame is its
+/// number. Paths of images are relative to the folder of the manifest, where the scene belongs.
+/// Precondition: the images are PNG or EXR files, each with one image.
+std::string usda_text(const SceneMaterial& material);
+
+}  // namespace foam::texgen
