@@ -93,11 +93,13 @@ export class BakeDialog {
         $("bake-range").disabled = $("bake-all-frames").checked;
     }
 
-    // A profile chooses maps, packing and file names for an engine. Maps that are chosen here replace its maps.
+    // A profile chooses maps, packing, format and file names for an engine.
     #showProfile() {
         const profile = this.#studio.program.profiles.find((one) => one.name === $("bake-profile").value);
         $("bake-profile-text").textContent = profile?.description ?? "Files for any program.";
         $("bake-profile-maps").hidden = !profile;
+        $("bake-map-choice").disabled = Boolean(profile);
+        $("bake-format").disabled = Boolean(profile);
     }
 
     #chooseSize(side) {
@@ -110,14 +112,13 @@ export class BakeDialog {
 
     #request() {
         const chosen = [...$("bake-maps").querySelectorAll("input:checked")].map((box) => box.value);
-        const profile = $("bake-profile").value || null;
         return {
             settings: this.#studio.state.settings(),
             folder: $("bake-folder").value.trim(),
             frames: $("bake-all-frames").checked ? null : $("bake-range").value.trim() || null,
-            format: new FormData($("bake-form")).get("format"),
-            profile,
-            maps: profile && !this.#mapsChosen ? [] : chosen,
+            format: $("bake-format").querySelector("input:checked").value,
+            profile: $("bake-profile").value || null,
+            maps: chosen,
             size: [Number($("bake-width").value), Number($("bake-height").value)],
             resume: $("bake-resume").checked,
         };

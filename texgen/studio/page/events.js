@@ -89,6 +89,9 @@ export class EventTrack {
     }
 
     #show() {
+        if (this.#drag) {
+            return;
+        }
         const {player, answer} = this.#studio;
         const rows = [];
         const focused = $("events").contains(document.activeElement) ? document.activeElement.dataset.event : null;

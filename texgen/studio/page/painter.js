@@ -150,13 +150,24 @@ export class Painter {
             this.#show(order, rank, picture);
             return picture;
         } catch (error) {
-            if (error instanceof ApiError && error.status !== 409 && order === this.#order) {
+            if (error instanceof ApiError && error.status === 409) {
+                this.#askAgain(order);
+            } else if (error instanceof ApiError && order === this.#order) {
                 this.status.emit({busy: false, message: error.message, error});
             } else if (error.name !== "AbortError" && !(error instanceof ApiError) && !(error instanceof TypeError)) {
                 throw error;
             }
             return null;
         }
+    }
+
+    // A late request about an older foam can stop the simulation of the newest one.
+    #askAgain(order) {
+        setTimeout(() => {
+            if (order === this.#order && !this.#full.busy) {
+                this.#paint();
+            }
+        }, kRest);
     }
 
     #show(order, rank, picture) {

@@ -61,7 +61,7 @@ export class StatusBar {
     }
 
     async #poll() {
-        if (this.#active && !this.#studio.state.live) {
+        if (this.#active) {
             try {
                 this.#showProgress(await post("/api/simulation", {settings: this.#studio.state.settings(), page}));
             } catch (error) {

@@ -77,8 +77,11 @@ export class Studio {
 
     /** Opens a preset or a file. Unsaved changes can be brought back with undo. */
     open(preset) {
-        this.closeBaked(false);
-        this.state.open(preset);
+        const same = preset === this.state.preset && this.state.changes.length === 0 && this.state.events === null;
+        this.closeBaked(same);
+        if (!same) {
+            this.state.open(preset);
+        }
     }
 
     /** Shows a baked set: an entry of /api/bakes. */
