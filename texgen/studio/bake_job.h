@@ -2,40 +2,16 @@
 
 #pragma once
 
-#include "texgen/animation/phase_clock.h"
-#include "texgen/animation/progress.h"
-#include "texgen/json/json_value.h"
 #include "texgen/json/json_writer.h"
+#include "texgen/studio/bake_plan.h"
 #include "texgen/studio/folder.h"
 #include "texgen/studio/frame_store.h"
-#include "texgen/studio/settings.h"
 
-#include <array>
-#include <chrono>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <thread>
-#include <vector>
 
 namespace foam::texgen {
-
-/// What a page wants to bake.
-struct BakeRequest {
-    PageSettings settings;
-    std::string folder;                       // below the folder of the studio
-    std::optional<std::string> frames = {};   // a range; all frames if missing
-    std::string format = "png";               // the suffix of the images without the dot
-    std::optional<std::string> profile = {};  // of an engine; replaces maps and format
-    std::vector<std::string> maps = {};       // those of the preset if empty
-    std::optional<std::array<int, 2>> size = {};
-    bool resume = false;
-};
-
-/// Reads the members of a request. Throws InputError if one is malformed.
-BakeRequest read_bake_request(const JsonValue& request);
 
 /// Reports that a bake cannot start while another one runs.
 class BakeRuns : public std::runtime_error {

@@ -2,22 +2,17 @@
 
 #include "texgen/studio/frame_store.h"
 
-#include "texgen/animation/camera.h"
-#include "texgen/animation/frame_assembly.h"
 #include "texgen/cache/simulation_keys.h"
+#include "texgen/studio/frame_run.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
-// A run is the simulation of one foam. A single thread works on the run that was wanted last and is
-// not complete. Frames are assembled from the kept states whenever they are drawn, because the loop
-// and the camera, which decide how a state is shown, may change without a new simulation.
+// A single thread works on the run that was wanted last and is not complete.
 
 namespace foam::texgen {
 
@@ -37,10 +32,6 @@ std::vector<int> numbers_to(int last) {
     return numbers;
 }
 
-std::vector<int> states_of(const Preset& preset, const std::vector<int>& frames) {
-    return FrameAssembly(preset, frames, NextFrames::Included, {}).states();
-}
-
 // Returns how many frames fit in the memory.
 int frames_that_fit(const Preset& preset, std::size_t bytes) {
     const std::size_t per_state =
@@ -50,54 +41,6 @@ int frames_that_fit(const Preset& preset, std::size_t bytes) {
 }
 
 }  // namespace
-
-struct FrameStore::Run {
-    Preset preset;
-    std::string simulation;             // simulation_hash
-    int frames = 0;                     // number of frames that are kept
-    std::vector<int> states = {};       // numbers of their states, in increasing order
-    std::vector<int> last_states = {};  // of each frame, the largest number of its states
-    std::map<int, SimulatedFrame> kept = {};
-    std::set<std::string> pages = {};  // that want this run
-    RunProgress progress = {};
-    std::optional<RunOutcome> outcome = {};
-    std::string failure = {};
-    bool is_dropped = false;  // true if the simulation is to be stopped
-
-    bool is_finished() const { return outcome || !failure.empty(); }
-
-    // Returns true if all states of a frame are kept. States are kept in increasing order.
-    bool has_states(int frame) const {
-        return !kept.empty() &&
-               last_states[static_cast<std::size_t>(frame - 1)] <= kept.rbegin()->first;
-    }
-
-    // Returns the number of the first frames whose states are all kept.
-    int complete_frames() const {
-        int complete = 0;
-        while (complete < frames && has_states(complete + 1)) {
-            ++complete;
-        }
-        return complete;
-    }
-
-    // Assembles frames from the kept states. Precondition: all states are kept.
-    void assemble(const Preset& shown,
-                  const std::vector<int>& numbers,
-                  NextFrames next_frames,
-                  const FrameVisitor& visit) const {
-        FrameAssembly assembly(shown, numbers, next_frames, visit);
-        std::optional<View> view;
-        for (const int number : assembly.states()) {
-            SimulatedFrame state = kept.at(number);
-            if (shown.shape.kind == FoamKind::Patch && number == 1) {
-                view = camera_view(*state.frame, shown.image, shown.camera);
-            }
-            state.view = view;
-            assembly.add(state);
-        }
-    }
-};
 
 FrameStore::FrameStore(std::size_t bytes) : bytes_(bytes), worker_([this] { work(); }) {}
 
@@ -192,7 +135,7 @@ FrameSource FrameStore::source(const Preset& preset) {
 FrameStore::RunPointer FrameStore::new_run(const Preset& preset,
                                            const std::string& simulation) const {
     const std::vector<int> frames = numbers_to(frames_that_fit(preset, bytes_));
-    auto run = std::make_shared<Run>(Run{.preset = preset, .simulation = simulation});
+    auto run = std::make_shared<FrameRun>(FrameRun{.preset = preset, .simulation = simulation});
     run->frames = static_cast<int>(frames.size());
     run->states = states_of(preset, frames);
     for (const int frame : frames) {
@@ -240,7 +183,7 @@ void FrameStore::forget_old_runs() {
     }
 }
 
-SimulationState FrameStore::state_of(const Run& run) const {
+SimulationState FrameStore::state_of(const FrameRun& run) const {
     using Status = SimulationState::Status;
     SimulationState state{.done = run.complete_frames(),
                           .total = run.frames,

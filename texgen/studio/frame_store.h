@@ -20,6 +20,8 @@
 
 namespace foam::texgen {
 
+struct FrameRun;
+
 /// Reports that a page no longer waits for a frame, because it has asked for another foam or the
 /// studio ends.
 class FrameReplaced : public std::runtime_error {
@@ -76,13 +78,12 @@ class FrameStore {
     void stop();
 
   private:
-    struct Run;
-    using RunPointer = std::shared_ptr<Run>;
+    using RunPointer = std::shared_ptr<FrameRun>;
 
     RunPointer new_run(const Preset& preset, const std::string& simulation) const;
     RunPointer want_run(const Preset& preset, const std::string& page);
     RunPointer next_run() const;
-    SimulationState state_of(const Run& run) const;
+    SimulationState state_of(const FrameRun& run) const;
     void simulate(const RunPointer& run);
     void work();
     void forget_old_runs();

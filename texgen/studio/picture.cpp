@@ -11,12 +11,12 @@
 #include "texgen/maps/number_extent.h"
 #include "texgen/maps/quantize.h"
 #include "texgen/preset/preset_io.h"
+#include "texgen/studio/samples.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -35,50 +35,6 @@ constexpr std::size_t kLargestKept = 4UL * 1024 * 1024;
 constexpr int kLargestUses = 64;
 constexpr double kMargin = 1.01;  // as for fitted ranges
 constexpr std::size_t kLargestRanges = 1000;
-
-constexpr int kRgba = 4;
-constexpr std::uint8_t kOpaque = 255;
-
-/// Returns the sample of a map as a number in its unit; light and opacity are from 0 to 1.
-float number_of(const MapImage& image, int x, int y, int channel) {
-    const auto index = static_cast<std::size_t>(channel);
-    if (const auto* colors = std::get_if<ColorPixels>(&image)) {
-        return static_cast<float>(colors->pixels.pixel(x, y)[index] / kWhite);
-    }
-    if (const auto* ids = std::get_if<IdPixels>(&image)) {
-        return static_cast<float>(ids->pixels.pixel(x, y)[index]);
-    }
-    return std::get<NumberPixels>(image).pixels.pixel(x, y)[index];
-}
-
-struct Size {
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-};
-
-Size size_of(const MapImage& image) {
-    return std::visit(
-        [](const auto& pixels) {
-            return Size{pixels.pixels.width(), pixels.pixels.height(), pixels.pixels.channels()};
-        },
-        image);
-}
-
-std::string floats_from_top(const MapImage& image) {
-    const Size size = size_of(image);
-    std::vector<float> floats;
-    for (int y = size.height - 1; y >= 0; --y) {
-        for (int x = 0; x < size.width; ++x) {
-            for (int channel = 0; channel < size.channels; ++channel) {
-                floats.push_back(number_of(image, x, y, channel));
-            }
-        }
-    }
-    std::string bytes(floats.size() * sizeof(float), '\0');
-    std::memcpy(bytes.data(), floats.data(), bytes.size());
-    return bytes;
-}
 
 /// Changes the range of an image so that it holds all numbers, as fit_automatic_ranges does for all
 /// frames. `value` is the number of the option that has given the present range.
@@ -108,26 +64,6 @@ bool includes(const DistanceNeeds& all, const DistanceNeeds& some) {
 }
 
 }  // namespace
-
-std::string rgba_from_top(const Image<std::uint8_t>& codes) {
-    const int channels = codes.channels();
-    const int green = channels == 1 ? 0 : 1;
-    const int blue = channels == 1 ? 0 : 2;
-    std::string bytes(static_cast<std::size_t>(codes.width()) *
-                          static_cast<std::size_t>(codes.height()) * kRgba,
-                      '\0');
-    char* to = bytes.data();
-    for (int y = codes.height() - 1; y >= 0; --y) {
-        const std::uint8_t* from = codes.row(y).data();
-        for (int x = 0; x < codes.width(); ++x, from += channels, to += kRgba) {
-            to[0] = static_cast<char>(from[0]);
-            to[1] = static_cast<char>(from[green]);
-            to[2] = static_cast<char>(from[blue]);
-            to[3] = static_cast<char>(channels == kRgba ? from[3] : kOpaque);
-        }
-    }
-    return bytes;
-}
 
 // A frame on a grid, and what its maps share. The cross-fade and the layers borrow the frame, so
 // objects are neither copied nor moved.
@@ -272,7 +208,7 @@ Painter::DrawnMap Painter::drawn(const Preset& preset,
 HttpResponse Painter::draw(const Preset& preset, const PictureRequest& request) {
     const std::shared_ptr<Shown> frame = shown(preset, request);
     const DrawnMap map = drawn(preset, request, *frame);
-    const Size size = size_of(map.image);
+    const MapSize size = size_of(map.image);
     const auto* const numbers = std::get_if<NumberPixels>(&map.image);
     const Json header = {{"width", size.width},
                          {"height", size.height},
@@ -297,7 +233,7 @@ HttpResponse Painter::draw(const Preset& preset, const PictureRequest& request) 
 Json Painter::pick(const Preset& preset, const PictureRequest& request, int x, int y) {
     const std::shared_ptr<Shown> frame = shown(preset, request);
     const DrawnMap map = drawn(preset, request, *frame);
-    const Size size = size_of(map.image);
+    const MapSize size = size_of(map.image);
     x = std::clamp(x, 0, size.width - 1);
     const int row = size.height - 1 - std::clamp(y, 0, size.height - 1);
     Json numbers = Json::array();

@@ -2,14 +2,12 @@
 
 #pragma once
 
-#include "texgen/image/image.h"
 #include "texgen/json/json_writer.h"
 #include "texgen/maps/cross_fade.h"
 #include "texgen/preset/preset.h"
 #include "texgen/studio/frame_store.h"
 #include "texgen/studio/http_message.h"
 
-#include <cstdint>
 #include <list>
 #include <map>
 #include <memory>
@@ -37,10 +35,6 @@ struct PictureRequest {
     PictureQuality quality = PictureQuality::Full;
     bool floats = false;  // floats in the unit of the map instead of codes of 8 bits
 };
-
-/// Returns codes of 1 (gray), 3 or 4 channels as red, green, blue and opacity, row by row from the
-/// top.
-std::string rgba_from_top(const Image<std::uint8_t>& codes);
 
 /// Draws the pictures of the pages. Keeps what the maps of recent frames share, such as distances
 /// to films, so that another look of the same frame is drawn quickly. Thread-safe.

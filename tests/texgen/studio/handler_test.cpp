@@ -6,6 +6,7 @@
 #include "texgen/image/png.h"
 #include "texgen/image/scratch_folder.h"
 #include "texgen/studio/page_files.h"
+#include "texgen/studio/samples.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/json/json_value.h"
+#include "texgen/preset/preset.h"
+#include "texgen/studio/folder.h"
+#include "texgen/studio/settings.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// What a page wants to bake.
+struct BakeRequest {
+    PageSettings settings;
+    std::string folder;                       // below the folder of the studio
+    std::optional<std::string> frames = {};   // a range; all frames if missing
+    std::string format = "png";               // the suffix of the images without the dot
+    std::optional<std::string> profile = {};  // of an engine; replaces maps and format
+    std::vector<std::string> maps = {};       // those of the preset if empty
+    std::optional<std::array<int, 2>> size = {};
+    bool resume = false;
+};
+
+/// Reads the members of a request. Throws InputError if one is malformed.
+BakeRequest read_bake_request(const JsonValue& request);
+
+/// A bake, ready to run.
+struct BakePlan {
+    Preset preset;
+    std::vector<int> frames = {};
+    std::string command = {};  // empty if the command line cannot express the settings
+};
+
+/// Prepares a bake. Its images, sheets and scenes are written below the folder that the request
+/// names. Throws SettingsRejected, PathRejected, and the exceptions of parse_frame_range.
+BakePlan plan_of(const BakeRequest& request, const StudioFolder& folder);
+
+}  // namespace foam::texgen

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/json/json_writer.h"
+#include "texgen/studio/folder.h"
+#include "texgen/studio/http_message.h"
+
+#include <string>
+
+namespace foam::texgen {
+
+/// Returns the answer to /api/bakes (README.md): the baked sets below the folder. A manifest that
+/// cannot be read is left out.
+Json describe_baked_sets(const StudioFolder& folder);
+
+/// An image of a baked set.
+struct BakedImage {
+    std::string folder;  // of the manifest, relative to the folder of the studio
+    std::string preset;
+    std::string map;
+    int frame = 1;
+};
+
+/// Returns the answer to /api/baked: an image, reduced so that its longer side has at most `side`
+/// pixels. Throws PathRejected, InputError, and std::invalid_argument if the preset or the map was
+/// not baked.
+HttpResponse baked_picture(const StudioFolder& folder, const BakedImage& image, int side);
+
+}  // namespace foam::texgen

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/studio/downloads.h"
+
+#include "texgen/bake/bake.h"
+#include "texgen/bake/reduced_image.h"
+#include "texgen/image/apng.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/scratch_folder.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+/// Returns a file name in which every character that has a meaning in a header is replaced by '_'.
+std::string header_word(std::string name) {
+    std::ranges::replace_if(
+        name,
+        [](char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < ' '; },
+        '_');
+    return name;
+}
+
+HttpResponse attachment(std::span<const std::byte> content,
+                        const std::string& name,
+                        const std::string& type) {
+    return {.content_type = type,
+            .headers = {{"Content-Disposition",
+                         fmt::format("attachment; filename=\"{}\"", header_word(name))}},
+            .body = std::string(reinterpret_cast<const char*>(content.data()), content.size())};
+}
+
+/// Bakes frames of one map as PNGs into a scratch folder and returns the contents of their files,
+/// in the order of the frames.
+std::vector<Bytes> baked_frames(Preset preset,
+                                const std::string& map,
+                                const std::vector<int>& frames,
+                                const FrameSource& source) {
+    const ScratchFolder scratch;
+    preset.image.maps = {map};
+    preset.output.pack.clear();
+    preset.output.names.clear();
+    preset.output.pattern = (scratch.path() / "frame.######.png").string();
+    const BakeSummary summary = bake(preset, {.frames = frames, .source = source});
+    std::vector<Bytes> files;
+    for (const std::filesystem::path& path : summary.files) {
+        files.push_back(read_file(path));
+    }
+    return files;
+}
+
+}  // namespace
+
+HttpResponse preset_download(const PageSettings& settings, const PagePreset& loaded) {
+    const std::string toml = preset_file(settings, loaded);
+    return attachment(
+        std::as_bytes(std::span(toml)), loaded.preset.name + ".toml", "application/toml");
+}
+
+HttpResponse frame_download(const Preset& preset,
+                            const std::string& map,
+                            int frame,
+                            FrameStore& store) {
+    const std::vector<Bytes> files = baked_frames(preset, map, {frame}, store.source(preset));
+    return attachment(
+        files.at(0), fmt::format("{}_{}.{:04}.png", preset.name, map, frame), "image/png");
+}
+
+HttpResponse loop_download(Preset preset,
+                           const std::string& map,
+                           std::optional<int> side,
+                           FrameStore& store) {
+    const FrameSource source = store.source(preset);
+    if (side) {
+        const ReducedImage reduced = reduced_image(preset, *side);
+        preset.image.width = reduced.width;
+        preset.image.height = reduced.height;
+        preset.maps = reduced.options;
+    }
+    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
+    std::iota(frames.begin(), frames.end(), 1);
+    ApngMuxer muxer(preset.frames.count, {preset.output.frames_per_second, 1});
+    for (const Bytes& file : baked_frames(preset, map, frames, source)) {
+        muxer.add(file);
+    }
+    return attachment(muxer.finish(), fmt::format("{}_{}_loop.png", preset.name, map), "image/png");
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/preset/preset.h"
+#include "texgen/studio/frame_store.h"
+#include "texgen/studio/http_message.h"
+#include "texgen/studio/settings.h"
+
+#include <optional>
+#include <string>
+
+namespace foam::texgen {
+
+// The answers to /api/download (README.md): files that the browser saves. Frames are baked; those
+// that the store keeps are not simulated again.
+
+/// Returns the preset file of the settings.
+HttpResponse preset_download(const PageSettings& settings, const PagePreset& loaded);
+
+/// Returns a frame of a map as the PNG that a bake writes. Throws the exceptions of bake.
+HttpResponse frame_download(const Preset& preset,
+                            const std::string& map,
+                            int frame,
+                            FrameStore& store);
+
+/// Returns all frames of a map as an animated PNG. `side` is the longer side of the pictures, in
+/// pixels; without it they have the size of the preset. Throws the exceptions of bake.
+HttpResponse loop_download(Preset preset,
+                           const std::string& map,
+                           std::optional<int> side,
+                           FrameStore& store);
+
+}  // namespace foam::texgen

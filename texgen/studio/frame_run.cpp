@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/studio/frame_run.h"
+
+#include "texgen/animation/camera.h"
+
+namespace foam::texgen {
+
+bool FrameRun::has_states(int frame) const {
+    return !kept.empty() &&
+           last_states[static_cast<std::size_t>(frame - 1)] <= kept.rbegin()->first;
+}
+
+int FrameRun::complete_frames() const {
+    int complete = 0;
+    while (complete < frames && has_states(complete + 1)) {
+        ++complete;
+    }
+    return complete;
+}
+
+// Assembles frames from the kept states. Precondition: all states are kept.
+void FrameRun::assemble(const Preset& shown,
+                        const std::vector<int>& numbers,
+                        NextFrames next_frames,
+                        const FrameVisitor& visit) const {
+    FrameAssembly assembly(shown, numbers, next_frames, visit);
+    std::optional<View> view;
+    for (const int number : assembly.states()) {
+        SimulatedFrame state = kept.at(number);
+        if (shown.shape.kind == FoamKind::Patch && number == 1) {
+            view = camera_view(*state.frame, shown.image, shown.camera);
+        }
+        state.view = view;
+        assembly.add(state);
+    }
+}
+
+std::vector<int> states_of(const Preset& preset, const std::vector<int>& frames) {
+    return FrameAssembly(preset, frames, NextFrames::Included, {}).states();
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/animation/frame_assembly.h"
+#include "texgen/animation/progress.h"
+#include "texgen/animation/simulate_frames.h"
+#include "texgen/preset/preset.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The simulation of one foam in a FrameStore, whose mutex protects all members. Frames are
+/// assembled from the kept states whenever they are drawn, because the camera, which decides how a
+/// state is shown, may change without a new simulation.
+struct FrameRun {
+    Preset preset;
+    std::string simulation;             // simulation_hash
+    int frames = 0;                     // number of frames that are kept
+    std::vector<int> states = {};       // numbers of their states, in increasing order
+    std::vector<int> last_states = {};  // of each frame, the largest number of its states
+    std::map<int, SimulatedFrame> kept = {};
+    std::set<std::string> pages = {};  // that want this run
+    RunProgress progress = {};
+    std::optional<RunOutcome> outcome = {};
+    std::string failure = {};
+    bool is_dropped = false;  // true if the simulation is to be stopped
+
+    bool is_finished() const { return outcome || !failure.empty(); }
+
+    // Returns true if all states of a frame are kept. States are kept in increasing order.
+    bool has_states(int frame) const;
+
+    // Returns the number of the first frames whose states are all kept.
+    int complete_frames() const;
+
+    // Assembles frames from the kept states. Precondition: all states of the frames are kept.
+    void assemble(const Preset& shown,
+                  const std::vector<int>& numbers,
+                  NextFrames next_frames,
+                  const FrameVisitor& visit) const;
+};
+
+/// Returns the numbers of the states that frames need, and of the states after them.
+std::vector<int> states_of(const Preset& preset, const std::vector<int>& frames);
+
+}  // namespace foam::texgen

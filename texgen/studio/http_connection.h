@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+// This header includes Boost.Beast, which takes long to compile. Only http_server.cpp includes it.
+
+#include "texgen/studio/access.h"
+#include "texgen/studio/http_message.h"
+#include "texgen/studio/http_server.h"
+
+// Boost.Asio 1.74 uses std::exchange without including its header.
+#include <boost/asio.hpp>
+#include <boost/beast.hpp>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using tcp = asio::ip::tcp;
+using boost::system::error_code;
+
+/// The time in which the rest of a rejected request is read, so that the client gets the response.
+inline constexpr std::chrono::seconds kDrainTime{2};
+
+/// Returns the value of a field, or an empty text if the field is missing or occurs more than once.
+inline std::string single(const http::fields& fields, std::string_view name) {
+    const boost::string_view key(name.data(), name.size());
+    return fields.count(key) == 1 ? std::string(fields[key]) : std::string();
+}
+
+inline HttpRequest plain(http::request<http::string_body>&& request) {
+    return {.method = std::string(request.method_string()),
+            .target = std::string(request.target()),
+            .host = single(request, "Host"),
+            .origin = single(request, "Origin"),
+            .fetch_site = single(request, "Sec-Fetch-Site"),
+            .content_type = single(request, "Content-Type"),
+            .cookie = single(request, "Cookie"),
+            .body = std::move(request.body())};
+}
+
+/// Returns the response to a request that could not be read, or nullopt if the client has closed
+/// the
+// connection or was too slow.
+inline std::optional<HttpResponse> answer_to(const error_code& error) {
+    if (error == http::error::header_limit) {
+        return error_response(HttpStatus::HeaderTooLarge, "the header of the request is too large");
+    }
+    if (error == http::error::body_limit) {
+        return error_response(HttpStatus::PayloadTooLarge, "the body of the request is too large");
+    }
+    if (error.category() == make_error_code(http::error::bad_method).category() &&
+        error != http::error::end_of_stream && error != http::error::partial_message) {
+        return error_response(HttpStatus::BadRequest, "the request is not valid HTTP");
+    }
+    return std::nullopt;
+}
+
+class HttpConnection;
+
+/// What a connection needs from its server.
+class HttpConnectionOwner {
+  public:
+    virtual ~HttpConnectionOwner() = default;
+
+    virtual const HttpLimits& limits() const = 0;
+    /// The thread that reads and writes, and the threads that call `handle`.
+    virtual asio::io_context& io() = 0;
+    virtual asio::thread_pool& pool() = 0;
+    virtual HttpResponse handle(const HttpRequest& request) const = 0;
+    /// Returns true if other clients wait for a connection to end.
+    virtual bool is_crowded() const = 0;
+    /// Notes that a connection begins to wait for a request.
+    virtual void move_to_end(const HttpConnection* connection) = 0;
+    /// Forgets a connection, which has ended.
+    virtual void remove(const HttpConnection* connection) = 0;
+};
+
+/// A connection of the server. Reads a request, lets a thread of the pool handle it, writes the
+/// response, and begins again. All functions are called on the thread of io().
+class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
+  public:
+    HttpConnection(tcp::socket socket, HttpConnectionOwner& owner)
+        : stream_(std::move(socket)), owner_(owner) {
+        error_code ignored;
+        stream_.socket().set_option(tcp::no_delay(true), ignored);
+    }
+
+    bool is_idle() const { return is_idle_; }
+    void close() { stream_.close(); }
+
+    void read() {
+        is_idle_ = true;
+        owner_.move_to_end(this);
+        parser_.emplace();
+        parser_->header_limit(static_cast<std::uint32_t>(owner_.limits().header_bytes));
+        parser_->body_limit(owner_.limits().body_bytes);
+        stream_.expires_after(owner_.limits().transfer);
+        http::async_read(stream_,
+                         buffer_,
+                         *parser_,
+                         [self = shared_from_this()](const error_code& error, std::size_t) {
+                             self->take(error);
+                         });
+    }
+
+  private:
+    // What follows a response: the next request, the end of the connection, or, after a request
+    // that was not read completely, reading the rest of it.
+    enum class Next { Read, Close, Drain };
+
+    // Continues after a request has been read, or could not be read.
+    void take(const error_code& error) {
+        is_idle_ = false;
+        if (error) {
+            if (std::optional<HttpResponse> answer = answer_to(error)) {
+                write(*std::move(answer), Next::Drain);
+            } else {
+                owner_.remove(this);
+            }
+            return;
+        }
+        stream_.expires_never();
+        const Next next = parser_->get().keep_alive() ? Next::Read : Next::Close;
+        asio::post(
+            owner_.pool(),
+            [self = shared_from_this(), request = plain(parser_->release()), next]() mutable {
+                HttpResponse response = self->owner_.handle(request);
+                asio::post(self->owner_.io(),
+                           [self, response = std::move(response), next]() mutable {
+                               self->write(std::move(response), next);
+                           });
+            });
+    }
+
+    void write(HttpResponse response, Next next) {
+        message_.emplace();
+        message_->result(static_cast<unsigned>(response.status));
+        message_->set(http::field::content_type, response.content_type);
+        for (const auto& [name, value] : response.headers) {
+            message_->set(name, value);
+        }
+        message_->keep_alive(next == Next::Read);
+        message_->body() = std::move(response.body);
+        message_->prepare_payload();
+        stream_.expires_after(owner_.limits().transfer);
+        http::async_write(stream_,
+                          *message_,
+                          [self = shared_from_this(), next](const error_code& error, std::size_t) {
+                              self->message_.reset();
+                              if (!error && next == Next::Read && !self->owner_.is_crowded()) {
+                                  self->read();
+                              } else if (!error && next == Next::Drain) {
+                                  self->begin_drain();
+                              } else {
+                                  self->owner_.remove(self.get());
+                              }
+                          });
+    }
+
+    // Ends the connection so that the client gets the whole response: if the socket were closed
+    // while parts of the request are unread, the system would reset the connection.
+    void begin_drain() {
+        is_idle_ = true;
+        error_code ignored;
+        stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+        stream_.expires_after(kDrainTime);
+        drain();
+    }
+
+    void drain() {
+        buffer_.clear();
+        stream_.async_read_some(buffer_.prepare(kDrainBytes),
+                                [self = shared_from_this()](const error_code& error, std::size_t) {
+                                    if (error) {
+                                        self->owner_.remove(self.get());
+                                    } else {
+                                        self->drain();
+                                    }
+                                });
+    }
+
+    static constexpr std::size_t kDrainBytes = 64 * 1024;
+
+    beast::tcp_stream stream_;
+    beast::flat_buffer buffer_;
+    std::optional<http::request_parser<http::string_body>> parser_;
+    std::optional<http::response<http::string_body>> message_;
+    HttpConnectionOwner& owner_;
+    bool is_idle_ = true;  // true if nobody misses the connection when it is closed
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/studio/routes.h"
+
+#include "texgen/animation/progress_text.h"
+#include "texgen/image/file_io.h"
+#include "texgen/json/json_value.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/studio/access.h"
+#include "texgen/studio/baked_sets.h"
+#include "texgen/studio/downloads.h"
+#include "texgen/studio/settings.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <string_view>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kLargestFrame = 1'000'000;
+
+std::string page_of(const JsonValue& request) {
+    constexpr std::size_t kLongestPage = 64;
+    const std::string& page = request["page"].text();
+    if (page.empty() || page.size() > kLongestPage) {
+        request["page"].reject(fmt::format("a text of 1 to {} bytes", kLongestPage));
+    }
+    return page;
+}
+
+int frame_of(const JsonValue& request) {
+    return static_cast<int>(request["frame"].integer(1, kLargestFrame));
+}
+
+PictureRequest picture_request(const JsonValue& request) {
+    constexpr std::array<std::string_view, 3> kQualities = {"draft", "full", "exact"};
+    constexpr std::array<std::string_view, 2> kSamples = {"rgba", "float"};
+    PictureRequest picture{
+        .page = page_of(request), .frame = frame_of(request), .map = request["map"].text()};
+    if (const auto width = request.find("width")) {
+        picture.side = static_cast<int>(width->integer(1, kLargestPicture));
+    }
+    if (const auto quality = request.find("quality")) {
+        const std::string& word = quality->word(kQualities);
+        picture.quality =
+            static_cast<PictureQuality>(std::ranges::find(kQualities, word) - kQualities.begin());
+    }
+    if (const auto samples = request.find("samples")) {
+        picture.floats = samples->word(kSamples) == "float";
+    }
+    return picture;
+}
+
+Json simulation_json(const SimulationState& state) {
+    constexpr std::array<std::string_view, 3> kStatus = {"running", "complete", "failed"};
+    return {{"status", kStatus.at(static_cast<std::size_t>(state.status))},
+            {"done", state.done},
+            {"total", state.total},
+            {"phase", name_of(state.progress.phase)},
+            {"text", phase_text(state.progress)},
+            {"cycle", state.progress.cycle},
+            {"closing_error", number_or_null(state.closing_error)},
+            {"message", state.message}};
+}
+
+/// One function per path.
+class StudioRoutes {
+  public:
+    StudioRoutes(const StudioFolder& folder, FrameStore& store, Painter& painter, BakeJobs& bakes)
+        : folder_(folder), store_(store), painter_(painter), bakes_(bakes) {}
+
+    HttpResponse settings(const JsonValue& request) const {
+        return json_response(describe_settings(read_settings(request), folder_));
+    }
+
+    HttpResponse picture(const JsonValue& request) const {
+        return painter_.draw(live(request), picture_request(request));
+    }
+
+    HttpResponse simulation(const JsonValue& request) const {
+        return json_response(simulation_json(store_.want(live(request), page_of(request))));
+    }
+
+    HttpResponse pick(const JsonValue& request) const {
+        constexpr int kLargest = std::numeric_limits<int>::max();
+        const auto x = static_cast<int>(request["x"].integer(0, kLargest));
+        const auto y = static_cast<int>(request["y"].integer(0, kLargest));
+        return json_response(painter_.pick(live(request), picture_request(request), x, y));
+    }
+
+    HttpResponse bake(const JsonValue& request) const {
+        return json_response(bakes_.start(read_bake_request(request)));
+    }
+
+    HttpResponse bake_status(const JsonValue& request) const {
+        return json_response(bakes_.status(request["bake"].count()));
+    }
+
+    HttpResponse bake_cancel(const JsonValue& request) const {
+        bakes_.cancel(request["bake"].count());
+        return {.status = HttpStatus::NoContent};
+    }
+
+    HttpResponse save(const JsonValue& request) const {
+        const PageSettings settings = read_settings(request);
+        const std::string& file = request["file"].text();
+        const std::filesystem::path path = folder_.below(file);
+        const std::string name = path.filename().string();
+        if (!file.ends_with(".toml") || !is_plain_name(name)) {
+            throw PathRejected(fmt::format("'{}': must be the name of a .toml file", file));
+        }
+        if (!request["overwrite"].flag() && is_existing(path)) {
+            return error_response(HttpStatus::Conflict, fmt::format("'{}' exists", file));
+        }
+        const std::string toml = preset_file(settings, load_settings(settings, folder_));
+        make_folders(path.parent_path());
+        write_file(path, std::as_bytes(std::span(toml)));
+        return json_response({{"file", file}});
+    }
+
+    HttpResponse download(const JsonValue& request) const {
+        constexpr std::array<std::string_view, 3> kKinds = {"frame", "loop", "preset"};
+        const std::string& kind = request["kind"].word(kKinds);
+        const PageSettings settings = read_settings(request);
+        if (kind == "preset") {
+            return preset_download(settings, load_settings(settings, folder_));
+        }
+        const Preset preset = live(request);
+        const std::string map(find_map(request["map"].text()).name);
+        if (kind == "frame") {
+            return frame_download(preset, map, frame_of(request), store_);
+        }
+        std::optional<int> side;
+        if (const auto width = request.find("width")) {
+            side = static_cast<int>(width->integer(1, kLargestPicture));
+        }
+        return loop_download(preset, map, side, store_);
+    }
+
+    HttpResponse bakes(const JsonValue&) const {
+        return json_response(describe_baked_sets(folder_));
+    }
+
+    HttpResponse baked(const JsonValue& request) const {
+        const BakedImage image{request["folder"].text(),
+                               request["preset"].text(),
+                               request["map"].text(),
+                               frame_of(request)};
+        const auto side = static_cast<int>(request["width"].integer(1, kLargestPicture));
+        return baked_picture(folder_, image, side);
+    }
+
+    HttpResponse alive(const JsonValue& request) const {
+        page_of(request);
+        return {.status = HttpStatus::NoContent};
+    }
+
+  private:
+    Preset live(const JsonValue& request) const {
+        return load_live(read_settings(request), folder_);
+    }
+
+    const StudioFolder& folder_;
+    FrameStore& store_;
+    Painter& painter_;
+    BakeJobs& bakes_;
+};
+
+struct StudioRoute {
+    std::string_view target;
+    HttpResponse (StudioRoutes::*answer)(const JsonValue& request) const;
+};
+
+constexpr std::array kRoutes{StudioRoute{"/api/settings", &StudioRoutes::settings},
+                             StudioRoute{"/api/picture", &StudioRoutes::picture},
+                             StudioRoute{"/api/simulation", &StudioRoutes::simulation},
+                             StudioRoute{"/api/pick", &StudioRoutes::pick},
+                             StudioRoute{"/api/bake", &StudioRoutes::bake},
+                             StudioRoute{"/api/bake/status", &StudioRoutes::bake_status},
+                             StudioRoute{"/api/bake/cancel", &StudioRoutes::bake_cancel},
+                             StudioRoute{"/api/save", &StudioRoutes::save},
+                             StudioRoute{"/api/download", &StudioRoutes::download},
+                             StudioRoute{"/api/bakes", &StudioRoutes::bakes},
+                             StudioRoute{"/api/baked", &StudioRoutes::baked},
+                             StudioRoute{"/api/alive", &StudioRoutes::alive}};
+
+}  // namespace
+
+HttpResponse json_response(const Json& json) {
+    return {.body = json_text(json)};
+}
+
+std::optional<HttpResponse> answer_post(const std::string& target,
+                                        const std::string& body,
+                                        const StudioParts& parts) {
+    const auto route = std::ranges::find(kRoutes, target, &StudioRoute::target);
+    if (route == kRoutes.end()) {
+        return std::nullopt;
+    }
+    std::optional<JsonDocument> document;
+    try {
+        document.emplace(body, "the request");
+    } catch (const InputError& error) {
+        return error_response(HttpStatus::BadRequest, error.what());
+    }
+    const StudioRoutes routes(parts.folder, parts.store, parts.painter, parts.bakes);
+    return (routes.*route->answer)(document->root());
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/studio/bake_job.h"
+#include "texgen/studio/folder.h"
+#include "texgen/studio/frame_store.h"
+#include "texgen/studio/http_message.h"
+#include "texgen/studio/picture.h"
+
+#include <optional>
+#include <string>
+
+namespace foam::texgen {
+
+/// What the requests of a page work with.
+struct StudioParts {
+    const StudioFolder& folder;
+    FrameStore& store;
+    Painter& painter;
+    BakeJobs& bakes;
+};
+
+/// Returns the answer to a POST request whose access has been checked; nullopt if `target` is not
+/// the path of such a request (README.md). Throws the exceptions of the functions that do the work;
+/// InputError if the body is JSON, but not what the request needs. A body that is not JSON gives an
+/// error response.
+std::optional<HttpResponse> answer_post(const std::string& target,
+                                        const std::string& body,
+                                        const StudioParts& parts);
+
+/// Returns a response with JSON.
+HttpResponse json_response(const Json& json);
+
+}  // namespace foam::texgen

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/image.h"
+#include "texgen/maps/map_image.h"
+
+#include <cstdint>
+#include <string>
+
+namespace foam::texgen {
+
+/// The number of channels of rgba_from_top.
+inline constexpr int kRgba = 4;
+
+/// The size of a map's image.
+struct MapSize {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+};
+
+MapSize size_of(const MapImage& image);
+
+/// Returns a sample of a map as a number in its unit; light and opacity are from 0 to 1. Row 0 is
+/// the bottom row.
+float number_of(const MapImage& image, int x, int y, int channel);
+
+/// Returns codes of 1 (gray), 3 or 4 channels as red, green, blue and opacity, row by row from the
+/// top.
+std::string rgba_from_top(const Image<std::uint8_t>& codes);
+
+/// Returns all samples of a map as numbers in its unit (32-bit floats), row by row from the top.
+std::string floats_from_top(const MapImage& image);
+
+}  // namespace foam::texgen
