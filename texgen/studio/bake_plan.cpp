@@ -93,7 +93,7 @@ std::vector<Assignment> assignments_of(const BakeRequest& request) {
 void place(Preset& preset, const BakeRequest& request, const StudioFolder& folder) {
     const std::filesystem::path base = request.folder;
     const auto below = [&](const std::string& pattern) {
-        const std::string placed = (base / without_default_folder(pattern)).string();
+        std::string placed = (base / without_default_folder(pattern)).string();
         folder.below(placed);
         return placed;
     };

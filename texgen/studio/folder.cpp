@@ -41,7 +41,7 @@ std::filesystem::path StudioFolder::below(const std::string& relative) const {
         reject("must not contain control characters");
     }
     std::error_code error;
-    const std::filesystem::path resolved = std::filesystem::weakly_canonical(path_ / given, error);
+    std::filesystem::path resolved = std::filesystem::weakly_canonical(path_ / given, error);
     if (error) {
         reject("cannot be resolved");
     }

@@ -37,7 +37,7 @@ std::string_view content_type_of(std::string_view name) {
         {".js", "text/javascript; charset=utf-8"},
         {".svg", "image/svg+xml"},
     }};
-    const auto found =
+    const auto* const found =
         std::ranges::find_if(kTypes, [&](const auto& type) { return name.ends_with(type.first); });
     return found == kTypes.end() ? "application/octet-stream" : found->second;
 }
@@ -110,13 +110,13 @@ HttpResponse Studio::answer(const HttpRequest& request) {
 HttpResponse Studio::answer_api(const HttpRequest& request) {
     const bool is_post = request.method == "POST";
     if (!access_.has_cookie(request)) {
-        const HttpResponse refused = error_response(
-            HttpStatus::Forbidden, "open the address that 'foamtex studio' has printed");
+        HttpResponse refused = error_response(HttpStatus::Forbidden,
+                                              "open the address that 'foamtex studio' has printed");
         if (!is_post || request.target != "/api/session") {
             return refused;
         }
         const JsonDocument body(request.body, "the request");
-        return access_.exchange(body.root()["token"].text()).value_or(refused);
+        return access_.exchange(body.root()["token"].text()).value_or(std::move(refused));
     }
     last_request_ = std::chrono::steady_clock::now();
     if (request.target == "/api/session") {

@@ -190,7 +190,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
                                 });
     }
 
-    static constexpr std::size_t kDrainBytes = 64 * 1024;
+    static constexpr std::size_t kDrainBytes = 65'536;
 
     beast::tcp_stream stream_;
     beast::flat_buffer buffer_;

@@ -17,8 +17,8 @@ struct HttpLimits {
     /// waited longest for a request is closed. If all connections have a request in work, new ones
     /// wait until one of them is closed.
     std::size_t connections = 16;
-    std::size_t header_bytes = 8 * 1024;
-    std::size_t body_bytes = 1024 * 1024;
+    std::size_t header_bytes = 8'192;
+    std::size_t body_bytes = 1'048'576;
     /// The time in which a request must arrive completely, counted from the end of the response
     /// before it, and the time in which a client must read a response.
     std::chrono::milliseconds transfer{30'000};

@@ -127,7 +127,7 @@ std::shared_ptr<Painter::Shown> Painter::shown(const Preset& preset,
         const auto found = std::ranges::find(
             kept_, key, [](const auto& one) { return std::string_view(one.first); });
         if (found != kept_.end()) {
-            const std::shared_ptr<Shown> kept = found->second;
+            std::shared_ptr<Shown> kept = found->second;
             if (includes(kept->needs, needs) && ++kept->uses < kLargestUses) {
                 kept_.splice(kept_.begin(), kept_, found);
                 return kept;

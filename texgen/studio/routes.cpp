@@ -201,7 +201,7 @@ HttpResponse json_response(const Json& json) {
 std::optional<HttpResponse> answer_post(const std::string& target,
                                         const std::string& body,
                                         const StudioParts& parts) {
-    const auto route = std::ranges::find(kRoutes, target, &StudioRoute::target);
+    const auto* const route = std::ranges::find(kRoutes, target, &StudioRoute::target);
     if (route == kRoutes.end()) {
         return std::nullopt;
     }
