@@ -36,9 +36,10 @@ test("a bake can be cancelled", () =>
         await page.click("#bake-start");
         await page.locator("#bake-cancel").click();
         await page.locator("#bake-status").filter({ hasText: /cancelled/i }).waitFor({ timeout: 60_000 });
-        // No frame of this size is drawn so quickly, and none is left half-written.
-        const files = await readdir(path.join(folder, "long")).catch(() => []);
-        assert.deepEqual(files.filter((file) => file.endsWith(".png")), []);
+        // Images that are complete stay, and none is half-written.
+        const files = await readdir(path.join(folder, "long"));
+        assert.ok(files.filter((file) => file.endsWith(".png")).length < 48);
+        assert.deepEqual(files.filter((file) => file.endsWith(".part")), []);
     }));
 
 test("the page saves presets that the program reads", () =>

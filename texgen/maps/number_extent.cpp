@@ -38,10 +38,10 @@ NumberExtent extent_of(const NumberPixels& numbers, std::span<const std::size_t>
     if (smallest > largest) {
         return {};
     }
-    const auto count = static_cast<double>(samples.size() / stride * channels.size());
+    const std::size_t count = samples.size() / stride * channels.size();
     return {static_cast<double>(smallest),
             static_cast<double>(largest),
-            static_cast<double>(clipped) / count};
+            static_cast<double>(clipped) / static_cast<double>(count)};
 }
 
 NumberExtent joined(const NumberExtent& one, const NumberExtent& other) {
