@@ -77,6 +77,11 @@ export class Form {
         }
     }
 
+    /** Shows the first section. */
+    scrollToTop() {
+        $("form").parentElement.scrollTop = 0;
+    }
+
     /** Moves the focus to the control of a key and makes it visible. */
     focus(path) {
         const row = this.#rows.get(path);

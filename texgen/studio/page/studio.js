@@ -130,6 +130,7 @@ export class Studio {
 
     #onOpen() {
         this.#opened = true;
+        this.form.scrollToTop();
         this.ui.set("map", null);
         this.player.frame = 1;
     }

@@ -11,6 +11,9 @@ import {tablesOf} from "./schema.js";
 import {toToml} from "./toml.js";
 
 const kWidth = 256; // pixels of a picture
+const kGap = 12; // CSS pixels between pictures, as in panels.css
+const kCaption = 28; // CSS pixels of the text below a picture
+const kSmallest = 96; // CSS pixels of the side of a picture
 const kEdit = 250; // milliseconds after the last edit
 
 export class Variations {
@@ -38,6 +41,7 @@ export class Variations {
             }
         });
         studio.ui.on("mode", () => (this.#open ? this.#stale && this.#draw() : this.#abort?.abort()));
+        new ResizeObserver(() => this.#arrange()).observe($("sheet"));
         this.#onKey(false);
     }
 
@@ -132,12 +136,27 @@ export class Variations {
         const key = this.#key;
         const cells = this.#values().map((text) => this.#cell(key, text));
         $("sheet").replaceChildren(...cells.map((cell) => cell.element));
+        this.#arrange();
         for (const cell of cells) {
             await this.#drawCell(key, cell, abort.signal);
             if (abort.signal.aborted) {
                 return;
             }
         }
+    }
+
+    // Chooses the number of columns that gives the largest pictures without scrolling.
+    #arrange() {
+        const count = $("sheet").childElementCount;
+        const [width, height] = [$("sheet").clientWidth - 2 * kGap, $("sheet").clientHeight - 2 * kGap];
+        const sideFor = (columns) => {
+            const rows = Math.ceil(count / columns);
+            return Math.min((width - kGap * (columns - 1)) / columns, (height - kGap * (rows - 1)) / rows - kCaption);
+        };
+        const sides = Array.from({length: count}, (_, index) => sideFor(index + 1));
+        const side = Math.max(kSmallest, ...sides);
+        const columns = side > kSmallest ? sides.indexOf(side) + 1 : "auto-fill";
+        $("sheet").style.gridTemplateColumns = `repeat(${columns}, ${Math.floor(side)}px)`;
     }
 
     #cell(key, text) {
