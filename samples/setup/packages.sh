@@ -7,7 +7,7 @@
 foam_build_packages=(
     g++ cmake ninja-build pkg-config
     libeigen3-dev libboost-dev libpng-dev zlib1g-dev libisal-dev libdeflate-dev libopenexr-dev libxxhash-dev
-    libsquish-dev libzstd-dev
+    libzstd-dev
     libcli11-dev libtomlplusplus-dev libfmt-dev
     nlohmann-json3-dev
 )

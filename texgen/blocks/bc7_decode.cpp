@@ -12,114 +12,97 @@ namespace {
 
 using namespace bc7;  // NOLINT(google-build-using-namespace): the facts about the modes
 
-// Two endpoints of 8 bits per channel.
-using TwoColors = std::array<std::array<int, 4>, 2>;
+constexpr std::size_t kAlpha = 3;
 
-int subset_of(int partition, int texel) {
-    return kPartitionMasks[static_cast<std::size_t>(partition)] >> texel & 1;
+using EndColors = std::array<std::array<int, 4>, 6>;  // two for each subset
+using PerTexel = std::array<int, kBlockTexels>;
+
+EndColors read_ends(const Mode& mode, BitReader& bits) {
+    const auto count = static_cast<std::size_t>(2 * mode.subsets);
+    EndColors ends{};
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        for (std::size_t k = 0; k < count; ++k) {
+            ends[k][channel] = bits.read(channel == kAlpha ? mode.alpha_bits : mode.color_bits);
+        }
+    }
+    return ends;
 }
 
-TexelBlock decode_mode1(BitReader& bits) {
-    const int partition = bits.read(6);
-    std::array<TwoColors, 2> subsets{};
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        for (TwoColors& ends : subsets) {
-            for (std::array<int, 4>& end : ends) {
-                end[channel] = bits.read(6);
-            }
+void read_lowest_bits(const Mode& mode, BitReader& bits, EndColors& ends) {
+    const auto count = static_cast<std::size_t>(2 * mode.subsets);
+    int lowest = 0;
+    for (std::size_t k = 0; mode.lowest != LowestBits::None && k < count; ++k) {
+        if (mode.lowest == LowestBits::PerEndpoint || k % 2 == 0) {
+            lowest = bits.read(1);
+        }
+        for (int& code : ends[k]) {
+            code = code << 1 | lowest;
         }
     }
-    for (TwoColors& ends : subsets) {
-        const int lowest = bits.read(1);
-        for (std::array<int, 4>& end : ends) {
-            for (int& value : end) {
-                value = expanded7((value << 1) | lowest);
-            }
-            end[3] = 255;
+}
+
+void expand(const Mode& mode, EndColors& ends) {
+    const int lowest = mode.lowest == LowestBits::None ? 0 : 1;
+    for (std::array<int, 4>& color : ends) {
+        for (std::size_t channel = 0; channel < kAlpha; ++channel) {
+            color[channel] = expanded(color[channel], mode.color_bits + lowest);
         }
+        color[kAlpha] =
+            mode.alpha_bits == 0 ? 255 : expanded(color[kAlpha], mode.alpha_bits + lowest);
     }
-    TexelBlock texels{};
+}
+
+// Reads an index for each texel. Returns the weights that the indices give to the second endpoint.
+PerTexel read_weights(const Mode& mode, int partition, int index_bits, BitReader& bits) {
+    PerTexel weights{};
     for (int k = 0; k < kBlockTexels; ++k) {
-        const bool is_anchor = k == 0 || k == kSecondAnchors[static_cast<std::size_t>(partition)];
-        const int weight = kWeights3[static_cast<std::size_t>(bits.read(is_anchor ? 2 : 3))];
-        const TwoColors& ends = subsets[static_cast<std::size_t>(subset_of(partition, k))];
-        for (std::size_t channel = 0; channel < 4; ++channel) {
-            texels[static_cast<std::size_t>(k)][channel] =
-                static_cast<std::uint8_t>(interpolated(ends[0][channel], ends[1][channel], weight));
-        }
+        const int subset = subset_of(mode.subsets, partition, k);
+        const bool is_anchor = k == anchor_of(mode.subsets, partition, subset);
+        const int index = bits.read(index_bits - (is_anchor ? 1 : 0));
+        weights[static_cast<std::size_t>(k)] = weight_of(index, index_bits);
     }
-    return texels;
-}
-
-TexelBlock decode_mode5(BitReader& bits) {
-    const int rotation = bits.read(2);
-    TwoColors ends{};
-    for (std::size_t channel = 0; channel < 4; ++channel) {
-        for (std::array<int, 4>& end : ends) {
-            end[channel] = channel < 3 ? expanded7(bits.read(7)) : bits.read(8);
-        }
-    }
-    TexelBlock texels{};
-    for (const auto& [first, last] : {std::pair(0, 3), std::pair(3, 4)}) {
-        for (std::size_t k = 0; k < texels.size(); ++k) {
-            const int weight = kWeights2[static_cast<std::size_t>(bits.read(k == 0 ? 1 : 2))];
-            for (auto channel = static_cast<std::size_t>(first); static_cast<int>(channel) < last;
-                 ++channel) {
-                texels[k][channel] = static_cast<std::uint8_t>(
-                    interpolated(ends[0][channel], ends[1][channel], weight));
-            }
-        }
-    }
-    if (rotation > 0) {
-        for (std::array<std::uint8_t, 4>& texel : texels) {
-            std::swap(texel[3], texel[static_cast<std::size_t>(rotation - 1)]);
-        }
-    }
-    return texels;
-}
-
-TexelBlock decode_mode6(BitReader& bits) {
-    TwoColors ends{};
-    for (std::size_t channel = 0; channel < 4; ++channel) {
-        for (std::array<int, 4>& end : ends) {
-            end[channel] = bits.read(7) << 1;
-        }
-    }
-    for (std::array<int, 4>& end : ends) {
-        const int lowest = bits.read(1);
-        for (int& value : end) {
-            value |= lowest;
-        }
-    }
-    TexelBlock texels{};
-    for (std::size_t k = 0; k < texels.size(); ++k) {
-        const int weight = kWeights4[static_cast<std::size_t>(bits.read(k == 0 ? 3 : 4))];
-        for (std::size_t channel = 0; channel < 4; ++channel) {
-            texels[k][channel] =
-                static_cast<std::uint8_t>(interpolated(ends[0][channel], ends[1][channel], weight));
-        }
-    }
-    return texels;
+    return weights;
 }
 
 }  // namespace
 
-std::optional<TexelBlock> decode_bc7(std::span<const std::uint8_t, kBc7Bytes> block) {
+TexelBlock decode_bc7(std::span<const std::uint8_t, kBc7Bytes> block) {
+    TexelBlock texels{};
     BitReader bits(block);
-    int mode = 0;
-    while (mode < 8 && bits.read(1) == 0) {
-        ++mode;
+    std::size_t number = 0;
+    while (number < kModes.size() && bits.read(1) == 0) {
+        ++number;
     }
-    switch (mode) {
-        case 1:
-            return decode_mode1(bits);
-        case 5:
-            return decode_mode5(bits);
-        case 6:
-            return decode_mode6(bits);
-        default:
-            return std::nullopt;
+    if (number == kModes.size()) {
+        return texels;
     }
+    const Mode& mode = kModes[number];
+    const int partition = bits.read(mode.partition_bits);
+    const int rotation = bits.read(mode.rotation_bits);
+    const bool exchanges_indices = bits.read(mode.selection_bits) == 1;
+    EndColors ends = read_ends(mode, bits);
+    read_lowest_bits(mode, bits, ends);
+    expand(mode, ends);
+    PerTexel color = read_weights(mode, partition, mode.index_bits, bits);
+    PerTexel alpha = mode.alpha_index_bits > 0
+                         ? read_weights(mode, partition, mode.alpha_index_bits, bits)
+                         : color;
+    if (exchanges_indices) {
+        std::swap(color, alpha);
+    }
+    for (std::size_t k = 0; k < texels.size(); ++k) {
+        const int subset = subset_of(mode.subsets, partition, static_cast<int>(k));
+        const std::array<int, 4>& first = ends[static_cast<std::size_t>(2 * subset)];
+        const std::array<int, 4>& second = ends[static_cast<std::size_t>(2 * subset + 1)];
+        for (std::size_t channel = 0; channel < 4; ++channel) {
+            texels[k][channel] = static_cast<std::uint8_t>(interpolated(
+                first[channel], second[channel], channel == kAlpha ? alpha[k] : color[k]));
+        }
+        if (rotation > 0) {
+            std::swap(texels[k][kAlpha], texels[k][static_cast<std::size_t>(rotation - 1)]);
+        }
+    }
+    return texels;
 }
 
 }  // namespace foam::texgen

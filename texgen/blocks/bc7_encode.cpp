@@ -1,151 +1,298 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/parallel/simd_level.h"
 #include "texgen/blocks/bc7.h"
 #include "texgen/blocks/bc7_fit.h"
+#include "texgen/blocks/bc7_group.h"
 #include "texgen/blocks/bc7_modes.h"
+#include "texgen/blocks/bc7_pack.h"
 #include "texgen/blocks/bc7_partition.h"
-#include "texgen/blocks/bit_stream.h"
+#include "texgen/blocks/lanes.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <utility>
+#include <vector>
 
-// A block in one line of colors is stored in mode 6. An opaque block that a line approximates badly
-// is also tried in mode 1, which has a line for each of two subsets of the texels.
+// The blocks of an image are compressed in groups, one block per lane of a SIMD register. All
+// blocks are first stored in mode 6, which approximates the colors of a block by a line between two
+// colors. Blocks that a line approximates badly are collected in new groups, which are then tried
+// in other modes.
 
 namespace foam::texgen {
 
 namespace {
 
-using namespace bc7;  // NOLINT(google-build-using-namespace): the facts about the modes
+using namespace bc7;  // NOLINT(google-build-using-namespace): the parts of the encoder
 
-// The sum of squared errors of a block up to which mode 1 is not tried.
-constexpr float kGoodEnough = 24.0F;
+// The sums of squared errors of a block up to which modes of two subsets, and more modes, are not
+// tried.
+constexpr float kGoodEnough = 8.0F;
+constexpr float kBad = 40.0F;
 
-// Exchanges the endpoints if the highest bit of the index of the anchor texel is set, because this
-// bit is not stored.
-void order_ends(Fit& fit, Subset subset, int anchor, int last_index) {
-    if (fit.indices[static_cast<std::size_t>(anchor)] * 2 <= last_index) {
-        return;
-    }
-    std::swap(fit.ends.codes[0], fit.ends.codes[1]);
-    std::swap(fit.ends.lowest[0], fit.ends.lowest[1]);
-    for (int k = 0; k < kBlockTexels; ++k) {
-        int& index = fit.indices[static_cast<std::size_t>(k)];
-        index = has_texel(subset, k) ? last_index - index : index;
-    }
-}
+using OpaqueMode6 = Format<1, 3, 7, LowestBits::Ones, 4>;
+using Mode6 = Format<1, 4, 7, LowestBits::PerEndpoint, 4>;
+using Mode0 = Format<3, 3, 4, LowestBits::PerEndpoint, 3>;
+using Mode1 = Format<2, 3, 6, LowestBits::PerSubset, 3>;
+using Mode2 = Format<3, 3, 5, LowestBits::None, 2>;
+using Mode3 = Format<2, 3, 7, LowestBits::PerEndpoint, 2>;
+using Mode7 = Format<2, 4, 5, LowestBits::PerEndpoint, 2>;
+using Mode5Colors = Format<1, 3, 7, LowestBits::None, 2>;
+using Mode5Alpha = Format<1, 1, 8, LowestBits::None, 2>;
 
-using Block = std::array<std::uint8_t, kBc7Bytes>;
+constexpr int kImprovements = 2;  // of endpoints
 
-Block write_mode6(Fit fit) {
-    order_ends(fit, kAllTexels, 0, 15);
-    BitWriter bits;
-    bits.write(1 << 6, 7);
-    for (std::size_t c = 0; c < 4; ++c) {
-        bits.write(fit.ends.codes[0][c], 7);
-        bits.write(fit.ends.codes[1][c], 7);
-    }
-    bits.write(fit.ends.lowest[0], 1);
-    bits.write(fit.ends.lowest[1], 1);
-    for (std::size_t k = 0; k < fit.indices.size(); ++k) {
-        bits.write(fit.indices[k], k == 0 ? 3 : 4);
-    }
-    return bits.bytes();
-}
+// The numbers of partitions that are tried in a mode. Bad blocks have more.
+constexpr std::size_t kTried0 = 3;
+constexpr std::size_t kTried1 = 2;
+constexpr std::size_t kTried2 = 3;
+constexpr std::size_t kTried3 = 2;
+constexpr std::size_t kTried7 = 4;
+constexpr std::size_t kMoreTried1 = 6;
+constexpr std::size_t kMoreTried3 = 4;
 
-// A block in mode 1.
-struct TwoLines {
-    int partition = 0;
-    std::array<Fit, 2> fits;
-
-    float error() const { return fits[0].error + fits[1].error; }
-};
-
-Block write_mode1(TwoLines lines) {
-    const auto partition = static_cast<std::size_t>(lines.partition);
-    const Subset second = kPartitionMasks[partition];
-    const int anchor = kSecondAnchors[partition];
-    order_ends(lines.fits[0], kAllTexels & ~second, 0, 7);
-    order_ends(lines.fits[1], second, anchor, 7);
-    BitWriter bits;
-    bits.write(1 << 1, 2);
-    bits.write(lines.partition, 6);
-    for (std::size_t c = 0; c < 3; ++c) {
-        for (const Fit& fit : lines.fits) {
-            bits.write(fit.ends.codes[0][c], 6);
-            bits.write(fit.ends.codes[1][c], 6);
-        }
-    }
-    bits.write(lines.fits[0].ends.lowest[0], 1);
-    bits.write(lines.fits[1].ends.lowest[0], 1);
-    for (int k = 0; k < kBlockTexels; ++k) {
-        const Fit& fit = lines.fits[has_texel(second, k) ? 1 : 0];
-        bits.write(fit.indices[static_cast<std::size_t>(k)], k == 0 || k == anchor ? 2 : 3);
-    }
-    return bits.bytes();
-}
-
-TwoLines fit_two_lines(const Colors& colors) {
-    TwoLines best;
-    for (const int partition : best_partitions(colors)) {
-        const Subset second = kPartitionMasks[static_cast<std::size_t>(partition)];
-        const Subset first = kAllTexels & ~second;
-        const TwoLines lines{partition, {fit_mode1(colors, first), fit_mode1(colors, second)}};
-        if (lines.error() < best.error()) {
-            best = lines;
-        }
-    }
-    return best;
-}
+// The share of the spread along a line by which rounding adds to the error (bc7_partition.h).
+template <class Format>
+constexpr float kRoundingShare = 1.0F / static_cast<float>(Format::kSteps* Format::kSteps);
 
 // For every value of 8 bits, two endpoints of 7 bits between which the weight 21 / 64 gives it.
-using ExactEnds = std::array<std::array<int, 2>, 256>;
+using ExactEnds = Array<Array<int, 2>, 256>;
 
-ExactEnds make_exact_ends() {
+constexpr ExactEnds make_exact_ends() {
     ExactEnds ends{};
     for (int first = 127; first >= 0; --first) {
-        for (int second = 127; second >= 0; --second) {
-            const int value = interpolated(expanded7(first), expanded7(second), kWeights2[1]);
-            ends[static_cast<std::size_t>(value)] = {first, second};
+        for (int second = std::min(first + 3, 127); second >= first; --second) {
+            const int value = interpolated(expanded(first, 7), expanded(second, 7), 21);
+            ends[static_cast<std::size_t>(value)] = {expanded(first, 7), expanded(second, 7)};
         }
     }
     return ends;
 }
 
+constexpr ExactEnds kExactEnds = make_exact_ends();
+
 // Stores a block of a single color exactly, in mode 5 with the index 1 for all colors.
-Block write_solid(const std::array<std::uint8_t, 4>& color) {
-    static const ExactEnds exact = make_exact_ends();
-    BitWriter bits;
-    bits.write(1 << 5, 6);
-    bits.write(0, 2);
-    for (std::size_t c = 0; c < 3; ++c) {
-        bits.write(exact[color[c]][0], 7);
-        bits.write(exact[color[c]][1], 7);
+Bc7Block solid_block(const std::array<std::uint8_t, 4>& color) {
+    BlockFields fields{.mode = 5};
+    for (std::size_t end = 0; end < 2; ++end) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            fields.ends[0][end][c] = kExactEnds[color[c]][end];
+        }
+        fields.ends[0][end][3] = color[3];
     }
-    bits.write(color[3], 8);
-    bits.write(color[3], 8);
-    for (int k = 0; k < kBlockTexels; ++k) {
-        bits.write(1, k == 0 ? 1 : 2);
+    fields.indices.fill(1);
+    return pack_bc7(fields);
+}
+
+bool is_solid(const TexelBlock& texels) {
+    return std::ranges::all_of(texels, [&](const auto& texel) { return texel == texels.front(); });
+}
+
+bool is_opaque(const TexelBlock& texels) {
+    return std::ranges::all_of(texels, [](const auto& texel) { return texel[3] == 255; });
+}
+
+constexpr Array<std::size_t, 3> kRgb = {0, 1, 2};
+constexpr Array<std::size_t, 4> kRgba = {0, 1, 2, 3};
+
+// Tries a mode of one subset.
+template <class Format, class Simd>
+FOAM_INLINE Fit<Simd, Format> fit_line(const ColorLanes<Simd, Format::kChannels>& colors) {
+    const Membership<Simd, 1> all;
+    Fit<Simd, Format> fit;
+    Fitter<Format, Simd>(colors, all, 0).refine(kImprovements, fit);
+    return fit;
+}
+
+// Tries mode 6.
+template <class Format, std::size_t kChannels, class Simd>
+FOAM_INLINE void try_line(Group<Simd> group, const Array<std::size_t, kChannels>& channels) {
+    const auto fit = fit_line<Format, Simd>(group.colors(channels));
+    const StoredFit<Simd, Format> stored(fit);
+    group.offer(fit.error, [&](std::size_t lane) { return stored.fields(6, lane); });
+}
+
+// Tries partitions of a mode of several subsets. Improves the best one further.
+template <class Format, class Simd>
+FOAM_INLINE void try_partitions(Group<Simd>& group,
+                                const ColorLanes<Simd, Format::kChannels>& colors,
+                                const BestPartitions<Simd>& partitions,
+                                int mode) {
+    Fit<Simd, Format> best;
+#pragma GCC unroll 1
+    for (std::size_t k = 0; k <= partitions.count; ++k) {
+        const bool is_last = k == partitions.count;
+        const typename Simd::Ints partition = is_last ? best.partition : partitions.partitions[k];
+        const auto membership = membership_of<Simd, Format::kSubsets>(partition);
+        Fitter<Format, Simd>(colors, membership, partition)
+            .refine(is_last ? kImprovements : 1, best);
     }
-    return bits.bytes();  // the indices of alpha are 0
+    const StoredFit<Simd, Format> stored(best);
+    group.offer(best.error, [&](std::size_t lane) { return stored.fields(mode, lane); });
+}
+
+// Returns the channel to which mode 5 gives indices of its own, as estimated from the scatter
+// matrix: the other channels are rounded along a line, as in bc7_partition.h.
+template <class Simd, std::size_t kChannels>
+FOAM_INLINE typename Simd::Ints own_channel(const ColorLanes<Simd, kChannels>& colors) {
+    using Floats = typename Simd::Floats;
+    const auto differences = relative<Simd, kChannels>(colors);
+    ColorSums<Simd, kChannels> sums;
+    for (std::size_t k = 0; k < kBlockTexels; ++k) {
+        sums.add(sums_of<Simd, kChannels>(differences[k]));
+    }
+    ColorOf<Simd, kChannels> mean;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+        mean[c] = sums.colors[c] * Floats(1.0F / kBlockTexels);
+    }
+    const auto scatter = scatter_of<Simd, kChannels>(sums, mean);
+    Floats smallest = 1e30F;
+    typename Simd::Ints best;
+    for (std::size_t own = 0; own < kChannels; ++own) {
+        Floats trace;
+        Floats squares;
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            trace += c == own ? Floats() : scatter[c][c];
+            for (std::size_t d = 0; d < kChannels; ++d) {
+                squares += c == own || d == own ? Floats() : scatter[c][d] * scatter[c][d];
+            }
+        }
+        const Floats along = Simd::square_root(squares);
+        const Floats error =
+            trace - along + (along + scatter[own][own]) * Floats(kRoundingShare<Mode5Colors>);
+        best = Simd::select(
+            Simd::less(error, smallest), typename Simd::Ints(static_cast<int>(own)), best);
+        smallest = Simd::smaller(smallest, error);
+    }
+    return best;
+}
+
+// Tries mode 5, in which one channel has indices of its own.
+template <class Simd, std::size_t kChannels>
+FOAM_INLINE void try_own_indices(Group<Simd>& group, const ColorLanes<Simd, kChannels>& colors) {
+    using Floats = typename Simd::Floats;
+    using Ints = typename Simd::Ints;
+    const Ints own = own_channel<Simd, kChannels>(colors);
+    ColorLanes<Simd, 3> others;
+    ColorLanes<Simd, 1> owns;
+    for (std::size_t k = 0; k < kBlockTexels; ++k) {
+        const Floats alpha = kChannels > 3 ? colors[k][kChannels - 1] : Floats(255.0F);
+        owns[k][0] = alpha;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Ints is_own = Simd::equal(own, Ints(static_cast<int>(c)));
+            owns[k][0] = Simd::select(is_own, colors[k][c], owns[k][0]);
+            others[k][c] = Simd::select(is_own, alpha, colors[k][c]);
+        }
+    }
+    const auto color = fit_line<Mode5Colors, Simd>(others);
+    const auto alpha = fit_line<Mode5Alpha, Simd>(owns);
+    const StoredFit<Simd, Mode5Colors> stored_color(color);
+    const StoredFit<Simd, Mode5Alpha> stored_alpha(alpha);
+    Array<std::int32_t, Simd::kCount> channels;
+    own.store(channels.data());
+    group.offer(color.error + alpha.error, [&](std::size_t lane) {
+        BlockFields fields = stored_color.fields(5, lane);
+        const BlockFields stored = stored_alpha.fields(5, lane);
+        fields.rotation = channels[lane] < 3 ? channels[lane] + 1 : 0;
+        fields.ends[0][0][3] = stored.ends[0][0][0];
+        fields.ends[0][1][3] = stored.ends[0][1][0];
+        fields.alpha_indices = stored.indices;
+        return fields;
+    });
+}
+
+// Tries modes of two subsets, and mode 5.
+struct TwoLines {
+    std::size_t fine_count;    // partitions of mode 1
+    std::size_t coarse_count;  // partitions of mode 3
+
+    template <class Simd>
+    FOAM_INLINE void operator()(Group<Simd> group) const {
+        const auto colors = group.colors(kRgb);
+        BestPartitions<Simd> fine(fine_count);
+        BestPartitions<Simd> coarse(coarse_count);
+        for_partitions<Simd, 2, 3>(
+            relative<Simd, 3>(colors),
+            [&](int partition, const Spread<Simd>& spread) FOAM_INLINE_LAMBDA {
+                fine.insert(spread.across + spread.along * kRoundingShare<Mode1>, partition);
+                coarse.insert(spread.across + spread.along * kRoundingShare<Mode3>, partition);
+            });
+        try_partitions<Mode1>(group, colors, fine, 1);
+        try_partitions<Mode3>(group, colors, coarse, 3);
+        try_own_indices<Simd, 3>(group, colors);
+    }
+};
+
+// Tries modes of three subsets.
+struct ThreeLines {
+    template <class Simd>
+    FOAM_INLINE void operator()(Group<Simd> group) const {
+        constexpr int kPartitionsOfMode0 = 16;
+        const auto colors = group.colors(kRgb);
+        BestPartitions<Simd> fine(kTried0);
+        BestPartitions<Simd> coarse(kTried2);
+        for_partitions<Simd, 3, 3>(
+            relative<Simd, 3>(colors),
+            [&](int partition, const Spread<Simd>& spread) FOAM_INLINE_LAMBDA {
+                if (partition < kPartitionsOfMode0) {
+                    fine.insert(spread.across + spread.along * kRoundingShare<Mode0>, partition);
+                }
+                coarse.insert(spread.across + spread.along * kRoundingShare<Mode2>, partition);
+            });
+        try_partitions<Mode0>(group, colors, fine, 0);
+        try_partitions<Mode2>(group, colors, coarse, 2);
+    }
+};
+
+// Tries the modes 5 and 7, for blocks that are not opaque.
+struct TransparentModes {
+    template <class Simd>
+    FOAM_INLINE void operator()(Group<Simd> group) const {
+        const auto colors = group.colors(kRgba);
+        BestPartitions<Simd> coarse(kTried7);
+        for_partitions<Simd, 2, 4>(
+            relative<Simd, 4>(colors),
+            [&](int partition, const Spread<Simd>& spread) FOAM_INLINE_LAMBDA {
+                coarse.insert(spread.across + spread.along * kRoundingShare<Mode7>, partition);
+            });
+        try_partitions<Mode7>(group, colors, coarse, 7);
+        try_own_indices<Simd, 4>(group, colors);
+    }
+};
+
+// Returns the blocks whose error is larger than a limit.
+Numbers worse_than(float limit, const Work& work, Numbers numbers) {
+    std::erase_if(numbers, [&](std::uint32_t number) { return work.errors[number] <= limit; });
+    return numbers;
 }
 
 }  // namespace
 
-Block encode_bc7(const TexelBlock& texels) {
-    if (std::ranges::all_of(texels, [&](const auto& texel) { return texel == texels.front(); })) {
-        return write_solid(texels.front());
-    }
-    const Colors colors(texels);
-    const Fit one = fit_mode6(colors, kAllTexels);
-    if (colors.opaque && one.error > kGoodEnough) {
-        const TwoLines two = fit_two_lines(colors);
-        if (two.error() < one.error) {
-            return write_mode1(two);
+void encode_bc7(std::span<const TexelBlock> texels, std::span<Bc7Block> blocks) {
+    assert(texels.size() == blocks.size());
+    Work work{
+        texels, blocks, std::vector<float>(texels.size(), std::numeric_limits<float>::infinity())};
+    Numbers opaque;
+    Numbers others;
+    for (std::size_t k = 0; k < texels.size(); ++k) {
+        if (is_solid(texels[k])) {
+            blocks[k] = solid_block(texels[k].front());
+        } else {
+            (is_opaque(texels[k]) ? opaque : others).push_back(static_cast<std::uint32_t>(k));
         }
     }
-    return write_mode6(one);
+    encode_groups(
+        work, opaque, [](auto group) FOAM_INLINE_LAMBDA { try_line<OpaqueMode6>(group, kRgb); });
+    encode_groups(
+        work, others, [](auto group) FOAM_INLINE_LAMBDA { try_line<Mode6>(group, kRgba); });
+    encode_groups(work, worse_than(kGoodEnough, work, opaque), TwoLines{kTried1, kTried3});
+    const Numbers bad = worse_than(kBad, work, opaque);
+    encode_groups(work, bad, TwoLines{kMoreTried1, kMoreTried3});
+    encode_groups(work, bad, ThreeLines());
+    encode_groups(work, worse_than(kGoodEnough, work, others), TransparentModes());
 }
 
 }  // namespace foam::texgen

@@ -2,32 +2,193 @@
 
 #pragma once
 
-#include "texgen/blocks/block_colors.h"
+#include "texgen/blocks/bc7_line.h"
+#include "texgen/blocks/bc7_round.h"
 
-#include <array>
-#include <limits>
+#include <cstddef>
+#include <utility>
+
+// Approximates the colors of blocks in a mode of BC7, for several blocks at once. The first
+// endpoints are the ends of the principal axes of the subsets. Every texel gets the index of the
+// nearest color between the endpoints. For these indices, the endpoints are then improved by least
+// squares, as in S. Brown's "DXT compression techniques" (2006).
 
 namespace foam::texgen::bc7 {
 
-using Code = std::array<int, 4>;
-
-/// Two endpoints as a mode stores them: codes, lowest bits, and the colors that they stand for.
-struct Endpoints {
-    std::array<Code, 2> codes{};
-    std::array<int, 2> lowest{};
-    std::array<Code, 2> colors{};
-};
-
-/// A subset in one mode: its endpoints, an index per texel of the block, and the sum of squared
-/// errors. Texels of the other subset have the index 0.
+/// The endpoints of all subsets as a decoder expands them to 8 bits, an index for each texel, and
+/// the sum of squared errors.
+template <class Simd, class Format>
 struct Fit {
-    Endpoints ends;
-    std::array<int, kBlockTexels> indices{};
-    float error = std::numeric_limits<float>::infinity();
+    using Floats = typename Simd::Floats;
+    using Ints = typename Simd::Ints;
+    static constexpr std::size_t kChannels = Format::kChannels;
+
+    /// Replaces the lanes in which the other fit has a smaller error.
+    FOAM_INLINE void improve(const Fit& other) {
+        const Ints is_better = Simd::less(other.error, error);
+        error = Simd::smaller(other.error, error);
+        partition = Simd::select(is_better, other.partition, partition);
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+            indices[k] = Simd::select(is_better, other.indices[k], indices[k]);
+        }
+        for (std::size_t s = 0; s < Format::kSubsets; ++s) {
+            for (std::size_t end = 0; end < 2; ++end) {
+                for (std::size_t c = 0; c < kChannels; ++c) {
+                    ends[s][end][c] =
+                        Simd::select(is_better, other.ends[s][end][c], ends[s][end][c]);
+                }
+            }
+        }
+    }
+
+    Ints partition;
+    Array<LineOf<Simd, kChannels>, Format::kSubsets> ends;
+    Array<Ints, kBlockTexels> indices;
+    Floats error = 1e30F;
 };
 
-/// Approximates the colors of a subset in mode 1 or in mode 6.
-Fit fit_mode1(const Colors& colors, Subset subset);
-Fit fit_mode6(const Colors& colors, Subset subset);
+/// Replaces a line by the line with the smallest squared error. Keeps it in lanes in which the
+/// error does not determine the line.
+template <class Simd, std::size_t kChannels>
+FOAM_INLINE void improve_line(const SquaredError<Simd, kChannels>& error,
+                              LineOf<Simd, kChannels>& line) {
+    using Floats = typename Simd::Floats;
+    const Floats determinant = error.first * error.second - error.mixed * error.mixed;
+    const auto is_determined = Simd::less(Floats(1e-3F), determinant);
+    const Floats inverse = Floats(1.0F) / Simd::select(is_determined, determinant, Floats(1.0F));
+    for (std::size_t c = 0; c < kChannels; ++c) {
+        const Floats low =
+            (error.second * error.sums[0][c] - error.mixed * error.sums[1][c]) * inverse;
+        const Floats high =
+            (error.first * error.sums[1][c] - error.mixed * error.sums[0][c]) * inverse;
+        line[0][c] = Simd::select(is_determined, low, line[0][c]);
+        line[1][c] = Simd::select(is_determined, high, line[1][c]);
+    }
+}
+
+/// Approximates the colors of blocks whose subsets are given.
+template <class Format, class Simd>
+class Fitter {
+  public:
+    using Floats = typename Simd::Floats;
+    using Ints = typename Simd::Ints;
+    static constexpr std::size_t kSubsets = Format::kSubsets;
+    static constexpr std::size_t kChannels = Format::kChannels;
+    using Colors = ColorLanes<Simd, kChannels>;
+    using Result = Fit<Simd, Format>;
+    using Lines = Array<LineOf<Simd, kChannels>, kSubsets>;
+
+    /// The colors and the membership must outlive the object.
+    FOAM_INLINE Fitter(const Colors& colors,
+                       const Membership<Simd, kSubsets>& membership,
+                       const Ints& partition)
+        : colors_(colors), membership_(membership), partition_(partition) {
+        const Colors differences = relative<Simd, kChannels>(colors);
+        const auto sums = subset_sums<Simd, kSubsets, kChannels>(differences, membership);
+        lines_ = principal_lines<Simd, kSubsets, kChannels>(differences, sums, membership);
+        for (std::size_t s = 0; s < kSubsets; ++s) {
+            counts_[s] = sums[s].count;
+            for (std::size_t c = 0; c < kChannels; ++c) {
+                sums_[s][c] = sums[s].colors[c] + sums[s].count * colors[0][c];
+                lines_[s][0][c] += colors[0][c];
+                lines_[s][1][c] += colors[0][c];
+            }
+        }
+        Result unrounded;
+        unrounded.ends = lines_;
+        choose_indices(unrounded);
+    }
+
+    /// Rounds the endpoints, and chooses indices and improves the endpoints `rounds` times.
+    FOAM_INLINE void refine(int rounds, Result& best) {
+#pragma GCC unroll 1
+        for (int round = 0; round < rounds; ++round) {
+            Result trial;
+            trial.partition = partition_;
+            for (std::size_t s = 0; s < kSubsets; ++s) {
+                improve_line<Simd, kChannels>(errors_[s], lines_[s]);
+                round_ends<Format, Simd>(lines_[s], errors_[s], trial.ends[s]);
+            }
+            choose_indices(trial);
+            best.improve(trial);
+        }
+    }
+
+  private:
+    /// Chooses the index of the nearest color for every texel. Sets the indices and the error of
+    /// the fit, and the squared errors as a function of the endpoints for these indices. The
+    /// weights are nearly evenly spaced, so the index follows from the position along the line.
+    FOAM_INLINE void choose_indices(Result& fit) {
+        constexpr auto kSteps = static_cast<float>(Format::kSteps);
+        Array<Array<Floats, kSubsets>, kChannels> origins;  // plus 1/2, for rounding
+        Array<Array<Floats, kSubsets>, kChannels> strides;  // for a weight of 1 / 64
+        Array<Floats, kSubsets> scales;
+        Array<Floats, kSubsets> offsets;
+        for (std::size_t s = 0; s < kSubsets; ++s) {
+            Floats square = 1e-9F;
+            Floats offset;
+            for (std::size_t c = 0; c < kChannels; ++c) {
+                const Floats stride =
+                    (fit.ends[s][1][c] - fit.ends[s][0][c]) * Floats(1.0F / 64.0F);
+                origins[c][s] = fit.ends[s][0][c] + Floats(0.5F);
+                strides[c][s] = stride;
+                square += stride * stride;
+                offset += fit.ends[s][0][c] * stride;
+            }
+            scales[s] = Floats(kSteps / 64.0F) / square;
+            offsets[s] = Floats(0.5F) - offset * scales[s];
+        }
+        SubsetSum<Simd, kSubsets> weights;
+        SubsetSum<Simd, kSubsets> squares;
+        Array<SubsetSum<Simd, kSubsets>, kChannels> products;
+        fit.error = Floats();
+        for (std::size_t k = 0; k < kBlockTexels; ++k) {
+            Array<Floats, kChannels> stride;
+            Floats along;
+            for (std::size_t c = 0; c < kChannels; ++c) {
+                stride[c] = membership_.of(strides[c], k);
+                along += colors_[k][c] * stride[c];
+            }
+            const Floats position = along * membership_.of(scales, k) + membership_.of(offsets, k);
+            fit.indices[k] =
+                Simd::whole(Simd::smaller(Simd::larger(position, Floats()), Floats(kSteps + 0.5F)));
+            const Floats weight = Simd::truncated(
+                Simd::numbers(fit.indices[k]) * Floats(64.0F / kSteps) + Floats(0.5F));
+            for (std::size_t c = 0; c < kChannels; ++c) {
+                const Floats shown =
+                    Simd::truncated(membership_.of(origins[c], k) + weight * stride[c]);
+                const Floats difference = shown - colors_[k][c];
+                fit.error += difference * difference;
+                products[c].add(weight * colors_[k][c], membership_, k);
+            }
+            weights.add(weight, membership_, k);
+            squares.add(weight * weight, membership_, k);
+        }
+        weights.finish();
+        squares.finish();
+        for (auto& product : products) {
+            product.finish();
+        }
+        for (std::size_t s = 0; s < kSubsets; ++s) {
+            const Floats sum = weights.sums[s] * Floats(1.0F / 64.0F);
+            SquaredError<Simd, kChannels>& error = errors_[s];
+            error.second = squares.sums[s] * Floats(1.0F / 4096.0F);
+            error.mixed = sum - error.second;
+            error.first = counts_[s] - sum - error.mixed;
+            for (std::size_t c = 0; c < kChannels; ++c) {
+                error.sums[1][c] = products[c].sums[s] * Floats(1.0F / 64.0F);
+                error.sums[0][c] = sums_[s][c] - error.sums[1][c];
+            }
+        }
+    }
+
+    const Colors& colors_;
+    const Membership<Simd, kSubsets>& membership_;
+    Ints partition_;
+    Array<Floats, kSubsets> counts_;                  // of texels
+    Array<ColorOf<Simd, kChannels>, kSubsets> sums_;  // of colors
+    Lines lines_;
+    Array<SquaredError<Simd, kChannels>, kSubsets> errors_;
+};
 
 }  // namespace foam::texgen::bc7

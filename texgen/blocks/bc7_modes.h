@@ -2,47 +2,59 @@
 
 #pragma once
 
-// Facts about the modes 1, 5 and 6 of BC7, from the Khronos Data Format Specification 1.3, chapter
-// "BPTC Compressed Texture Image Formats". A block of mode m begins with m zero bits and a one bit.
+// Facts about BC7 from the Khronos Data Format Specification 1.3, chapter "BPTC Compressed Texture
+// Image Formats".
 //
-// Mode 1: 6 bits for the partition, then the endpoints of two subsets (6 bits per color channel;
-// alpha is 255), one shared lowest bit per subset, and indices of 3 bits.
-// Mode 5: 2 bits for the rotation of channels, then two endpoints (7 bits per color channel, 8 bits
-// for alpha), indices of 2 bits for colors, and indices of 2 bits for alpha.
-// Mode 6: two endpoints (7 bits per channel), one lowest bit per endpoint, and indices of 4 bits.
-//
-// Endpoints are stored channel by channel. The highest bit of the index of an anchor texel is 0 and
-// not stored. The first texel of a subset is its anchor, except that kSecondAnchors has the anchors
-// of the second subset.
+// A block of mode m begins with m zero bits and a one bit. Its texels are divided into one, two or
+// three subsets. Each subset has two endpoints, which are colors of few bits, and an index per
+// texel selects a color between them. Endpoints are stored channel by channel. A rotation exchanges
+// alpha with another channel. The highest bit of the index of an anchor texel is 0 and not stored.
+// Texel 0 is the anchor of the first subset.
 
 #include "texgen/blocks/texel_block.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace foam::texgen::bc7 {
 
-/// The weights, in 64ths, that indices of 2, 3 and 4 bits give to the second endpoint.
-inline constexpr std::array<int, 4> kWeights2 = {0, 21, 43, 64};
-inline constexpr std::array<int, 8> kWeights3 = {0, 9, 18, 27, 37, 46, 55, 64};
-inline constexpr std::array<int, 16> kWeights4 = {
-    0, 4, 9, 13, 17, 21, 26, 30, 34, 38, 43, 47, 51, 55, 60, 64};
+/// The lowest bits of endpoints, which all channels of an endpoint share.
+enum class LowestBits : std::uint8_t {
+    None,
+    PerEndpoint,
+    PerSubset,  // both endpoints of a subset share one bit
+    Ones,       // of endpoints whose alpha is 255 (mode 6)
+};
 
-/// Returns the value between two endpoints of 8 bits for a weight of the second one.
-constexpr int interpolated(int first, int second, int weight) {
-    return ((64 - weight) * first + weight * second + 32) >> 6;
-}
+/// The fields of a mode. Numbers are bits, except `subsets`.
+struct Mode {
+    int subsets = 1;
+    int partition_bits = 0;
+    int rotation_bits = 0;
+    int selection_bits = 0;  // a bit that exchanges the indices of colors and of alpha
+    int color_bits = 0;      // per channel of an endpoint, without the lowest bit
+    int alpha_bits = 0;      // 0: all texels are opaque
+    LowestBits lowest = LowestBits::None;
+    int index_bits = 0;
+    int alpha_index_bits = 0;  // 0: the indices of colors are also those of alpha
+};
 
-/// Returns the 8 bits that an endpoint of 7 bits stands for.
-constexpr int expanded7(int bits) {
-    return (bits << 1) | (bits >> 6);
-}
+inline constexpr std::array<Mode, 8> kModes = {{
+    {3, 4, 0, 0, 4, 0, LowestBits::PerEndpoint, 3, 0},
+    {2, 6, 0, 0, 6, 0, LowestBits::PerSubset, 3, 0},
+    {3, 6, 0, 0, 5, 0, LowestBits::None, 2, 0},
+    {2, 6, 0, 0, 7, 0, LowestBits::PerEndpoint, 2, 0},
+    {1, 0, 2, 1, 5, 6, LowestBits::None, 2, 3},
+    {1, 0, 2, 0, 7, 8, LowestBits::None, 2, 2},
+    {1, 0, 0, 0, 7, 7, LowestBits::PerEndpoint, 4, 0},
+    {2, 6, 0, 0, 5, 5, LowestBits::PerEndpoint, 2, 0},
+}};
 
+/// The number of partitions into two subsets, and of those into three.
 inline constexpr int kPartitions = 64;
 
-/// The partitions of 16 texels into two subsets. Bit k is set if texel k is in the second subset.
+/// The partitions into two subsets. Bit k is set if texel k is in the second subset.
 inline constexpr std::array<std::uint16_t, kPartitions> kPartitionMasks = {
     0xcccc, 0x8888, 0xeeee, 0xecc8, 0xc880, 0xfeec, 0xfec8, 0xec80, 0xc800, 0xffec, 0xfe80,
     0xe800, 0xffe8, 0xff00, 0xfff0, 0xf000, 0xf710, 0x008e, 0x7100, 0x08ce, 0x008c, 0x7310,
@@ -51,10 +63,68 @@ inline constexpr std::array<std::uint16_t, kPartitions> kPartitionMasks = {
     0x6996, 0xc33c, 0x9966, 0x0660, 0x0272, 0x04e4, 0x4e40, 0x2720, 0xc936, 0x936c, 0x39c6,
     0x639c, 0x9336, 0x9cc6, 0x817e, 0xe718, 0xccf0, 0x0fcc, 0x7744, 0xee22};
 
-/// The anchor texel of the second subset of each partition.
+/// The partitions into three subsets. Bits 2k and 2k + 1 are the number of the subset of texel k.
+inline constexpr std::array<std::uint32_t, kPartitions> kThreeSubsets = {
+    0xaa685050, 0x6a5a5040, 0x5a5a4200, 0x5450a0a8, 0xa5a50000, 0xa0a05050, 0x5555a0a0, 0x5a5a5050,
+    0xaa550000, 0xaa555500, 0xaaaa5500, 0x90909090, 0x94949494, 0xa4a4a4a4, 0xa9a59450, 0x2a0a4250,
+    0xa5945040, 0x0a425054, 0xa5a5a500, 0x55a0a0a0, 0xa8a85454, 0x6a6a4040, 0xa4a45000, 0x1a1a0500,
+    0x0050a4a4, 0xaaa59090, 0x14696914, 0x69691400, 0xa08585a0, 0xaa821414, 0x50a4a450, 0x6a5a0200,
+    0xa9a58000, 0x5090a0a8, 0xa8a09050, 0x24242424, 0x00aa5500, 0x24924924, 0x24499224, 0x50a50a50,
+    0x500aa550, 0xaaaa4444, 0x66660000, 0xa5a0a5a0, 0x50a050a0, 0x69286928, 0x44aaaa44, 0x66666600,
+    0xaa444444, 0x54a854a8, 0x95809580, 0x96969600, 0xa85454a8, 0x80959580, 0xaa141414, 0x96960000,
+    0xaaaa1414, 0xa05050a0, 0xa0a5a5a0, 0x96000000, 0x40804080, 0xa9a8a9a8, 0xaaaaaa44, 0x2a4a5254};
+
+/// The anchor texel of the second subset of each partition into two subsets.
 inline constexpr std::array<std::uint8_t, kPartitions> kSecondAnchors = {
     15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 2,  8, 2, 2, 8,
     8,  15, 2,  8,  2,  2,  8,  8,  2,  2,  15, 15, 6,  8,  2,  8,  15, 15, 2, 8, 2, 2,
     2,  15, 15, 6,  6,  2,  6,  8,  15, 15, 2,  2,  15, 15, 15, 15, 15, 2,  2, 15};
+
+/// The anchor texels of the second and of the third subset of each partition into three subsets.
+inline constexpr std::array<std::array<std::uint8_t, kPartitions>, 2> kAnchorsOfThree = {
+    {{3,  3,  15, 15, 8, 3,  15, 15, 8,  8,  6, 6,  6, 5,  3, 3,  3,  3,  8,  15, 3,  3,
+      6,  10, 5,  8,  8, 6,  8,  5,  15, 15, 8, 15, 3, 5,  6, 10, 8,  15, 15, 3,  15, 5,
+      15, 15, 15, 15, 3, 15, 5,  5,  5,  8,  5, 10, 5, 10, 8, 13, 15, 12, 3,  3},
+     {15, 8, 8, 3,  15, 15, 3,  8,  15, 15, 15, 15, 15, 15, 15, 8,  15, 8,  15, 3,  15, 8,
+      15, 8, 3, 15, 6,  10, 15, 15, 10, 8,  15, 3,  15, 10, 10, 8,  9,  10, 6,  15, 8,  15,
+      3,  6, 6, 8,  15, 3,  15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 3,  15, 15, 8}}};
+
+/// Returns the number of the subset of a texel in a partition into 1, 2 or 3 subsets.
+constexpr int subset_of(int subsets, int partition, int texel) {
+    const auto index = static_cast<std::size_t>(partition);
+    if (subsets == 2) {
+        return kPartitionMasks[index] >> texel & 1;
+    }
+    return subsets == 3 ? static_cast<int>(kThreeSubsets[index] >> 2 * texel & 3U) : 0;
+}
+
+/// Returns the anchor texel of a subset.
+constexpr int anchor_of(int subsets, int partition, int subset) {
+    const auto index = static_cast<std::size_t>(partition);
+    if (subset == 0) {
+        return 0;
+    }
+    return subsets == 2 ? kSecondAnchors[index]
+                        : kAnchorsOfThree[static_cast<std::size_t>(subset - 1)][index];
+}
+
+/// Returns the weight of the second endpoint, in 64ths, for an index of 2, 3 or 4 bits: 64 times
+/// the index divided by the largest index, rounded to the nearest integer.
+constexpr int weight_of(int index, int index_bits) {
+    const int largest = (1 << index_bits) - 1;
+    return (128 * index + largest) / (2 * largest);
+}
+
+/// Returns the value between two endpoints of 8 bits for a weight of the second one.
+constexpr int interpolated(int first, int second, int weight) {
+    return ((64 - weight) * first + weight * second + 32) >> 6;
+}
+
+/// Returns the 8 bits that an endpoint of `bits` bits stands for. The highest bits are repeated
+/// below the others. Precondition: 4 <= `bits` <= 8.
+constexpr int expanded(int code, int bits) {
+    const int high = code << (8 - bits);
+    return high | high >> bits;
+}
 
 }  // namespace foam::texgen::bc7

@@ -62,33 +62,53 @@ Bytes plain_texels(const Texels<Code>& texels, int channels) {
     return bytes;
 }
 
-TexelBlock block_at(const Texels<std::uint8_t>& texels, int x, int y) {
+// Returns a block of a picture. Positions beyond the image have the sample of the nearest pixel.
+// Missing channels are 0, except for alpha, which is 255. Rows are counted from the top.
+template <std::size_t kChannels>
+TexelBlock block_at(const Image<std::uint8_t>& pixels, int left, int top) {
     TexelBlock block{};
     for (int k = 0; k < kBlockTexels; ++k) {
-        for (int channel = 0; channel < 4; ++channel) {
-            block[static_cast<std::size_t>(k)][static_cast<std::size_t>(channel)] =
-                texels.at(x + k % kBlockSide, y + k / kBlockSide, channel);
-        }
+        const int x = std::min(left + k % kBlockSide, pixels.width() - 1);
+        const int y = std::min(top + k / kBlockSide, pixels.height() - 1);
+        const std::uint8_t* const from = pixels.pixel(x, pixels.height() - 1 - y).data();
+        std::array<std::uint8_t, 4>& texel = block[static_cast<std::size_t>(k)];
+        texel[kAlpha] = 255;
+        std::copy_n(from, kChannels, texel.begin());
     }
     return block;
 }
 
+TexelBlock block_at(const Image<std::uint8_t>& pixels, int left, int top) {
+    switch (pixels.channels()) {
+        case 1:
+            return block_at<1>(pixels, left, top);
+        case 3:
+            return block_at<3>(pixels, left, top);
+        default:
+            return block_at<4>(pixels, left, top);
+    }
+}
+
 template <std::size_t bytes>
-Bytes compressed(const Texels<std::uint8_t>& texels,
-                 int threads,
-                 std::array<std::uint8_t, bytes> (*encode)(const TexelBlock&)) {
-    const int columns = (texels.width() + kBlockSide - 1) / kBlockSide;
-    const int rows = (texels.height() + kBlockSide - 1) / kBlockSide;
-    const std::size_t row_bytes = static_cast<std::size_t>(columns) * bytes;
-    Bytes blocks(static_cast<std::size_t>(rows) * row_bytes);
-    parallel_for(rows, threads, [&](int row) {
-        std::byte* to = blocks.data() + static_cast<std::size_t>(row) * row_bytes;
-        for (int column = 0; column < columns; ++column, to += bytes) {
-            const auto block = encode(block_at(texels, column * kBlockSide, row * kBlockSide));
-            std::memcpy(to, block.data(), bytes);
+using Encoder = void(std::span<const TexelBlock>, std::span<std::array<std::uint8_t, bytes>>);
+
+template <std::size_t bytes>
+Bytes compressed(const Image<std::uint8_t>& pixels, int threads, Encoder<bytes>* encode) {
+    constexpr std::size_t kBlocksAtOnce = 1024;
+    const int columns = (pixels.width() + kBlockSide - 1) / kBlockSide;
+    const int rows = (pixels.height() + kBlockSide - 1) / kBlockSide;
+    const auto count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    Bytes result(count * bytes);
+    parallel_for(count, kBlocksAtOnce, threads, [&](std::size_t first, std::size_t last) {
+        std::vector<TexelBlock> texels;
+        std::vector<std::array<std::uint8_t, bytes>> blocks(last - first);
+        for (auto k = static_cast<int>(first); k < static_cast<int>(last); ++k) {
+            texels.push_back(block_at(pixels, k % columns * kBlockSide, k / columns * kBlockSide));
         }
+        encode(texels, blocks);
+        std::memcpy(result.data() + first * bytes, blocks.data(), blocks.size() * bytes);
     });
-    return blocks;
+    return result;
 }
 
 // Returns the bytes of an image in a format.
@@ -98,17 +118,17 @@ Bytes encode_image(const Picture& picture, PixelFormat format, int threads) {
         return plain_texels(Texels(std::get<Image<std::uint16_t>>(group.samples)),
                             facts_of(format).channels);
     }
-    const Texels<std::uint8_t> texels(std::get<Image<std::uint8_t>>(group.samples));
+    const auto& pixels = std::get<Image<std::uint8_t>>(group.samples);
     switch (format) {
         case PixelFormat::Bc4:
-            return compressed(texels, threads, encode_bc4);
+            return compressed(pixels, threads, encode_bc4);
         case PixelFormat::Bc5:
-            return compressed(texels, threads, encode_bc5);
+            return compressed(pixels, threads, encode_bc5);
         case PixelFormat::Bc7:
         case PixelFormat::Bc7Srgb:
-            return compressed(texels, threads, encode_bc7);
+            return compressed(pixels, threads, encode_bc7);
         default:
-            return plain_texels(texels, facts_of(format).channels);
+            return plain_texels(Texels(pixels), facts_of(format).channels);
     }
 }
 
@@ -131,11 +151,7 @@ TexelBlock decoded_block(PixelFormat format, std::span<const std::uint8_t> bytes
         }
         return texels;
     }
-    const std::optional<TexelBlock> texels = decode_bc7(bytes.first<kBc7Bytes>());
-    if (!texels) {
-        throw InputError("a block of BC7 has a mode that is not supported; only 1, 5 and 6 are");
-    }
-    return *texels;
+    return decode_bc7(bytes.first<kBc7Bytes>());
 }
 
 // Returns the channels of the picture of a texture.

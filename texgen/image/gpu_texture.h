@@ -81,7 +81,7 @@ GpuTexture texture_of(const Picture& picture, const GpuEncoding& encoding);
 /// Returns the full size of the first layer of a texture as a picture. It has one channel or, for a
 /// format of two channels, three channels, and otherwise four channels, or three if the texture has
 /// no alpha (`opaque`). The third channel of Rg16 is 0. The channels of Bc5 are x, y and z of a
-/// unit vector, of which the texture stores x and y. Throws InputError if a block cannot be read.
+/// unit vector, of which the texture stores x and y.
 Picture picture_of(const GpuTexture& texture);
 
 }  // namespace foam::texgen

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <type_traits>
@@ -40,35 +41,42 @@ struct Conversion {
     bool color;            // sRGB colors
     std::size_t channels;  // of the picture
     std::span<const std::uint8_t, 65536> codes = srgb_codes_of_light();
-    std::vector<float> light{};  // of each code, for colors
+    std::vector<float> light{};      // of each code, for colors
+    std::vector<float> fractions{};  // of each code, for other channels
 
     Conversion(const Picture& picture, TexelMeaning given)
         : meaning(given),
           color(picture.metadata.color),
           channels(static_cast<std::size_t>(picture.groups.front().channels())) {
-        for (int code = 0; color && code <= std::numeric_limits<Code>::max(); ++code) {
-            light.push_back(static_cast<float>(
-                srgb_to_linear(code / static_cast<double>(std::numeric_limits<Code>::max()))));
+        for (int code = 0; code <= std::numeric_limits<Code>::max(); ++code) {
+            const float fraction = static_cast<float>(code) / kLargest<Code>;
+            fractions.push_back(meaning == TexelMeaning::Normals ? 2.0F * fraction - 1.0F
+                                                                 : fraction);
+            if (color) {
+                light.push_back(static_cast<float>(
+                    srgb_to_linear(code / static_cast<double>(std::numeric_limits<Code>::max()))));
+            }
         }
     }
 
     bool has_opacity() const { return color && channels > kOpacity; }
+    bool is_light(std::size_t channel) const { return color && channel < kColors; }
 
-    float number(Code code, std::size_t channel) const {
-        if (color && channel < kColors) {
-            return light[code];
-        }
-        const float fraction = static_cast<float>(code) / kLargest<Code>;
-        return meaning == TexelMeaning::Normals ? 2.0F * fraction - 1.0F : fraction;
+    // Returns the numbers of all codes of a channel.
+    std::span<const float> numbers(std::size_t channel) const {
+        return is_light(channel) ? light : fractions;
     }
     Code code(float number, std::size_t channel) const {
         const double whole = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
-        const bool is_light = color && channel < kColors;
-        if (is_light && sizeof(Code) == 1) {
-            return static_cast<Code>(codes[static_cast<std::size_t>(std::lround(whole * 65535.0))]);
+        if (!is_light(channel)) {
+            // The product is exact, and so is the sum unless it is far below 1.
+            return static_cast<Code>(whole * static_cast<double>(kLargest<Code>) + 0.5);
         }
-        const double fraction = is_light ? linear_to_srgb(whole) : whole;
-        return static_cast<Code>(std::lround(fraction * static_cast<double>(kLargest<Code>)));
+        if (sizeof(Code) == 1) {
+            return static_cast<Code>(codes[static_cast<std::size_t>(whole * 65535.0 + 0.5)]);
+        }
+        return static_cast<Code>(
+            std::lround(linear_to_srgb(whole) * static_cast<double>(kLargest<Code>)));
     }
 };
 
@@ -78,15 +86,18 @@ Planes planes_of(const Image<Code>& pixels, const Conversion<Code>& conversion) 
     Planes planes(conversion.has_opacity() ? channels + kColors : channels,
                   Image<float>(pixels.width(), pixels.height(), 1));
     const auto samples = pixels.samples();
-    for (std::size_t k = 0; k * channels < samples.size(); ++k) {
-        for (std::size_t c = 0; c < channels; ++c) {
-            planes[c].samples()[k] = conversion.number(samples[channels * k + c], c);
+    for (std::size_t c = 0; c < channels; ++c) {
+        const std::span<const float> numbers = conversion.numbers(c);
+        const auto plane = planes[c].samples();
+        for (std::size_t k = 0; k < plane.size(); ++k) {
+            plane[k] = numbers[samples[channels * k + c]];
         }
-        for (std::size_t c = 0; conversion.has_opacity() && c < kColors; ++c) {
-            float& color = planes[c].samples()[k];
-            planes[channels + c].samples()[k] = color;
-            color *= planes[kOpacity].samples()[k];
-        }
+    }
+    for (std::size_t c = 0; conversion.has_opacity() && c < kColors; ++c) {
+        const auto plane = planes[c].samples();
+        std::ranges::copy(plane, planes[channels + c].samples().begin());
+        std::ranges::transform(
+            plane, planes[kOpacity].samples(), plane.begin(), std::multiplies<>());
     }
     return planes;
 }

@@ -2,6 +2,8 @@
 
 #include "texgen/image/mip_level.h"
 
+#include "core/parallel/simd_level.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -61,9 +63,29 @@ void add_means(
     }
 }
 
+// Computes the means over squares of 2 x 2 pixels, with the roundings of the general case.
+Image<float> halved(ImageView<const float> pixels) {
+    Image<float> level(pixels.width() / 2, pixels.height() / 2, 1);
+    for (int y = 0; y < level.height(); ++y) {
+        at_simd_level([first = pixels.row(2 * y).data(),
+                       second = pixels.row(2 * y + 1).data(),
+                       to = level.row(y)] {
+            for (std::size_t x = 0; x < to.size(); ++x) {
+                const double first_sum = static_cast<double>(first[2 * x]) + first[2 * x + 1];
+                const double second_sum = static_cast<double>(second[2 * x]) + second[2 * x + 1];
+                to[x] = static_cast<float>(0.25 * (first_sum + second_sum));
+            }
+        });
+    }
+    return level;
+}
+
 }  // namespace
 
 Image<float> mean_level(ImageView<const float> pixels, int channel) {
+    if (pixels.channels() == 1 && pixels.width() % 2 == 0 && pixels.height() % 2 == 0) {
+        return halved(pixels);
+    }
     Image<float> level(half_of(pixels.width()), half_of(pixels.height()), 1);
     std::vector<double> sums;
     for (int y = 0; y < level.height(); ++y) {

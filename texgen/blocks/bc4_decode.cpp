@@ -2,23 +2,13 @@
 
 #include "texgen/blocks/bc4.h"
 
-#include <squish.h>
-
-// libsquish 1.15 compresses BC4 and BC5, but its function Decompress reads them as blocks of
-// colors. They are therefore decompressed here, as the Khronos Data Format Specification says
-// (chapter "RGTC Compressed Texture Image Formats"). A block of one channel has two endpoints of 8
-// bits, and indices of 3 bits, the first of them in the lowest bits.
+// Source: Khronos Data Format Specification 1.3, chapter "RGTC Compressed Texture Image Formats". A
+// block of one channel has two endpoints of 8 bits, and indices of 3 bits, the first of them in the
+// lowest bits.
 
 namespace foam::texgen {
 
 namespace {
-
-template <std::size_t bytes>
-std::array<std::uint8_t, bytes> compressed(const TexelBlock& texels, int format) {
-    std::array<std::uint8_t, bytes> block{};
-    squish::Compress(texels.front().data(), block.data(), format);
-    return block;
-}
 
 // Returns the eight values of a block. If the first endpoint is not the larger one, the last two
 // values are 0 and 255.
@@ -55,14 +45,6 @@ TexelBlock black_block() {
 }
 
 }  // namespace
-
-std::array<std::uint8_t, kBc4Bytes> encode_bc4(const TexelBlock& texels) {
-    return compressed<kBc4Bytes>(texels, squish::kBc4);
-}
-
-std::array<std::uint8_t, kBc5Bytes> encode_bc5(const TexelBlock& texels) {
-    return compressed<kBc5Bytes>(texels, squish::kBc5);
-}
 
 TexelBlock decode_bc4(std::span<const std::uint8_t, kBc4Bytes> block) {
     TexelBlock texels = black_block();

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "core/parallel/simd_level.h"
+#include "texgen/blocks/bc4.h"
+#include "texgen/blocks/bc4_palette.h"
+#include "texgen/blocks/lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+// One channel of a block is approximated by evenly spaced values between two endpoints: eight, or
+// six and in addition 0 and 255. The endpoints begin with the smallest and the largest texel, are
+// improved by least squares, and are then moved by 1 while this reduces the error. Blocks are
+// compressed in groups, one block per lane of a SIMD register.
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kLeastSquaresSteps = 2;  // of least squares
+constexpr int kMovePasses = 2;         // of moving endpoints
+constexpr float kLargestTexel = 255.0F;
+
+// The values of one channel of several blocks.
+template <class Simd>
+using Values = Array<typename Simd::Floats, kBlockTexels>;
+
+// The endpoints of several blocks and the sum of the squared errors.
+template <class Simd>
+struct ChannelFit {
+    using Floats = typename Simd::Floats;
+
+    FOAM_INLINE void improve(const ChannelFit& other) {
+        const auto is_better = Simd::less(other.error, error);
+        low = Simd::select(is_better, other.low, low);
+        high = Simd::select(is_better, other.high, high);
+        error = Simd::smaller(other.error, error);
+    }
+
+    Floats low;
+    Floats high;
+    Floats error = 1e30F;
+};
+
+// Returns -1 in lanes in which the endpoints can be stored: eight values need different endpoints.
+template <class Simd, int kSteps>
+FOAM_INLINE typename Simd::Ints in_order(const ChannelFit<Simd>& fit) {
+    return Simd::less(fit.low, kSteps == 7 ? fit.high : fit.high + typename Simd::Floats(0.5F));
+}
+
+// The sums over the texels from which least squares finds the endpoints.
+template <class Simd>
+struct ChannelSums {
+    typename Simd::Floats count;
+    typename Simd::Floats weights;
+    typename Simd::Floats squares;
+    typename Simd::Floats values;
+    typename Simd::Floats products;
+};
+
+// Sets the error of a fit, and returns the sums for its indices.
+template <class Simd, int kSteps>
+FOAM_INLINE ChannelSums<Simd> measure(const Values<Simd>& texels, ChannelFit<Simd>& fit) {
+    using Floats = typename Simd::Floats;
+    const Palette<Simd, kSteps> palette(fit.low, fit.high);
+    ChannelSums<Simd> sums;
+    fit.error = Floats();
+    for (const Floats& texel : texels) {
+        const auto nearest = palette.nearest(texel);
+        fit.error += nearest.square;
+        const Floats one = Simd::select(nearest.is_between, Floats(1.0F), Floats());
+        const Floats weight = nearest.index * one;
+        sums.count += one;
+        sums.weights += weight;
+        sums.squares += weight * weight;
+        sums.values += texel * one;
+        sums.products += texel * weight;
+    }
+    return sums;
+}
+
+// Replaces the endpoints by those with the smallest squared error, if the sums determine them.
+template <class Simd, int kSteps>
+FOAM_INLINE void solve(const ChannelSums<Simd>& sums, ChannelFit<Simd>& fit) {
+    using Floats = typename Simd::Floats;
+    const Floats determinant = sums.count * sums.squares - sums.weights * sums.weights;
+    const auto is_determined = Simd::less(Floats(0.5F), determinant);
+    const Floats inverse = Floats(1.0F) / Simd::select(is_determined, determinant, Floats(1.0F));
+    const Floats low = (sums.values * sums.squares - sums.products * sums.weights) * inverse;
+    const Floats slope = (sums.count * sums.products - sums.weights * sums.values) * inverse;
+    const auto rounded = [](const Floats& value) FOAM_INLINE_LAMBDA {
+        return Simd::truncated(Simd::smaller(Simd::larger(value, Floats()), Floats(kLargestTexel)) +
+                               Floats(0.5F));
+    };
+    fit.low = Simd::select(is_determined, rounded(low), fit.low);
+    fit.high = Simd::select(is_determined, rounded(low + slope * Floats(kSteps)), fit.high);
+}
+
+// Replaces a fit by one whose endpoints are moved, if they keep their order and the error is
+// smaller.
+template <class Simd, int kSteps>
+FOAM_INLINE void try_move(const Values<Simd>& texels, int low, int high, ChannelFit<Simd>& best) {
+    using Floats = typename Simd::Floats;
+    ChannelFit<Simd> moved;
+    moved.low = best.low + Floats(static_cast<float>(low));
+    moved.high = best.high + Floats(static_cast<float>(high));
+    const auto is_valid = in_order<Simd, kSteps>(moved) & Simd::less(Floats(-0.5F), moved.low) &
+                          Simd::less(moved.high, Floats(kLargestTexel + 0.5F));
+    measure<Simd, kSteps>(texels, moved);
+    moved.error = Simd::select(is_valid, moved.error, Floats(1e30F));
+    best.improve(moved);
+}
+
+template <class Simd, int kSteps>
+FOAM_INLINE ChannelFit<Simd> fitted(const Values<Simd>& texels,
+                                    const typename Simd::Floats& low,
+                                    const typename Simd::Floats& high) {
+    using Floats = typename Simd::Floats;
+    constexpr Array<std::pair<int, int>, 6> kMoves = {
+        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}}};
+    ChannelFit<Simd> best;
+    ChannelFit<Simd> trial;
+    trial.low = low;
+    trial.high = high;
+#pragma GCC unroll 1
+    for (int round = 0; round <= kLeastSquaresSteps; ++round) {
+        const ChannelSums<Simd> sums = measure<Simd, kSteps>(texels, trial);
+        trial.error = Simd::select(in_order<Simd, kSteps>(trial), trial.error, Floats(1e30F));
+        best.improve(trial);
+        solve<Simd, kSteps>(sums, trial);
+    }
+#pragma GCC unroll 1
+    for (int pass = 0; pass < kMovePasses; ++pass) {
+#pragma GCC unroll 1
+        for (const auto& [of_low, of_high] : kMoves) {
+            try_move<Simd, kSteps>(texels, of_low, of_high, best);
+        }
+    }
+    return best;
+}
+
+// The endpoints and the indices of blocks as they are stored: the indices of texels 0 to 7 and 8 to
+// 15 have 24 bits each.
+template <class Simd>
+struct StoredChannels {
+    using Ints = typename Simd::Ints;
+
+    FOAM_INLINE void replace(const Ints& mask, const StoredChannels& other) {
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            fields[k] = Simd::select(mask, other.fields[k], fields[k]);
+        }
+    }
+
+    Array<Ints, 4> fields;  // the first and the second endpoint, the indices of both halves
+};
+
+template <class Simd, int kSteps>
+FOAM_INLINE StoredChannels<Simd> stored(const Values<Simd>& texels, const ChannelFit<Simd>& fit) {
+    using Ints = typename Simd::Ints;
+    const Palette<Simd, kSteps> palette(fit.low, fit.high);
+    const Ints low = Simd::whole(fit.low);
+    const Ints high = Simd::whole(fit.high);
+    StoredChannels<Simd> result;
+    result.fields[0] = palette.kHasExtremes ? low : high;
+    result.fields[1] = palette.kHasExtremes ? high : low;
+    for (std::size_t k = 0; k < kBlockTexels; ++k) {
+        Ints& indices = result.fields[k < 8 ? 2 : 3];
+        indices = indices | (palette.nearest(texels[k]).code << (3 * static_cast<int>(k % 8)));
+    }
+    return result;
+}
+
+// Compresses one channel of several blocks.
+template <class Simd>
+FOAM_INLINE StoredChannels<Simd> compressed(const Values<Simd>& texels) {
+    using Floats = typename Simd::Floats;
+    using Ints = typename Simd::Ints;
+    Floats low = kLargestTexel;
+    Floats high;
+    Floats inner_low = kLargestTexel;  // of the texels that are neither 0 nor 255
+    Floats inner_high;
+    for (const Floats& texel : texels) {
+        low = Simd::smaller(low, texel);
+        high = Simd::larger(high, texel);
+        inner_low = Simd::smaller(
+            inner_low, Simd::select(Simd::less(Floats(), texel), texel, Floats(kLargestTexel)));
+        inner_high = Simd::larger(
+            inner_high, Simd::select(Simd::less(texel, Floats(kLargestTexel)), texel, Floats()));
+    }
+    const ChannelFit<Simd> eight = fitted<Simd, 7>(texels, low, high);
+    StoredChannels<Simd> result = stored<Simd, 7>(texels, eight);
+    const Ints has_extremes =
+        Simd::less(low, Floats(0.5F)) | Simd::less(Floats(kLargestTexel - 0.5F), high);
+    if (Simd::any(has_extremes)) {
+        const ChannelFit<Simd> six = fitted<Simd, 5>(texels, inner_low, inner_high);
+        result.replace(Simd::less(six.error, eight.error) & has_extremes,
+                       stored<Simd, 5>(texels, six));
+    }
+    // Equal endpoints with the index 0 store a single value.
+    StoredChannels<Simd> single;
+    single.fields[0] = single.fields[1] = Simd::whole(low);
+    result.replace(Simd::equal(low, high), single);
+    return result;
+}
+
+// Compresses one channel of all blocks. Its bytes begin at `offset` in each block.
+template <std::size_t kBytes>
+void encode_channel(std::span<const TexelBlock> texels,
+                    std::size_t channel,
+                    std::size_t offset,
+                    std::span<std::array<std::uint8_t, kBytes>> blocks) {
+    at_simd_level([=](auto level) FOAM_INLINE_LAMBDA {
+        using Simd = LanesAt<decltype(level)::value>;
+        for (std::size_t first = 0; first < texels.size(); first += Simd::kCount) {
+            Array<Array<float, Simd::kCount>, kBlockTexels> numbers;
+            for (std::size_t lane = 0; lane < Simd::kCount; ++lane) {
+                const TexelBlock& block = texels[std::min(first + lane, texels.size() - 1)];
+                for (std::size_t k = 0; k < kBlockTexels; ++k) {
+                    numbers[k][lane] = static_cast<float>(block[k][channel]);
+                }
+            }
+            Values<Simd> values;
+            for (std::size_t k = 0; k < kBlockTexels; ++k) {
+                values[k] = Simd::Floats::load(numbers[k].data());
+            }
+            const StoredChannels<Simd> result = compressed<Simd>(values);
+            Array<Array<std::int32_t, Simd::kCount>, 4> fields;
+            for (std::size_t k = 0; k < fields.size(); ++k) {
+                result.fields[k].store(fields[k].data());
+            }
+            const std::size_t count = std::min(Simd::kCount, texels.size() - first);
+            for (std::size_t lane = 0; lane < count; ++lane) {
+                std::uint8_t* const to = blocks[first + lane].data() + offset;
+                to[0] = static_cast<std::uint8_t>(fields[0][lane]);
+                to[1] = static_cast<std::uint8_t>(fields[1][lane]);
+                for (std::size_t byte = 0; byte < 6; ++byte) {
+                    to[2 + byte] = static_cast<std::uint8_t>(fields[byte < 3 ? 2 : 3][lane] >>
+                                                             (8 * (byte % 3)));
+                }
+            }
+        }
+    });
+}
+
+}  // namespace
+
+void encode_bc4(std::span<const TexelBlock> texels, std::span<Bc4Block> blocks) {
+    assert(texels.size() == blocks.size());
+    encode_channel(texels, 0, 0, blocks);
+}
+
+void encode_bc5(std::span<const TexelBlock> texels, std::span<Bc5Block> blocks) {
+    assert(texels.size() == blocks.size());
+    encode_channel(texels, 0, 0, blocks);
+    encode_channel(texels, 1, kBc4Bytes, blocks);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/blocks/bc7_fit.h"
+#include "texgen/blocks/bc7_pack.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Blocks of BC7 are compressed in groups, one block per lane of a SIMD register.
+
+namespace foam::texgen::bc7 {
+
+/// The blocks of an image, and the best result for each of them.
+struct Work {
+    std::span<const TexelBlock> texels;
+    std::span<Bc7Block> blocks;
+    std::vector<float> errors;
+};
+
+using Numbers = std::vector<std::uint32_t>;  // of blocks
+
+/// A group of blocks, one per lane. If there are fewer blocks than lanes, the last one is repeated.
+template <class Simd>
+class Group {
+  public:
+    using Floats = typename Simd::Floats;
+    using Ints = typename Simd::Ints;
+
+    Group(Work& work, std::span<const std::uint32_t> numbers) : work_(work), numbers_(numbers) {}
+
+    /// Returns the given channels of the blocks.
+    template <std::size_t kChannels>
+    FOAM_INLINE ColorLanes<Simd, kChannels> colors(
+        const Array<std::size_t, kChannels>& channels) const {
+        alignas(64) Array<Array<Array<float, Simd::kCount>, kChannels>, kBlockTexels> values;
+        for (std::size_t lane = 0; lane < Simd::kCount; ++lane) {
+            const TexelBlock& block = work_.texels[numbers_[std::min(lane, numbers_.size() - 1)]];
+            for (std::size_t k = 0; k < kBlockTexels; ++k) {
+                for (std::size_t c = 0; c < kChannels; ++c) {
+                    values[k][c][lane] = static_cast<float>(block[k][channels[c]]);
+                }
+            }
+        }
+        ColorLanes<Simd, kChannels> colors;
+        for (std::size_t k = 0; k < kBlockTexels; ++k) {
+            for (std::size_t c = 0; c < kChannels; ++c) {
+                colors[k][c] = Floats::load(values[k][c].data());
+            }
+        }
+        return colors;
+    }
+
+    /// Stores the blocks of lanes whose error is smaller than before. `fields(lane)` returns their
+    /// fields.
+    template <class Fields>
+    FOAM_INLINE void offer(const Floats& errors, const Fields& fields) {
+        Array<float, Simd::kCount> found;
+        errors.store(found.data());
+        for (std::size_t lane = 0; lane < numbers_.size(); ++lane) {
+            const std::uint32_t number = numbers_[lane];
+            if (found[lane] < work_.errors[number]) {
+                work_.errors[number] = found[lane];
+                work_.blocks[number] = pack_bc7(fields(lane));
+            }
+        }
+    }
+
+  private:
+    Work& work_;
+    std::span<const std::uint32_t> numbers_;
+};
+
+/// Calls body(group) at the SIMD level in use, for groups of all blocks with the given numbers.
+template <class Body>
+void encode_groups(Work& work, const Numbers& numbers, const Body& body) {
+    at_simd_level([&](auto level) FOAM_INLINE_LAMBDA {
+        using Simd = LanesAt<decltype(level)::value>;
+        for (std::size_t first = 0; first < numbers.size(); first += Simd::kCount) {
+            const std::size_t count = std::min(Simd::kCount, numbers.size() - first);
+            body(Group<Simd>(work, std::span(numbers).subspan(first, count)));
+        }
+    });
+}
+
+/// The endpoints and indices of a fit, lane by lane.
+template <class Simd, class Format>
+struct StoredFit {
+    FOAM_INLINE explicit StoredFit(const Fit<Simd, Format>& fit) {
+        for (std::size_t s = 0; s < Format::kSubsets; ++s) {
+            for (std::size_t end = 0; end < 2; ++end) {
+                for (std::size_t c = 0; c < Format::kChannels; ++c) {
+                    Simd::whole(fit.ends[s][end][c]).store(ends[s][end][c].data());
+                }
+            }
+        }
+        for (std::size_t k = 0; k < kBlockTexels; ++k) {
+            fit.indices[k].store(indices[k].data());
+        }
+        fit.partition.store(partitions.data());
+    }
+
+    BlockFields fields(int mode, std::size_t lane) const {
+        BlockFields fields{.mode = mode, .partition = partitions[lane]};
+        for (std::size_t s = 0; s < Format::kSubsets; ++s) {
+            for (std::size_t end = 0; end < 2; ++end) {
+                fields.ends[s][end][3] = 255;
+                for (std::size_t c = 0; c < Format::kChannels; ++c) {
+                    fields.ends[s][end][c] = ends[s][end][c][lane];
+                }
+            }
+        }
+        for (std::size_t k = 0; k < kBlockTexels; ++k) {
+            fields.indices[k] = indices[k][lane];
+        }
+        return fields;
+    }
+
+    using PerLane = Array<std::int32_t, Simd::kCount>;
+    PerLane partitions;
+    Array<Array<Array<PerLane, Format::kChannels>, 2>, Format::kSubsets> ends;
+    Array<PerLane, kBlockTexels> indices;
+};
+
+}  // namespace foam::texgen::bc7

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/blocks/lanes.h"
+#include "texgen/blocks/texel_block.h"
+
+#include <cstddef>
+
+// Finds the lines that are closest to the colors of the subsets of a block, for several blocks at
+// once: the principal axes of the colors. Colors are given relative to the color of texel 0, so
+// that all sums are integers below 2^24, which floats represent exactly.
+
+namespace foam::texgen::bc7 {
+
+/// The channels of a color, as numbers from 0 to 255, in several blocks.
+template <class Simd, std::size_t kChannels>
+using ColorOf = Array<typename Simd::Floats, kChannels>;
+
+/// The colors of the texels of several blocks.
+template <class Simd, std::size_t kChannels>
+using ColorLanes = Array<ColorOf<Simd, kChannels>, kBlockTexels>;
+
+/// The two ends of a line of colors in several blocks.
+template <class Simd, std::size_t kChannels>
+using LineOf = Array<ColorOf<Simd, kChannels>, 2>;
+
+/// Returns the differences of all colors from the color of texel 0.
+template <class Simd, std::size_t kChannels>
+FOAM_INLINE ColorLanes<Simd, kChannels> relative(const ColorLanes<Simd, kChannels>& colors) {
+    ColorLanes<Simd, kChannels> differences;
+    for (std::size_t k = 0; k < kBlockTexels; ++k) {
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            differences[k][c] = colors[k][c] - colors[0][c];
+        }
+    }
+    return differences;
+}
+
+/// The subsets of the texels of several blocks, each of which has a partition of its own.
+template <class Simd, std::size_t kSubsets>
+struct Membership {
+    using Ints = typename Simd::Ints;
+
+    /// Returns the value of the subset of a texel.
+    template <class Value>
+    FOAM_INLINE Value of(const Array<Value, kSubsets>& values, std::size_t texel) const {
+        Value value = values[0];
+        for (std::size_t s = 1; s < kSubsets; ++s) {
+            value = Simd::select(masks[s][texel], values[s], value);
+        }
+        return value;
+    }
+
+    /// -1 for the texels of a subset, and 0 for the others. The masks of the first subset are not
+    /// used.
+    Array<Array<Ints, kBlockTexels>, kSubsets> masks;
+};
+
+/// Adds up values of texels for each subset. The values are integers, so that the sum of the first
+/// subset can be found by subtraction without an error.
+template <class Simd, std::size_t kSubsets>
+struct SubsetSum {
+    using Floats = typename Simd::Floats;
+
+    FOAM_INLINE void add(const Floats& value,
+                         const Membership<Simd, kSubsets>& membership,
+                         std::size_t texel) {
+        sums[0] += value;
+        for (std::size_t s = 1; s < kSubsets; ++s) {
+            sums[s] += Simd::select(membership.masks[s][texel], value, Floats());
+        }
+    }
+    /// Subtracts the sums of the other subsets from that of the first, which is the sum over all
+    /// texels before. Call once, after the last call of add.
+    FOAM_INLINE void finish() {
+        for (std::size_t s = 1; s < kSubsets; ++s) {
+            sums[0] = sums[0] - sums[s];
+        }
+    }
+
+    Array<Floats, kSubsets> sums;
+};
+
+/// The number of pairs of channels c <= d.
+constexpr std::size_t pairs_of(std::size_t channels) {
+    return channels * (channels + 1) / 2;
+}
+
+/// The number of texels of a subset, and the sums of their relative colors and of the products of
+/// their channels c <= d, ordered by c and then by d.
+template <class Simd, std::size_t kChannels>
+struct ColorSums {
+    using Floats = typename Simd::Floats;
+
+    FOAM_INLINE void add(const ColorSums& other) {
+        count += other.count;
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            colors[c] += other.colors[c];
+        }
+        for (std::size_t k = 0; k < pairs_of(kChannels); ++k) {
+            products[k] += other.products[k];
+        }
+    }
+    FOAM_INLINE ColorSums without(const ColorSums& other) const {
+        ColorSums rest;
+        rest.count = count - other.count;
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            rest.colors[c] = colors[c] - other.colors[c];
+        }
+        for (std::size_t k = 0; k < pairs_of(kChannels); ++k) {
+            rest.products[k] = products[k] - other.products[k];
+        }
+        return rest;
+    }
+
+    Floats count;
+    ColorOf<Simd, kChannels> colors;
+    Array<Floats, pairs_of(kChannels)> products;
+};
+
+template <class Simd, std::size_t kChannels>
+FOAM_INLINE ColorSums<Simd, kChannels> sums_of(const ColorOf<Simd, kChannels>& color) {
+    ColorSums<Simd, kChannels> sums;
+    sums.count = 1.0F;
+    sums.colors = color;
+    std::size_t pair = 0;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+        for (std::size_t d = c; d < kChannels; ++d) {
+            sums.products[pair++] = color[c] * color[d];
+        }
+    }
+    return sums;
+}
+
+/// The scatter matrix of the colors of a subset: the products of their differences from the mean,
+/// summed over the texels.
+template <class Simd, std::size_t kChannels>
+using Scatter = Array<ColorOf<Simd, kChannels>, kChannels>;
+
+template <class Simd, std::size_t kChannels>
+FOAM_INLINE Scatter<Simd, kChannels> scatter_of(const ColorSums<Simd, kChannels>& sums,
+                                                const ColorOf<Simd, kChannels>& mean) {
+    Scatter<Simd, kChannels> scatter;
+    std::size_t pair = 0;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+        for (std::size_t d = c; d < kChannels; ++d) {
+            scatter[c][d] = scatter[d][c] = sums.products[pair++] - sums.colors[c] * mean[d];
+        }
+    }
+    return scatter;
+}
+
+/// Returns a vector along the principal axis, by power iteration, which begins with the column of
+/// the largest variance. Returns 0 if all colors are equal. The vector is scaled by the trace, so
+/// that its numbers do not overflow.
+template <class Simd, std::size_t kChannels>
+FOAM_INLINE ColorOf<Simd, kChannels> principal_axis(const Scatter<Simd, kChannels>& scatter) {
+    using Floats = typename Simd::Floats;
+    constexpr int kIterations = 4;
+    Floats trace = 1e-3F;  // avoids a division by 0 if all colors are equal
+    ColorOf<Simd, kChannels> axis = scatter[0];
+    Floats widest;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+        trace += scatter[c][c];
+        const auto is_wider = Simd::less(widest, scatter[c][c]);
+        widest = Simd::larger(widest, scatter[c][c]);
+        for (std::size_t d = 0; d < kChannels; ++d) {
+            axis[d] = Simd::select(is_wider, scatter[c][d], axis[d]);
+        }
+    }
+    const Floats unit = Floats(2.0F) / trace;
+    for (int k = 0; k < kIterations; ++k) {
+        ColorOf<Simd, kChannels> next;
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            for (std::size_t d = 0; d < kChannels; ++d) {
+                next[c] += scatter[c][d] * axis[d];
+            }
+            next[c] = next[c] * unit;
+        }
+        axis = next;
+    }
+    return axis;
+}
+
+/// Returns the sums of the colors of all subsets.
+template <class Simd, std::size_t kSubsets, std::size_t kChannels>
+FOAM_INLINE Array<ColorSums<Simd, kChannels>, kSubsets> subset_sums(
+    const ColorLanes<Simd, kChannels>& relative_colors,
+    const Membership<Simd, kSubsets>& membership) {
+    using Floats = typename Simd::Floats;
+    SubsetSum<Simd, kSubsets> count;
+    Array<SubsetSum<Simd, kSubsets>, kChannels> colors;
+    Array<SubsetSum<Simd, kSubsets>, pairs_of(kChannels)> products;
+    for (std::size_t k = 0; k < kBlockTexels; ++k) {
+        const auto terms = sums_of<Simd, kChannels>(relative_colors[k]);
+        count.add(terms.count, membership, k);
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            colors[c].add(terms.colors[c], membership, k);
+        }
+        for (std::size_t pair = 0; pair < products.size(); ++pair) {
+            products[pair].add(terms.products[pair], membership, k);
+        }
+    }
+    count.finish();
+    Array<ColorSums<Simd, kChannels>, kSubsets> sums;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+        colors[c].finish();
+    }
+    for (std::size_t pair = 0; pair < products.size(); ++pair) {
+        products[pair].finish();
+    }
+    for (std::size_t s = 0; s < kSubsets; ++s) {
+        sums[s].count = Simd::larger(count.sums[s], Floats(1.0F));
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            sums[s].colors[c] = colors[c].sums[s];
+        }
+        for (std::size_t pair = 0; pair < products.size(); ++pair) {
+            sums[s].products[pair] = products[pair].sums[s];
+        }
+    }
+    return sums;
+}
+
+/// Returns the parts of the principal axes of the subsets onto which their colors are projected,
+/// relative to the color of texel 0.
+template <class Simd, std::size_t kSubsets, std::size_t kChannels>
+FOAM_INLINE Array<LineOf<Simd, kChannels>, kSubsets> principal_lines(
+    const ColorLanes<Simd, kChannels>& relative_colors,
+    const Array<ColorSums<Simd, kChannels>, kSubsets>& sums,
+    const Membership<Simd, kSubsets>& membership) {
+    using Floats = typename Simd::Floats;
+    Array<ColorOf<Simd, kChannels>, kSubsets> means;
+    Array<Array<Floats, kSubsets>, kChannels> axes;
+    Array<Floats, kSubsets> centers;  // the positions of the means along the axes
+    Array<Floats, kSubsets> squares;
+    for (std::size_t s = 0; s < kSubsets; ++s) {
+        const Floats share = Floats(1.0F) / sums[s].count;
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            means[s][c] = sums[s].colors[c] * share;
+        }
+        const auto axis =
+            principal_axis<Simd, kChannels>(scatter_of<Simd, kChannels>(sums[s], means[s]));
+        squares[s] = 1e-20F;
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            axes[c][s] = axis[c];
+            squares[s] += axis[c] * axis[c];
+            centers[s] += axis[c] * means[s][c];
+        }
+    }
+    Array<Floats, kSubsets> low;
+    Array<Floats, kSubsets> high;
+    for (std::size_t k = 0; k < kBlockTexels; ++k) {
+        Floats along = Floats() - membership.of(centers, k);
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            along += relative_colors[k][c] * membership.of(axes[c], k);
+        }
+        for (std::size_t s = 0; s < kSubsets; ++s) {
+            // The mean has the position 0, so that texels of other subsets change nothing.
+            const Floats position =
+                kSubsets == 1 ? along : Simd::select(membership.masks[s][k], along, Floats());
+            low[s] = Simd::smaller(low[s], position);
+            high[s] = Simd::larger(high[s], position);
+        }
+    }
+    Array<LineOf<Simd, kChannels>, kSubsets> lines;
+    for (std::size_t s = 0; s < kSubsets; ++s) {
+        const Floats to_low = low[s] / squares[s];
+        const Floats to_high = high[s] / squares[s];
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            lines[s][0][c] = means[s][c] + to_low * axes[c][s];
+            lines[s][1][c] = means[s][c] + to_high * axes[c][s];
+        }
+    }
+    return lines;
+}
+
+}  // namespace foam::texgen::bc7

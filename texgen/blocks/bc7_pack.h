@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/blocks/bc7.h"
+
+#include <array>
+#include <cstdint>
+
+namespace foam::texgen::bc7 {
+
+/// The two endpoints of a subset, with values of 8 bits as a decoder expands them.
+using EndValues = std::array<std::array<std::int32_t, 4>, 2>;
+
+/// An index for each texel.
+using Indices = std::array<std::int32_t, kBlockTexels>;
+
+/// The fields of a block.
+struct BlockFields {
+    int mode = 0;
+    int partition = 0;
+    int rotation = 0;
+    std::array<EndValues, 3> ends{};  // of each subset
+    Indices indices{};                // of all channels or, in the modes 4 and 5, of colors
+    Indices alpha_indices{};          // in the modes 4 and 5
+};
+
+/// Returns a block. Exchanges endpoints where the highest bit of the index of an anchor is set.
+/// Precondition: the mode can store the values of the endpoints.
+Bc7Block pack_bc7(BlockFields fields);
+
+}  // namespace foam::texgen::bc7

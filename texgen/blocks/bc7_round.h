@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/blocks/bc7_line.h"
+#include "texgen/blocks/bc7_modes.h"
+
+#include <cstddef>
+
+// Rounds the endpoints of a subset to values that a mode of BC7 can store, for several blocks at
+// once. Both endpoints are rounded together: of the values below and above each of them, the pair
+// with the smallest error is used.
+
+namespace foam::texgen::bc7 {
+
+/// The part of a mode that determines how colors are approximated.
+template <std::size_t kSubsetCount,
+          std::size_t kChannelCount,
+          int kCodeBits,
+          LowestBits kLowestBits,
+          int kBitsOfIndex>
+struct Format {
+    static constexpr std::size_t kSubsets = kSubsetCount;
+    static constexpr std::size_t kChannels = kChannelCount;
+    static constexpr LowestBits kLowest = kLowestBits;
+    static constexpr int kLargestCode = (1 << kCodeBits) - 1;
+    /// The bits of an endpoint, with the lowest bit.
+    static constexpr int kBits = kCodeBits + (kLowestBits == LowestBits::None ? 0 : 1);
+    static constexpr int kSteps = (1 << kBitsOfIndex) - 1;  // from one endpoint to the other
+};
+
+/// What least squares needs to know of a subset and its indices. The squared error of the colors,
+/// apart from a constant, is
+///     first x^2 + 2 mixed x y + second y^2 - 2 sums[0][c] x - 2 sums[1][c] y
+/// for the values x and y of channel c at the two endpoints.
+template <class Simd, std::size_t kChannels>
+struct SquaredError {
+    using Floats = typename Simd::Floats;
+
+    Floats first;
+    Floats mixed;
+    Floats second;
+    LineOf<Simd, kChannels> sums;
+};
+
+/// Returns the value of 8 bits that a code and a lowest bit stand for.
+template <class Format, class Simd>
+FOAM_INLINE typename Simd::Floats value_of(const typename Simd::Ints& code,
+                                           const typename Simd::Ints& lowest) {
+    using Ints = typename Simd::Ints;
+    const Ints bits = Format::kLowest == LowestBits::None ? code : (code << 1) + lowest;
+    const Ints high = bits << (8 - Format::kBits);
+    return Simd::numbers(high | (high >> Format::kBits));
+}
+
+/// Returns the code, not rounded to an integer, that stands for a value together with a lowest bit.
+/// It is clamped to codes from 0 to `largest`.
+template <class Format, class Simd>
+FOAM_INLINE typename Simd::Floats code_of(const typename Simd::Floats& value,
+                                          const typename Simd::Ints& lowest,
+                                          float largest) {
+    using Floats = typename Simd::Floats;
+    constexpr float kStep = Format::kLowest == LowestBits::None ? 1.0F : 0.5F;
+    constexpr float kScale = static_cast<float>((1 << Format::kBits) - 1) / 255.0F * kStep;
+    Floats code = value * Floats(kScale);
+    if constexpr (Format::kLowest != LowestBits::None) {
+        code = code - Simd::numbers(lowest) * Floats(kStep);
+    }
+    return Simd::smaller(Simd::larger(code, Floats()), Floats(largest));
+}
+
+/// Returns the squared distance of a color from the nearest color with a lowest bit.
+template <class Format, class Simd>
+FOAM_INLINE typename Simd::Floats distance_with(const ColorOf<Simd, Format::kChannels>& color,
+                                                const typename Simd::Ints& lowest) {
+    using Floats = typename Simd::Floats;
+    Floats distance;
+    for (std::size_t c = 0; c < Format::kChannels; ++c) {
+        const Floats code = code_of<Format, Simd>(color[c], lowest, Format::kLargestCode);
+        const Floats value = value_of<Format, Simd>(Simd::whole(code + Floats(0.5F)), lowest);
+        distance += (value - color[c]) * (value - color[c]);
+    }
+    return distance;
+}
+
+/// Returns the lowest bits with which the nearest colors are closest to both ends of a line.
+template <class Format, class Simd>
+FOAM_INLINE Array<typename Simd::Ints, 2> lowest_bits(const LineOf<Simd, Format::kChannels>& line) {
+    using Floats = typename Simd::Floats;
+    using Ints = typename Simd::Ints;
+    if constexpr (Format::kLowest == LowestBits::None || Format::kLowest == LowestBits::Ones) {
+        return {Ints(1), Ints(1)};
+    } else {
+        Array<Floats, 2> gains;  // of the lowest bit 1
+        for (std::size_t end = 0; end < 2; ++end) {
+            gains[end] = distance_with<Format, Simd>(line[end], 0) -
+                         distance_with<Format, Simd>(line[end], 1);
+        }
+        if constexpr (Format::kLowest == LowestBits::PerSubset) {
+            gains[0] = gains[1] = gains[0] + gains[1];
+        }
+        return {Simd::less(Floats(), gains[0]) & Ints(1), Simd::less(Floats(), gains[1]) & Ints(1)};
+    }
+}
+
+/// Rounds both endpoints of a channel to values of the format: of the values below and above each
+/// of them, the pair with the smallest squared error. Precondition: the line has the smallest
+/// squared error of all lines.
+template <class Format, class Simd>
+FOAM_INLINE void round_channel(std::size_t c,
+                               const LineOf<Simd, Format::kChannels>& line,
+                               const SquaredError<Simd, Format::kChannels>& error,
+                               const Array<typename Simd::Ints, 2>& lowest,
+                               LineOf<Simd, Format::kChannels>& rounded) {
+    using Floats = typename Simd::Floats;
+    using Ints = typename Simd::Ints;
+    Array<Array<Floats, 2>, 2> values;
+    Array<Array<Floats, 2>, 2> differences;
+    for (std::size_t end = 0; end < 2; ++end) {
+        const Ints below =
+            Simd::whole(code_of<Format, Simd>(line[end][c], lowest[end], Format::kLargestCode - 1));
+        for (int above = 0; above < 2; ++above) {
+            const auto k = static_cast<std::size_t>(above);
+            values[end][k] = value_of<Format, Simd>(below + Ints(above), lowest[end]);
+            differences[end][k] = values[end][k] - line[end][c];
+        }
+    }
+    Floats smallest = 1e30F;
+    for (unsigned k = 0; k < 4; ++k) {
+        const Floats& x = differences[0][k & 1U];
+        const Floats& y = differences[1][k >> 1U];
+        const Floats found =
+            x * (x * error.first + y * (error.mixed + error.mixed)) + y * y * error.second;
+        const Ints is_better = Simd::less(found, smallest);
+        smallest = Simd::smaller(found, smallest);
+        rounded[0][c] = Simd::select(is_better, values[0][k & 1U], rounded[0][c]);
+        rounded[1][c] = Simd::select(is_better, values[1][k >> 1U], rounded[1][c]);
+    }
+}
+
+/// Rounds both ends of a line to values of the format.
+template <class Format, class Simd>
+FOAM_INLINE void round_ends(const LineOf<Simd, Format::kChannels>& line,
+                            const SquaredError<Simd, Format::kChannels>& error,
+                            LineOf<Simd, Format::kChannels>& rounded) {
+    const auto lowest = lowest_bits<Format, Simd>(line);
+    for (std::size_t c = 0; c < Format::kChannels; ++c) {
+        round_channel<Format, Simd>(c, line, error, lowest, rounded);
+    }
+}
+
+}  // namespace foam::texgen::bc7

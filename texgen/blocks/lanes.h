@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/parallel/simd_level.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+/// Stands before functions that use lanes. They have to be inlined to be compiled for the
+/// instruction set of a kernel (at_simd_level), but `flatten` does not inline large functions.
+#define FOAM_INLINE [[gnu::always_inline]] inline
+#define FOAM_INLINE_LAMBDA __attribute__((always_inline))
+
+namespace foam::texgen {
+
+/// An array in kernels. Unlike those of std::array, its functions are always inlined and check no
+/// index, which would keep the compiler from holding elements in registers.
+template <class Value, std::size_t kSize>
+struct Array {
+    FOAM_INLINE constexpr Value& operator[](std::size_t k) { return values[k]; }
+    FOAM_INLINE constexpr const Value& operator[](std::size_t k) const { return values[k]; }
+    FOAM_INLINE constexpr Value* begin() { return values; }
+    FOAM_INLINE constexpr Value* end() { return values + kSize; }
+    FOAM_INLINE constexpr const Value* begin() const { return values; }
+    FOAM_INLINE constexpr const Value* end() const { return values + kSize; }
+    FOAM_INLINE constexpr Value* data() { return values; }
+    FOAM_INLINE static constexpr std::size_t size() { return kSize; }
+
+    Value values[kSize];  // NOLINT(*-avoid-c-arrays)
+};
+
+/// One number for each of several blocks, in a SIMD register of `kBytes` bytes. Operations are done
+/// lane by lane, so that the result of a block does not depend on the width of the register.
+///
+/// The copy constructor is not the default one: objects of the class are therefore passed in
+/// memory, in the same way for all instruction sets. (How a register is passed depends on the
+/// instruction set for which a function is compiled.) at_simd_level inlines all functions, so that
+/// this takes no time.
+template <class Number, int kBytes>
+class Lanes {
+  public:
+    using Register [[gnu::vector_size(kBytes)]] = Number;
+    static constexpr std::size_t kCount = kBytes / sizeof(Number);
+
+    FOAM_INLINE Lanes() : lanes{} {}
+    // NOLINTNEXTLINE(google-explicit-constructor): the same number in all lanes
+    FOAM_INLINE Lanes(Number number) : lanes(number - Register{}) {}
+    FOAM_INLINE Lanes(const Lanes& other) : lanes(other.lanes) {}
+    FOAM_INLINE Lanes& operator=(const Lanes& other) {
+        lanes = other.lanes;
+        return *this;
+    }
+    ~Lanes() = default;
+
+    FOAM_INLINE static Lanes load(const Number* numbers) {
+        Lanes loaded;
+        std::memcpy(&loaded.lanes, numbers, sizeof loaded.lanes);
+        return loaded;
+    }
+    FOAM_INLINE void store(Number* numbers) const { std::memcpy(numbers, &lanes, sizeof lanes); }
+
+    FOAM_INLINE Lanes& operator+=(const Lanes& other) {
+        lanes += other.lanes;
+        return *this;
+    }
+    FOAM_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) {
+        return from(a.lanes + b.lanes);
+    }
+    FOAM_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) {
+        return from(a.lanes - b.lanes);
+    }
+    FOAM_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) {
+        return from(a.lanes * b.lanes);
+    }
+    FOAM_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
+        return from(a.lanes / b.lanes);
+    }
+    FOAM_INLINE friend Lanes operator&(const Lanes& a, const Lanes& b) {
+        return from(a.lanes & b.lanes);
+    }
+    FOAM_INLINE friend Lanes operator|(const Lanes& a, const Lanes& b) {
+        return from(a.lanes | b.lanes);
+    }
+    FOAM_INLINE friend Lanes operator<<(const Lanes& a, int bits) { return from(a.lanes << bits); }
+    FOAM_INLINE friend Lanes operator>>(const Lanes& a, int bits) { return from(a.lanes >> bits); }
+
+    FOAM_INLINE static Lanes from(const Register& given) {
+        Lanes made;
+        made.lanes = given;
+        return made;
+    }
+
+    Register lanes;
+};
+
+/// The types of lanes of a SIMD level.
+template <SimdLevel kLevel>
+struct LanesAt {
+    static constexpr int kBytes = kLevel == SimdLevel::Avx512 ? 64
+                                  : kLevel == SimdLevel::Avx2 ? 32
+                                                              : 16;
+    using Floats = Lanes<float, kBytes>;
+    using Ints = Lanes<std::int32_t, kBytes>;
+    static constexpr std::size_t kCount = Floats::kCount;
+
+    /// Returns -1 in lanes in which a < b or a = b holds, and 0 in the others.
+    template <class Numbers>
+    FOAM_INLINE static Ints less(const Numbers& a, const Numbers& b) {
+        return Ints::from(a.lanes < b.lanes);
+    }
+    template <class Numbers>
+    FOAM_INLINE static Ints equal(const Numbers& a, const Numbers& b) {
+        return Ints::from(a.lanes == b.lanes);
+    }
+    /// Returns the lanes of `a` where the mask is -1, and the lanes of `b` where it is 0.
+    template <class Numbers>
+    FOAM_INLINE static Numbers select(const Ints& mask, const Numbers& a, const Numbers& b) {
+        return Numbers::from(mask.lanes ? a.lanes : b.lanes);
+    }
+    template <class Numbers>
+    FOAM_INLINE static Numbers smaller(const Numbers& a, const Numbers& b) {
+        return Numbers::from(a.lanes < b.lanes ? a.lanes : b.lanes);
+    }
+    template <class Numbers>
+    FOAM_INLINE static Numbers larger(const Numbers& a, const Numbers& b) {
+        return Numbers::from(a.lanes > b.lanes ? a.lanes : b.lanes);
+    }
+    /// Returns true if the mask is -1 in any lane.
+    FOAM_INLINE static bool any(const Ints& mask) {
+        std::int32_t all = 0;
+        for (std::size_t k = 0; k < kCount; ++k) {
+            all |= mask.lanes[k];
+        }
+        return all != 0;
+    }
+    /// Rounds towards 0.
+    FOAM_INLINE static Ints whole(const Floats& numbers) {
+        return Ints::from(__builtin_convertvector(numbers.lanes, typename Ints::Register));
+    }
+    FOAM_INLINE static Floats numbers(const Ints& whole) {
+        return Floats::from(__builtin_convertvector(whole.lanes, typename Floats::Register));
+    }
+    FOAM_INLINE static Floats square_root(const Floats& given) {
+        Array<float, kCount> roots;
+        given.store(roots.data());
+#pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
+        for (float& root : roots) {
+            root = std::sqrt(root);
+        }
+        return Floats::load(roots.data());
+    }
+    FOAM_INLINE static Floats truncated(const Floats& given) {
+        return numbers(whole(given));
+    }
+};
+
+}  // namespace foam::texgen
