@@ -2,8 +2,8 @@
 
 #include "texgen/cli/progress.h"
 
-#include "texgen/cli/interruption.h"
 #include "texgen/animation/progress_text.h"
+#include "texgen/cli/interruption.h"
 #include "texgen/cli/standard_error.h"
 
 #include <fmt/core.h>

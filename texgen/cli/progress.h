@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "texgen/animation/progress.h"
 #include "texgen/animation/phase_clock.h"
+#include "texgen/animation/progress.h"
 
 #include <condition_variable>
 #include <mutex>

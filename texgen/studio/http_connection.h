@@ -5,8 +5,8 @@
 // This header includes Boost.Beast, which takes long to compile. Only http_server.cpp includes it.
 
 #include "texgen/studio/access.h"
+#include "texgen/studio/http_limits.h"
 #include "texgen/studio/http_message.h"
-#include "texgen/studio/http_server.h"
 
 // Boost.Asio 1.74 uses std::exchange without including its header.
 #include <boost/asio.hpp>
