@@ -11,7 +11,7 @@ import {tablesOf} from "./schema.js";
 import {toToml} from "./toml.js";
 
 const kWidth = 256; // pixels of a picture
-const kGap = 12; // CSS pixels between pictures, as in panels.css
+const kGap = 12; // CSS pixels between pictures, as in tools.css
 const kCaption = 28; // CSS pixels of the text below a picture
 const kSmallest = 96; // CSS pixels of the side of a picture
 const kEdit = 250; // milliseconds after the last edit
