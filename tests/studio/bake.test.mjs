@@ -52,8 +52,9 @@ test("the page saves presets that the program reads", () =>
         await page.locator("#save-form button[type=submit]").click();
         await page.locator("#gallery-files").getByText("mine").waitFor();
         assert.match(await readFile(path.join(folder, "mine.toml"), "utf8"), /extends = "sea_foam"/);
-        const described = await run(["presets", "show", path.join(folder, "mine.toml")]);
-        assert.match(described, /seed = 7/);
+        await run(["bake", "mine.toml", "--frames", "1", "--size", "64"], { cwd: folder });
+        const manifest = JSON.parse(await readFile(path.join(folder, "out", "manifest.json"), "utf8"));
+        assert.match(manifest.sets[0].toml, /seed = 7/);
     }));
 
 test("a frame can be downloaded", () =>
