@@ -19,11 +19,11 @@ constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
   foamtex bake sea_foam --maps albedo,film --out 'out/layers.####.exr'
   foamtex bake lava --for unreal
-The loop of a preset has frames.count frames; --set frames.count=N changes its length.
+  foamtex bake maze --frames 1 --out maze.svg --set vector.width_mm=200
 --progress json prints one JSON object per line: phase; done and total, in units of the phase;
 seconds since the start; seconds_left of the phase; frame; bubbles; and, while a loop is closed,
 cycle and measure (the closing error in mean bubble diameters). Unknown values are null.
-Keys for --set: foamtex presets keys)";
+Keys for --set: foamtex presets keys; --set frames.count=N changes the length of a loop.)";
 
 struct BakeArguments {
     RunArguments run;

@@ -21,17 +21,18 @@ struct ImageArguments {
     std::vector<std::string> pack;  // the values of all --pack
     std::optional<std::string> normal_y;
     std::optional<std::string> out;
+    std::optional<std::string> wrap;
     bool stats = false;
     bool resume = false;
     bool json = false;
 };
 
-/// Adds --maps, --pack, --normal-y, --out, --stats, --resume and --json. The arguments must outlive
-/// the parsing.
+/// Adds --maps, --pack, --normal-y, --out, --wrap, --stats, --resume and --json. The arguments must
+/// outlive the parsing.
 void add_image_options(CLI::App& command, ImageArguments& arguments);
 
-/// Returns one assignment for each of the options --maps, --pack, --normal-y and --out that is
-/// given.
+/// Returns one assignment for each of the options --maps, --pack, --normal-y, --out and --wrap
+/// that is given.
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
 /// Draws the frames of a preset, writes the image files and their manifest, and writes statistics
