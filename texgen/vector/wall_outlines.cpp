@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -56,49 +57,59 @@ std::vector<SideIndex> following_sides(std::span<const NetArc> lines) {
     return following;
 }
 
-// Returns true if all lines are connected by nodes.
-bool is_connected(std::span<const NetArc> lines) {
+// Returns, for each line, the number of its connected component. Lines are connected by nodes.
+std::vector<std::size_t> components_of(std::span<const NetArc> lines) {
+    constexpr auto kNone = static_cast<std::size_t>(-1);
     std::map<std::uint64_t, std::vector<std::size_t>> lines_at;
     for (std::size_t k = 0; k < lines.size(); ++k) {
         lines_at[lines[k].tail_node].push_back(k);
         lines_at[lines[k].head_node].push_back(k);
     }
-    std::vector<bool> reached(lines.size(), false);
-    std::vector<std::size_t> waiting = {0};
-    reached[0] = true;
-    std::size_t count = 0;
-    while (!waiting.empty()) {
-        const NetArc& line = lines[waiting.back()];
-        waiting.pop_back();
-        ++count;
-        for (const std::uint64_t node : {line.tail_node, line.head_node}) {
-            for (const std::size_t next : lines_at[node]) {
-                if (!reached[next]) {
-                    reached[next] = true;
-                    waiting.push_back(next);
-                }
+    std::vector<std::size_t> components(lines.size(), kNone);
+    for (std::size_t start = 0; start < lines.size(); ++start) {
+        std::vector<std::size_t> waiting;
+        const auto reach = [&](std::size_t line) {
+            if (components[line] == kNone) {
+                components[line] = start;
+                waiting.push_back(line);
+            }
+        };
+        reach(start);
+        while (!waiting.empty()) {
+            const NetArc& line = lines[waiting.back()];
+            waiting.pop_back();
+            for (const std::uint64_t node : {line.tail_node, line.head_node}) {
+                std::ranges::for_each(lines_at[node], reach);
             }
         }
     }
-    return count == lines.size();
+    return components;
 }
 
+// A loop along sides of lines, and the component of these lines.
+struct LineLoop {
+    std::vector<ArcLoops::Side> sides;
+    std::size_t component = 0;
+};
+
 // Returns the loops along both sides of all lines. All coordinates are multiplied by `scale`.
-ArcLoops loops_along(std::span<const NetArc> lines, double scale) {
+std::vector<LineLoop> loops_along(std::span<const NetArc> lines, double scale) {
     const std::vector<SideIndex> following = following_sides(lines);
+    const std::vector<std::size_t> components = components_of(lines);
     std::vector<bool> used(following.size(), false);
-    ArcLoops loops;
+    std::vector<LineLoop> loops;
     for (SideIndex start = 0; start < following.size(); ++start) {
         if (used[start]) {
             continue;
         }
+        LineLoop& loop = loops.emplace_back();
+        loop.component = components[start / 2];
         for (SideIndex side = start; !used[side]; side = following[side]) {
             used[side] = true;
             const DrawnArc arc = side_of(lines, side);
-            loops.sides.push_back(
+            loop.sides.push_back(
                 {scale * arc.tail, pixel_arc({scale * (arc.head - arc.tail), arc.half_angle})});
         }
-        loops.loop_ends.push_back(loops.sides.size());
     }
     return loops;
 }
@@ -122,21 +133,67 @@ struct Insets {
     int unclosed = 0;  // number of loops that are missing
 };
 
-Insets insets_of(const ArcLoops& loops, bool is_connected, double distance, double scale) {
+// A box that contains the arcs of a loop, or of all loops of a component.
+struct LoopBox {
+    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Vec2 high = Vec2::Constant(-std::numeric_limits<double>::infinity());
+
+    void include(const LineLoop& loop) {
+        for (const ArcLoops::Side& side : loop.sides) {
+            // No point of an arc is farther from its tail than the arc is long.
+            const Vec2 reach = Vec2::Constant(arc_length(film_arc(side.arc)));
+            low = low.cwiseMin(side.tail - reach);
+            high = high.cwiseMax(side.tail + reach);
+        }
+    }
+    bool meets(const LoopBox& other) const {
+        return (low.array() <= other.high.array()).all() &&
+               (other.low.array() <= high.array()).all();
+    }
+};
+
+double area_of(const LineLoop& loop) {
+    double area = 0.0;
+    for (std::size_t k = 0; k < loop.sides.size(); ++k) {
+        const ArcLoops::Side& side = loop.sides[k];
+        const ArcLoops::Side& next = loop.sides[(k + 1) % loop.sides.size()];
+        area += 0.5 * cross(side.tail, next.tail) + segment_area(film_arc(side.arc));
+    }
+    return area;
+}
+
+// Divides loops into groups whose insets do not depend on each other. The loop around a part of the
+// plane is a group of its own, if no other component can be inside of it. All other loops are one
+// group.
+std::vector<ArcLoops> groups_of(const std::vector<LineLoop>& loops) {
+    std::map<std::size_t, LoopBox> boxes;
+    for (const LineLoop& loop : loops) {
+        boxes[loop.component].include(loop);
+    }
+    std::vector<ArcLoops> groups(1);
+    for (const LineLoop& loop : loops) {
+        LoopBox box;
+        box.include(loop);
+        const bool is_alone =
+            area_of(loop) > 0.0 && std::ranges::none_of(boxes, [&](const auto& other) {
+                return other.first != loop.component && box.meets(other.second);
+            });
+        ArcLoops& group = is_alone ? groups.emplace_back() : groups.front();
+        group.sides.insert(group.sides.end(), loop.sides.begin(), loop.sides.end());
+        group.loop_ends.push_back(group.sides.size());
+    }
+    return groups;
+}
+
+Insets insets_of(const std::vector<ArcLoops>& groups, double distance, double scale) {
     Insets insets;
-    const auto add = [&](const ArcLoops& found) {
+    InsetTracer tracer;
+    for (const ArcLoops& group : groups) {
+        const ArcLoops& found = tracer.trace(group, distance);
         insets.unclosed += found.unclosed_loops;
         for (std::size_t k = 0; k < found.loop_ends.size(); ++k) {
             insets.chains.push_back(reversed_loop(found.loop(k), scale));
         }
-    };
-    InsetTracer tracer;
-    if (!is_connected) {
-        add(tracer.trace(loops, distance));
-        return insets;
-    }
-    for (std::size_t k = 0; k < loops.loop_ends.size(); ++k) {
-        add(tracer.trace_loop(loops, k, distance));
     }
     return insets;
 }
@@ -162,12 +219,11 @@ std::vector<Chain> wall_outlines(std::span<const NetArc> lines, double width) {
         return {};
     }
     const double scale = kMeanChord / mean_chord(lines);
-    const ArcLoops loops = loops_along(lines, scale);
-    const bool connected = is_connected(lines);  // then each loop bounds a part of the plane alone
+    const std::vector<ArcLoops> groups = groups_of(loops_along(lines, scale));
     Insets insets;
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
         const double distance = 0.5 * scale * width * (1.0 + attempt * kLargerWidth);
-        insets = insets_of(loops, connected, distance, scale);
+        insets = insets_of(groups, distance, scale);
         if (insets.unclosed == 0) {
             break;
         }
