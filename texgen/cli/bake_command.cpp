@@ -14,7 +14,6 @@ namespace foam::texgen {
 namespace {
 
 constexpr const char* kBakeExamples = R"(Examples:
-  foamtex bake sea_foam
   foamtex bake sea_foam --size 2048 --seed 7 --out 'foam/{map}.####.png'
   foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
   foamtex bake sea_foam --maps albedo,film --out 'out/layers.####.exr'

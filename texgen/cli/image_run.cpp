@@ -132,10 +132,10 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
             "--normal-y", arguments.normal_y, "Direction of green in normals: gl (up) or dx (down)")
         ->option_text("gl|dx");
     command
-        .add_option("--out",
-                    arguments.out,
-                    "File names: .png, .exr, .dds, .ktx2; .svg, .dxf, .pdf; .csv, .json; {preset}, "
-                    "{map} and #### are replaced")
+        .add_option(
+            "--out",
+            arguments.out,
+            "File names: .png .exr .dds .ktx2, .svg .dxf .pdf, .csv .json; {preset}, {map}, ####")
         ->option_text("PATTERN");
     command
         .add_option("--wrap", arguments.wrap, "Border of a drawing: cut bubbles, or whole bubbles")
