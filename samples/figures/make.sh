@@ -75,6 +75,12 @@ soap_raft() {
     sheet soap_raft 4 soap_raft
 }
 
+maze() {
+    run_foamtex bake maze --maps maze_solution --frames 1 --set foam.bubbles=300 --set output.texts=left-out \
+        --out "$scratch/maze.svg" -q
+    cp -- "$scratch/maze.svg" samples/figures/maze.svg
+}
+
 # states NAME PRESET RANGE [OPTION]...: simulates frames of a preset and stores their states in $scratch/NAME, from
 # which diagrams read them. Options are passed to `foamtex simulate`.
 states() {
@@ -109,7 +115,7 @@ signed_area() { diagram signed_area; }
 bake_flow() { diagram bake_flow; }
 rooms() { diagram rooms; }
 
-pictures=(sea_foam_tiled figure_4 figure_6 figure_7 figure_8 shear soap_raft)
+pictures=(sea_foam_tiled figure_4 figure_6 figure_7 figure_8 shear soap_raft maze)
 diagrams=(t1_and_t2 half_edges ghost_bubble film_arc signed_area bake_flow rooms)
 figures=("${pictures[@]}" "${diagrams[@]}")
 for figure in "$@"; do

@@ -8,6 +8,7 @@
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
+#include "texgen/bake/vector_files.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/preset/drawn_images.h"
@@ -78,6 +79,10 @@ class FrameWriter {
 
     void write(const SimulatedFrame& shown) {
         const Clock::time_point begin = Clock::now();
+        if (files_.is_vector()) {
+            report({shown, files_.write_vectors(shown), seconds_since(begin)});
+            return;
+        }
         const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
         const std::optional<CrossFade> fade = shown.cross_fade();
         const CrossFade* const shared = fade ? &*fade : nullptr;
@@ -149,10 +154,12 @@ void check_bake(const Preset& preset, const BakeOptions& options) {
             "at least one frame is needed, and frame numbers must be at least 1");
     }
     const FilePattern pattern(preset.output.pattern);
-    const std::vector<DrawnImage> images = drawn_images(preset);
-    pattern.check_distinct(options.frames.size(), images.size());
-    check_file_words(preset);
-    check_packings(images, pattern.format());
+    pattern.check_distinct(options.frames.size(), file_words(preset).size());
+    check_vector_files(preset);
+    if (!pattern.is_vector()) {
+        check_file_words(preset);
+        check_packings(drawn_images(preset), pattern.format());
+    }
     for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
         check_writable(path.parent_path());
     }

@@ -46,6 +46,8 @@ constexpr MeasuredMemory kOther{"", 40, 50};
 
 constexpr double kProgram = 10e6;      // bytes of the process without a foam
 constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
+// Bytes of the drawing and the text of a vector file per bubble.
+constexpr double kVectorBytesPerBubble = 8000.0;
 // The factor by which a cross-fade, which draws two states of the foam, increases the memory of a
 // frame.
 constexpr double kCrossFade = 1.8;
@@ -127,6 +129,12 @@ std::uint64_t estimated_foam_memory(const Preset& preset) {
 
 std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads) {
     const FilePattern pattern(preset.output.pattern);
+    if (pattern.is_vector()) {
+        const auto drawn = std::min(frames, static_cast<std::size_t>(thread_count(threads)));
+        return estimated_foam_memory(preset) +
+               static_cast<std::uint64_t>(static_cast<double>(drawn) * kVectorBytesPerBubble *
+                                          preset.seeding.bubbles);
+    }
     const bool is_png = pattern.format().samples == FormatSamples::Codes;
     double largest = 0.0;
     double shared = 0.0;

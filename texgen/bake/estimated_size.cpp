@@ -4,6 +4,7 @@
 
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
+#include "texgen/bake/vector_files.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/preset/drawn_images.h"
@@ -18,6 +19,9 @@
 namespace foam::texgen {
 
 namespace {
+
+// The size of a vector file in bytes per bubble: SVG files have about 1,000, all others fewer.
+constexpr double kVectorFileBytes = 1000.0;
 
 // The size of a file of one map, in bytes per pixel, as a PNG and as an EXR.
 struct MeasuredSize {
@@ -96,18 +100,30 @@ double bytes_per_pixel(const DrawnImage& image, const Preset& preset) {
     return bytes;
 }
 
-}  // namespace
-
-std::uint64_t estimated_size(const Preset& preset, const std::vector<int>& frames) {
-    const FrameFiles files(preset);
+// Returns the sizes of the files of a frame.
+std::vector<std::uint64_t> file_sizes(const Preset& preset) {
+    const FilePattern pattern(preset.output.pattern);
+    if (pattern.is_vector()) {
+        return std::vector<std::uint64_t>(
+            file_words(preset).size(),
+            static_cast<std::uint64_t>(kVectorFileBytes * preset.seeding.bubbles));
+    }
     const double pixels = static_cast<double>(preset.image.width) * preset.image.height;
     std::vector<std::uint64_t> sizes;
     for (const DrawnImage& image : drawn_images(preset)) {
         sizes.push_back(static_cast<std::uint64_t>(pixels * bytes_per_pixel(image, preset)));
     }
-    if (FilePattern(preset.output.pattern).stores_all_maps_in_one_file()) {
+    if (pattern.stores_all_maps_in_one_file()) {
         sizes = {std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0})};
     }
+    return sizes;
+}
+
+}  // namespace
+
+std::uint64_t estimated_size(const Preset& preset, const std::vector<int>& frames) {
+    const FrameFiles files(preset);
+    const std::vector<std::uint64_t> sizes = file_sizes(preset);
     std::uint64_t sum = 0;
     for (const int frame : frames) {
         const std::vector<std::filesystem::path> paths = files.paths(frame);

@@ -3,6 +3,7 @@
 #include "texgen/bake/file_pattern.h"
 
 #include "texgen/image/format.h"
+#include "texgen/vector/format.h"
 
 #include <fmt/core.h>
 
@@ -27,6 +28,16 @@ std::string_view take_run(std::string_view& rest) {
     return take(rest, rest.find_first_not_of(rest.front()));
 }
 
+// Returns the pattern of a format with several tables with {map} in it.
+std::string with_table(std::string_view pattern) {
+    std::string complete(pattern);
+    if (pattern.ends_with(".csv") && pattern.find("{map}") == std::string_view::npos) {
+        const std::size_t name = complete.find_last_of('/') + 1;
+        complete.insert(complete.find('.', name + 1), "_{map}");
+    }
+    return complete;
+}
+
 std::string padded(int number, int digits) {
     return fmt::format("{:0{}}", number, digits);
 }
@@ -35,10 +46,11 @@ std::string padded(int number, int digits) {
 
 FilePattern::FilePattern(std::string_view pattern)
     : pattern_(pattern), format_(find_format(pattern)) {
-    if (format_ == nullptr) {
-        reject("must end in " + format_suffixes());
+    if (format_ == nullptr && find_vector_format(pattern) == nullptr) {
+        reject(fmt::format("must end in {}, or in {}", format_suffixes(), vector_suffixes()));
     }
-    for (std::string_view rest = pattern; !rest.empty();) {
+    const std::string complete = with_table(pattern);
+    for (std::string_view rest = complete; !rest.empty();) {
         pieces_.push_back(take_piece(rest));
     }
 }
@@ -100,7 +112,7 @@ bool FilePattern::has() const {
 }
 
 bool FilePattern::stores_all_maps_in_one_file() const {
-    return format_->has_layers && !has<MapName>();
+    return !is_vector() && format_->has_layers && !has<MapName>();
 }
 
 void FilePattern::check_distinct(std::size_t frames, std::size_t maps) const {

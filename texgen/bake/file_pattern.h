@@ -13,23 +13,30 @@
 namespace foam::texgen {
 
 struct ImageFormat;
+struct VectorFormat;
 
-/// Names the image files of a bake. A pattern may contain these placeholders:
+/// Names the files of a bake. A pattern may contain these placeholders:
 ///
 ///     {preset}  the name of the preset
-///     {map}     the name of the map
+///     {map}     the name of the map, or of the table or drawing in a vector file
 ///     #         the frame number in four digits
 ///     ## ###    the frame number in as many digits as there are characters
 ///     @ @@      the frame number in as many digits as there are characters
 ///     %04d %d   the frame number as in C's printf, with a width of at most 9
 ///
-/// Shorter numbers get leading zeros; longer numbers are written in full.
+/// Shorter numbers get leading zeros; longer numbers are written in full. If the pattern of a
+/// format with several tables (CSV) has no {map}, "_{map}" is inserted before the first period of
+/// the file name.
 class FilePattern {
   public:
     /// Parses a pattern. Throws std::invalid_argument for any other placeholder, or if the pattern
-    /// does not end in the suffix of an image format.
+    /// does not end in the suffix of an image format or of a vector format.
     explicit FilePattern(std::string_view pattern);
 
+    /// Returns true if the files are vector files (vector/format.h).
+    bool is_vector() const { return format_ == nullptr; }
+
+    /// Returns the format of images. Precondition: is_vector() is false.
     const ImageFormat& format() const { return *format_; }
 
     /// Returns true if all maps of a frame are stored in one file: the format has layers and the
@@ -70,7 +77,7 @@ class FilePattern {
     std::string fill(std::string_view preset, std::string_view map, std::optional<int> frame) const;
 
     std::string pattern_;
-    const ImageFormat* format_;
+    const ImageFormat* format_;  // null for vector files
     std::vector<Piece> pieces_;
 };
 

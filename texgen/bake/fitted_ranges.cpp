@@ -39,8 +39,12 @@ struct MeasuredMap {
 // Returns the maps whose automatic ranges a bake needs: the maps that are stored as codes. Packings
 // store codes, or fractions of a range, in every format.
 std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
-    const ImageFormat& format = FilePattern(preset.output.pattern).format();
+    const FilePattern pattern(preset.output.pattern);
     std::vector<MeasuredMap> measured;
+    if (pattern.is_vector()) {
+        return measured;
+    }
+    const ImageFormat& format = pattern.format();
     for (const DrawnImage& image : drawn_images(preset)) {
         if (format.samples != FormatSamples::Codes && image.map() != nullptr) {
             continue;

@@ -2,6 +2,7 @@
 
 #include "texgen/bake/frame_files.h"
 
+#include "texgen/bake/vector_files.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
@@ -79,24 +80,41 @@ bool tiles(const Domain& domain) {
 FrameFiles::FrameFiles(const Preset& preset)
     : preset_(preset),
       pattern_(preset.output.pattern),
-      images_(drawn_images(preset)),
-      map_names_(source_map_names(preset)),
+      images_(pattern_.is_vector() ? std::vector<DrawnImage>() : drawn_images(preset)),
+      map_names_(pattern_.is_vector() ? std::vector<std::string>() : source_map_names(preset)),
       metadata_{.frame_rate = FrameRate{preset.output.frames_per_second, 1},
                 .text = texts_of(preset)} {}
 
-std::filesystem::path FrameFiles::path(const DrawnImage& image, int frame) const {
-    return pattern_.path(preset_.name, file_word(preset_, image.name()), frame);
+std::filesystem::path FrameFiles::path(std::string_view word, int frame) const {
+    return pattern_.path(preset_.name, word, frame);
 }
 
 std::vector<std::filesystem::path> FrameFiles::paths(int frame) const {
     std::vector<std::filesystem::path> all;
-    for (const DrawnImage& image : images_) {
-        all.push_back(path(image, frame));
+    for (const std::string& word : file_words(preset_)) {
+        all.push_back(path(word, frame));
     }
     if (pattern_.stores_all_maps_in_one_file()) {
         all.resize(1);
     }
     return all;
+}
+
+std::vector<WrittenFile> FrameFiles::write_vectors(const SimulatedFrame& shown) const {
+    const VectorFormat& format = *vector_format_of(preset_);
+    std::vector<WrittenFile> written;
+    for (const std::string& part : vector_parts(preset_)) {
+        const std::string content = encode_vector(format, shown, preset_, part);
+        WrittenFile file{.path = path(part, shown.frame->number),
+                         .part = part,
+                         .images = {},
+                         .bytes = content.size(),
+                         .pixels = text_hash(content)};
+        make_folders(file.path.parent_path());
+        write_file(file.path, std::as_bytes(std::span(content)));
+        written.push_back(std::move(file));
+    }
+    return written;
 }
 
 std::vector<WrittenFile> FrameFiles::write(ShownLayers& shown) const {
@@ -122,7 +140,7 @@ bool FrameFiles::needs_next() const {
 WrittenFile FrameFiles::write_images(std::span<const DrawnImage> images, ShownLayers& shown) const {
     const int frame = shown.layers.frame().number;
     WrittenFile written{};
-    written.path = path(images.front(), frame);
+    written.path = path(file_word(preset_, images.front().name()), frame);
     const Picture picture = picture_of(images, shown, written);
     const EncodingOptions encoding = encoding_of(preset_.output, images.front());
     if (find_texture_format(pattern_.format().suffix) != nullptr) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "texgen/animation/simulated_frame.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/written_file.h"
 #include "texgen/image/picture.h"
@@ -13,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foam::texgen {
@@ -20,7 +22,7 @@ namespace foam::texgen {
 /// Returns true if the domain is a torus without shear. Only the images of such a domain tile.
 bool tiles(const Domain& domain);
 
-/// Writes the image files of a bake. Thread-safe: all functions may be called from several threads
+/// Writes the files of a bake. Thread-safe: all functions may be called from several threads
 /// at once.
 class FrameFiles {
   public:
@@ -30,12 +32,18 @@ class FrameFiles {
 
     /// Returns the paths of the files of a frame: one per image (drawn_images), or one for all
     /// images if the file pattern stores them in one file
-    /// (FilePattern::stores_all_maps_in_one_file).
+    /// (FilePattern::stores_all_maps_in_one_file), or one per drawing or table of a vector format.
     std::vector<std::filesystem::path> paths(int frame) const;
+
+    /// Returns true if the files are vector files.
+    bool is_vector() const { return pattern_.is_vector(); }
+
+    /// Writes the vector files of a frame. Otherwise as `write` below. Precondition: is_vector().
+    std::vector<WrittenFile> write_vectors(const SimulatedFrame& shown) const;
 
     /// Draws all images of a frame and writes their files. Creates missing folders. Returns
     /// descriptions of the files, in the order of `paths`. Throws OutputError if a file cannot be
-    /// written.
+    /// written. Precondition: the files are images.
     std::vector<WrittenFile> write(ShownLayers& shown) const;
 
     /// Returns which optional images of the distance field (DistanceField) the maps need.
@@ -51,11 +59,11 @@ class FrameFiles {
                        WrittenFile& written) const;
     std::optional<double> displacement_of(const DrawnImage& image, const ShownLayers& shown) const;
     ImageMetadata metadata_of(std::span<const DrawnImage> images) const;
-    std::filesystem::path path(const DrawnImage& image, int frame) const;
+    std::filesystem::path path(std::string_view word, int frame) const;
 
     const Preset& preset_;
     FilePattern pattern_;
-    std::vector<DrawnImage> images_;
+    std::vector<DrawnImage> images_;      // empty for vector files
     std::vector<std::string> map_names_;  // of the maps that the images show
     ImageMetadata metadata_;              // common to all files
 };

@@ -47,12 +47,15 @@ MapSamples describe_samples(const DrawnImage& image,
 /// floating-point numbers.
 int code_bits(const DrawnImage& image, const ImageFormat& format);
 
-/// One image file of a bake.
+/// One file of a bake.
 struct WrittenFile {
     std::filesystem::path path;
-    std::vector<std::pair<DrawnImage, MapSamples>> images;  // one image, or one per layer
+    // The name of the drawing or table in a vector file (VectorFormat::parts); empty for images.
+    std::string part{};
+    std::vector<std::pair<DrawnImage, MapSamples>> images;  // one image, or one per layer;
+                                                            // empty for a vector file
     std::uint64_t bytes = 0;                                // size of the file in bytes
-    std::string pixels;                                     // pixel_hash of the picture
+    std::string pixels;  // pixel_hash of the picture, or text_hash of a vector file
     // The extent of the numbers that the codes represent, in the channels whose map has a key for
     // its range (DrawnImage::ranged_channels); nullopt if there is no such channel, if the file
     // stores floating-point numbers, or if it is a packing of colors.

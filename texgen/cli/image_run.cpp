@@ -6,6 +6,7 @@
 #include "texgen/bake/estimated_size.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
+#include "texgen/bake/vector_files.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
@@ -45,8 +46,7 @@ namespace {
 void print_images(const Preset& preset,
                   const FilePattern& pattern,
                   const std::vector<int>& frames) {
-    for (const DrawnImage& image : drawn_images(preset)) {
-        const std::string word = file_word(preset, image.name());
+    for (const std::string& word : file_words(preset)) {
         if (frames.size() == 1) {
             print_stdout("{}\n", pattern.path(preset.name, word, frames.front()).string());
         } else {
@@ -122,8 +122,7 @@ void print_report(const Preset& preset,
 }
 
 std::filesystem::path statistics_folder(const Preset& preset, const FilePattern& pattern) {
-    const std::filesystem::path image =
-        pattern.path(preset.name, file_word(preset, preset.image.maps.front()), 1);
+    const std::filesystem::path image = pattern.path(preset.name, file_words(preset).front(), 1);
     return image.parent_path() / (preset.name + "_stats");
 }
 
@@ -196,14 +195,18 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
             "--normal-y", arguments.normal_y, "Direction of green in normals: gl (up) or dx (down)")
         ->option_text("gl|dx");
     command
-        .add_option("--out",
-                    arguments.out,
-                    "File names, " + format_suffixes() + "; {preset}, {map} and #### are replaced")
+        .add_option(
+            "--out",
+            arguments.out,
+            "File names: .png .exr .dds .ktx2, .svg .dxf .pdf, .csv .json; {preset}, {map}, ####")
         ->option_text("PATTERN");
     command
         .add_option(
             "--scene", arguments.scene, "Also write the material as scene files: usda, mtlx, gltf")
         ->option_text("A,B");
+    command
+        .add_option("--wrap", arguments.wrap, "Border of a drawing: cut bubbles, or whole bubbles")
+        ->option_text("cut|whole");
     command
         .add_flag(
             "--stats", arguments.stats, "Also write statistics to {preset}_stats beside the images")
@@ -231,6 +234,9 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
     if (arguments.scene) {
         assignments.push_back(
             {"--scene " + *arguments.scene, "output.scene", list_value(*arguments.scene)});
+    }
+    if (arguments.wrap) {
+        assignments.push_back({"--wrap " + *arguments.wrap, "vector.wrap", {*arguments.wrap}});
     }
     if (arguments.out) {
         assignments.push_back({"--out " + *arguments.out, "output.pattern", {*arguments.out}});

@@ -22,17 +22,18 @@ struct ImageArguments {
     std::optional<std::string> normal_y;
     std::optional<std::string> out;
     std::optional<std::string> scene;  // formats, separated by commas
+    std::optional<std::string> wrap;
     bool stats = false;
     bool resume = false;
     bool json = false;
 };
 
-/// Adds --maps, --pack, --normal-y, --out, --scene, --stats, --resume and --json. The arguments
-/// must outlive the parsing.
+/// Adds --maps, --pack, --normal-y, --out, --scene, --wrap, --stats, --resume and --json. The
+/// arguments must outlive the parsing.
 void add_image_options(CLI::App& command, ImageArguments& arguments);
 
-/// Returns one assignment for each of the options --maps, --pack, --normal-y, --scene and --out
-/// that is given.
+/// Returns one assignment for each of the options --maps, --pack, --normal-y, --scene,
+/// --wrap and --out that is given.
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
 /// Draws the frames of a preset, writes the image files and their manifest, and writes sheets,

@@ -4,6 +4,7 @@
 
 #include "core/foam/statistics.h"
 #include "texgen/bake/frame_files.h"
+#include "texgen/bake/vector_files.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/preset/drawn_images.h"
 #include "texgen/preset/preset_io.h"
@@ -64,9 +65,27 @@ std::string parameters_of(Preset preset) {
     return text_hash(FOAMTEX_VERSION "\n" + preset.name + "\n" + to_toml(preset));
 }
 
+ManifestMap vector_map(const VectorFormat& format,
+                       const std::string& part,
+                       const std::vector<int>& frames) {
+    return {.name = part,
+            .meaning = std::string(meaning_of_part(part)),
+            .unit = is_table_part(part) ? "foam units" : "millimeters",
+            .note = "",
+            .frames = frames,
+            .samples = {},
+            .vector_format = std::string(format.name)};
+}
+
 std::vector<ManifestMap> maps_of(const Preset& preset, std::vector<int> frames) {
     std::ranges::sort(frames);
     std::vector<ManifestMap> maps;
+    if (const VectorFormat* const format = vector_format_of(preset)) {
+        for (const std::string& part : vector_parts(preset)) {
+            maps.push_back(vector_map(*format, part, frames));
+        }
+        return maps;
+    }
     for (const DrawnImage& image : drawn_images(preset)) {
         const MapTraits& traits = image.traits();
         maps.push_back({.name = std::string(traits.name),
@@ -106,6 +125,9 @@ ManifestFile file_of(const WrittenFile& written, int frame, const std::filesyste
                       .displacement = written.displacement};
     for (const auto& [image, samples] : written.images) {
         file.maps.emplace_back(image.name());
+    }
+    if (!written.part.empty()) {
+        file.maps.push_back(written.part);
     }
     return file;
 }

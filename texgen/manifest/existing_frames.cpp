@@ -2,6 +2,7 @@
 
 #include "texgen/manifest/existing_frames.h"
 
+#include "texgen/bake/vector_files.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
@@ -17,6 +18,12 @@ namespace foam::texgen {
 
 namespace {
 
+// Returns the hash that the manifest records for a file.
+std::string recorded_hash(const std::filesystem::path& path) {
+    return find_vector_format(path.string()) != nullptr ? vector_hash(path)
+                                                        : pixel_hash(read_picture(path));
+}
+
 // Returns true if a file exists and has the recorded pixels. Compares the size first, because this
 // is fast and most damaged files differ in size.
 bool has_recorded_pixels(const ManifestFile& file, const std::filesystem::path& folder) {
@@ -26,13 +33,30 @@ bool has_recorded_pixels(const ManifestFile& file, const std::filesystem::path& 
         return false;
     }
     try {
-        return pixel_hash(read_picture(path)) == file.pixels;
+        return recorded_hash(path) == file.pixels;
     } catch (const InputError&) {
         return false;
     }
 }
 
+// Returns the names that the manifest lists for the files of a frame.
+std::vector<std::string> names_of(const Preset& preset) {
+    if (vector_format_of(preset) != nullptr) {
+        return vector_parts(preset);
+    }
+    std::vector<std::string> names;
+    for (const DrawnImage& image : drawn_images(preset)) {
+        names.emplace_back(image.name());
+    }
+    return names;
+}
+
 }  // namespace
+
+std::string vector_hash(const std::filesystem::path& path) {
+    const Bytes content = read_file(path);
+    return text_hash({reinterpret_cast<const char*>(content.data()), content.size()});
+}
 
 std::set<int> existing_frames_of(const Preset& preset,
                                  const std::vector<int>& frames,
@@ -43,14 +67,14 @@ std::set<int> existing_frames_of(const Preset& preset,
         return {};
     }
     // A layered EXR with further maps is not the file that a bake of these maps writes.
-    const std::vector<DrawnImage> images = drawn_images(preset);
+    const std::vector<std::string> names = names_of(preset);
     const auto is_wanted = [&](const std::string& map) {
-        return std::ranges::find(images, map, &DrawnImage::name) != images.end();
+        return std::ranges::find(names, map) != names.end();
     };
     std::set<int> present;
     std::ranges::copy_if(frames, std::inserter(present, present.end()), [&](int frame) {
-        return std::ranges::all_of(images, [&](const DrawnImage& image) {
-            const ManifestFile* const file = set->find_file(image.name(), frame);
+        return std::ranges::all_of(names, [&](const std::string& name) {
+            const ManifestFile* const file = set->find_file(name, frame);
             return file != nullptr && std::ranges::all_of(file->maps, is_wanted) &&
                    has_recorded_pixels(*file, folder);
         });

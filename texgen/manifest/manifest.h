@@ -19,7 +19,11 @@ inline constexpr int kManifestVersion = 1;
 /// The value of the member "format" of every manifest.
 inline constexpr std::string_view kManifestFormat = "foamtex-manifest";
 
-/// One map, or one packed image (maps/packing.h), of a set.
+/// The value of the member "kind" of drawings and tables in vector files.
+inline constexpr std::string_view kVectorKind = "vector";
+
+/// One map, one packed image (maps/packing.h), or one drawing or table of vector files
+/// (vector/format.h), of a set.
 struct ManifestMap {
     std::string name;
     std::string meaning;
@@ -29,17 +33,20 @@ struct ManifestMap {
     std::optional<MapSamples> samples;  // nullopt until the first file of the map is written
     // The content of each channel of a packed image, such as "1-roughness"; empty for a map.
     std::vector<std::string> packed{};
+    // The format of vector files, such as "SVG"; empty for images.
+    std::string vector_format{};
 
     friend bool operator==(const ManifestMap&, const ManifestMap&) = default;
 };
 
-/// One image file.
+/// One file.
 struct ManifestFile {
     std::string path;               // relative to the folder of the manifest, with '/'
     std::vector<std::string> maps;  // one map, or the maps that are layers of an EXR
     int frame = 0;
     std::uint64_t bytes = 0;  // size of the file
-    std::string pixels;       // pixel_hash of the picture in the file
+    // pixel_hash of the picture in the file, or text_hash of a vector file.
+    std::string pixels;
     // WrittenFile::numbers; also nullopt in manifests that older versions of foamtex wrote.
     std::optional<NumberExtent> numbers{};
     // WrittenFile::displacement; also nullopt in manifests that older versions of foamtex wrote.

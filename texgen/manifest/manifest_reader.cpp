@@ -46,7 +46,7 @@ std::array<double, 2> range_in(const JsonValue& value) {
 }
 
 std::optional<MapSamples> samples_in(const JsonValue& value) {
-    if (!value.find("kind")) {
+    if (!value.find("kind") || value["kind"].text() == kVectorKind) {
         return std::nullopt;
     }
     MapSamples samples{.kind = value["kind"].word(kKinds),
@@ -62,6 +62,11 @@ std::optional<MapSamples> samples_in(const JsonValue& value) {
         samples.pixel_format = format->text();
     }
     return samples;
+}
+
+std::string vector_format_in(const JsonValue& value) {
+    const auto kind = value.find("kind");
+    return kind && kind->text() == kVectorKind ? value["type"].text() : "";
 }
 
 std::vector<std::string> texts_in(const std::optional<JsonValue>& list) {
@@ -80,7 +85,8 @@ ManifestMap map_in(const JsonValue& value) {
             .note = note ? note->text() : "",
             .frames = frames_in(value["frames"]),
             .samples = samples_in(value),
-            .packed = texts_in(value.find("packed"))};
+            .packed = texts_in(value.find("packed")),
+            .vector_format = vector_format_in(value)};
 }
 
 std::optional<NumberExtent> numbers_in(const JsonValue& file) {

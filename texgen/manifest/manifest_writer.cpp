@@ -19,6 +19,10 @@ Json to_value(const ManifestMap& map) {
         value["packed"] = map.packed;
     }
     value["frames"] = format_frame_range(map.frames);
+    if (!map.vector_format.empty()) {
+        value["kind"] = kVectorKind;
+        value["type"] = map.vector_format;
+    }
     if (map.samples) {
         value["kind"] = map.samples->kind;
         value["channels"] = map.samples->channels;

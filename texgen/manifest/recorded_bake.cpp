@@ -28,12 +28,19 @@ namespace foam::texgen {
 
 namespace {
 
-// Throws std::invalid_argument if the path of an image, relative to the folder of the manifest, is
-// not UTF-8. A manifest is JSON, which cannot store other texts.
+// Throws std::invalid_argument if the path of a file, relative to the folder of the manifest, is
+// not UTF-8 or is the path of the manifest. A manifest is JSON, which cannot store other texts.
 void check_names(const Preset& preset, const BakeOptions& options) {
     const std::filesystem::path folder = manifest_folder(preset);
     for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
         const std::string name = relative_path(path, folder);
+        if (name == kManifestName) {
+            throw std::invalid_argument(
+                fmt::format("file name pattern '{}': the file would have the name of the manifest, "
+                            "'{}'",
+                            preset.output.pattern,
+                            kManifestName));
+        }
         if (!is_utf8(name)) {
             throw std::invalid_argument(
                 fmt::format("file name pattern '{}': the names of files must be UTF-8, because the "

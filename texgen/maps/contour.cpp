@@ -31,20 +31,32 @@ Keys<ContourOptions> contour_keys() {
             key("ground_color", Colors{}, "sRGB color of bubbles", &Options::ground_color)};
 }
 
-ColorPixels draw_contour(FrameLayers& layers,
-                         const ContourOptions& options,
-                         const PressureOptions& pressure) {
+Indexed<FilmId, std::uint8_t> contour_films(const FrameLayers& layers,
+                                            const ContourOptions& options,
+                                            const PressureOptions& pressure) {
     const PerBubble<double> tones = pressure_tones(layers, pressure);
     const auto levels = static_cast<double>(options.levels);
     const auto level_of = [&](BubbleId bubble) {
         return std::clamp(std::floor(tones[index_of(bubble)] * levels), 0.0, levels - 1.0);
     };
     const Network& network = layers.frame().network;
+    Indexed<FilmId, std::uint8_t> chosen(network.film_slots());
+    for (const FilmId film : network.films()) {
+        const HalfEdgeId side = forward_side(film);
+        const bool is_line =
+            network.is_outer(film) || level_of(network.left(side)) != level_of(network.right(side));
+        chosen[film] = is_line ? 1 : 0;
+    }
+    return chosen;
+}
+
+ColorPixels draw_contour(FrameLayers& layers,
+                         const ContourOptions& options,
+                         const PressureOptions& pressure) {
+    const Indexed<FilmId, std::uint8_t> chosen = contour_films(layers, options, pressure);
     const std::vector<PlacedArc> lines =
         arcs_of_films(layers.frame(), layers.grid(), layers.threads(), [&](FilmId film) {
-            const HalfEdgeId side = forward_side(film);
-            return network.is_outer(film) ||
-                   level_of(network.left(side)) != level_of(network.right(side));
+            return chosen[film] != 0;
         });
     return paint_layers(
         layers,

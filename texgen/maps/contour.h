@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "core/network/indexed.h"
 #include "texgen/keys/key.h"
 #include "texgen/maps/map.h"
 #include "texgen/maps/pressure.h"
@@ -29,6 +30,12 @@ struct ContourOptions {
 };
 
 Keys<ContourOptions> contour_keys();
+
+/// Returns 1 for each film along which draw_contour draws a line, and 0 for all other films. Throws
+/// as pressure_tones does.
+Indexed<FilmId, std::uint8_t> contour_films(const FrameLayers& layers,
+                                            const ContourOptions& options,
+                                            const PressureOptions& pressure);
 
 /// Draws, as lines with round ends, the films between bubbles of different levels. The tone of a
 /// bubble is its pressure on the scale of the map `pressure` (pressure_tones). This scale is

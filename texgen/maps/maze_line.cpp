@@ -8,12 +8,6 @@ namespace {
 
 constexpr int kPiecesPerCurve = 16;
 
-// A point of the line, and the direction of the line there, a unit vector.
-struct Station {
-    Vec2 position{0.0, 0.0};  // foam units; not wrapped into the fundamental cell of a torus
-    Vec2 direction{0.0, 0.0};
-};
-
 // Returns the direction from the bubble on the left of a half-edge to the bubble on its right.
 Vec2 across(const FilmArc& arc) {
     return -turned_left(arc.chord).normalized();
@@ -43,8 +37,25 @@ Vec2 mean_corner(const Frame& frame, HalfEdgeId side) {
     return sum / count;
 }
 
-// Returns the points at which the line crosses films, and on a torus also both ends of the line.
-std::vector<Station> stations_of(const Frame& frame, std::span<const HalfEdgeId> way) {
+// Returns a point of the cubic Hermite curve between two stations; `t` is from 0 to 1.
+Vec2 point_of(const Station& a, const Station& b, double t) {
+    const double length = (b.position - a.position).norm();
+    const double u = 1.0 - t;
+    return u * u * (1.0 + 2.0 * t) * a.position + t * t * (1.0 + 2.0 * u) * b.position +
+           length * t * u * (u * a.direction - t * b.direction);
+}
+
+// Returns the derivative of point_of with respect to `t`.
+Vec2 velocity_of(const Station& a, const Station& b, double t) {
+    const Vec2 way = b.position - a.position;
+    const double u = 1.0 - t;
+    return 6.0 * t * u * way +
+           way.norm() * (u * (1.0 - 3.0 * t) * a.direction + t * (3.0 * t - 2.0) * b.direction);
+}
+
+}  // namespace
+
+std::vector<Station> solution_stations(const Frame& frame, std::span<const HalfEdgeId> way) {
     std::vector<Station> stations;
     Vec2 tail = frame.positions[frame.network.tail(way.front())];
     for (std::size_t k = 0; k < way.size(); ++k) {
@@ -68,15 +79,18 @@ std::vector<Station> stations_of(const Frame& frame, std::span<const HalfEdgeId>
     return stations;
 }
 
-// Returns a point of the cubic Hermite curve between two stations; `t` is from 0 to 1.
-Vec2 point_of(const Station& a, const Station& b, double t) {
-    const double length = (b.position - a.position).norm();
-    const double u = 1.0 - t;
-    return u * u * (1.0 + 2.0 * t) * a.position + t * t * (1.0 + 2.0 * u) * b.position +
-           length * t * u * (u * a.direction - t * b.direction);
+std::vector<Station> refined(std::span<const Station> stations, int pieces) {
+    std::vector<Station> fine{stations.front()};
+    for (std::size_t k = 1; k < stations.size(); ++k) {
+        for (int piece = 1; piece < pieces; ++piece) {
+            const double t = static_cast<double>(piece) / pieces;
+            fine.push_back({point_of(stations[k - 1], stations[k], t),
+                            velocity_of(stations[k - 1], stations[k], t).normalized()});
+        }
+        fine.push_back(stations[k]);
+    }
+    return fine;
 }
-
-}  // namespace
 
 std::vector<PlacedArc> solution_line(const Frame& frame,
                                      std::span<const HalfEdgeId> way,
@@ -85,7 +99,7 @@ std::vector<PlacedArc> solution_line(const Frame& frame,
     if (way.empty()) {
         return line;
     }
-    const std::vector<Station> stations = stations_of(frame, way);
+    const std::vector<Station> stations = solution_stations(frame, way);
     for (std::size_t k = 1; k < stations.size(); ++k) {
         Vec2 from = stations[k - 1].position;
         for (int piece = 1; piece <= kPiecesPerCurve; ++piece) {

@@ -10,6 +10,20 @@
 
 namespace foam::texgen {
 
+/// A point at which the line of the solution crosses a film, or one of its ends.
+struct Station {
+    Vec2 position{0.0, 0.0};   // foam units; not wrapped into the fundamental cell of a torus
+    Vec2 direction{0.0, 0.0};  // direction of the line there, a unit vector
+};
+
+/// Returns the points at which the line of solution_line (below) crosses films, and on a torus also
+/// both ends of the line. Precondition: `way` is not empty.
+std::vector<Station> solution_stations(const Frame& frame, std::span<const HalfEdgeId> way);
+
+/// Returns stations at `pieces` equal steps of the parameter of each cubic curve between two
+/// stations, including the given stations. Precondition: `stations` is not empty, pieces > 0.
+std::vector<Station> refined(std::span<const Station> stations, int pieces);
+
 /// Returns a smooth line through bubbles as a chain of short straight pieces. `way` lists the films
 /// that the line passes: the bubble on the right of a half-edge is on the left of the next one. The
 /// line crosses each film in its middle and at a right angle; between two films it is a cubic

@@ -91,7 +91,9 @@ Keys<OutputOptions> file_keys() {
     return {key("pattern",
                 Text{},
                 "file names: {preset} and {map} are replaced, #### is the frame number, and the "
-                "suffix decides the format; an EXR without {map} has all maps as layers",
+                "suffix decides the format; an EXR without {map} has all maps as layers; .svg, "
+                ".dxf and "
+                ".pdf are drawings (table vector), .csv and .json tables of the foam",
                 &OutputOptions::pattern),
             key("texts",
                 kTexts,

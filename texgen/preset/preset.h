@@ -13,6 +13,7 @@
 #include "texgen/preset/image_options.h"
 #include "texgen/preset/loop.h"
 #include "texgen/preset/output_options.h"
+#include "texgen/vector/vector_options.h"
 
 #include <string>
 #include <vector>
@@ -47,6 +48,7 @@ struct Preset {
     CameraOptions camera;
     MapOptions maps;
     OutputOptions output;
+    VectorOptions vector;
 };
 
 }  // namespace foam::texgen

@@ -101,7 +101,8 @@ Keys<Preset> all_keys() {
                    nested_keys("image", &P::image, image_keys()),
                    nested_keys("camera", &P::camera, camera_keys()),
                    nested_keys("", &P::maps, map_keys()),
-                   nested_keys("output", &P::output, output_keys())});
+                   nested_keys("output", &P::output, output_keys()),
+                   nested_keys("vector", &P::vector, vector_keys())});
 }
 
 }  // namespace

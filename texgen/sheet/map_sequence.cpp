@@ -26,6 +26,12 @@ const ManifestMap& baked_map(const BakedSet& set, std::string_view name) {
     if (map != nullptr && map->samples) {
         return *map;
     }
+    if (map != nullptr && !map->vector_format.empty()) {
+        throw std::invalid_argument(
+            fmt::format("'{}' is in {} files, which have no pixels; bake PNG or EXR files instead",
+                        name,
+                        map->vector_format));
+    }
     std::vector<std::string_view> existing;
     for (const ManifestMap& other : set.maps) {
         if (other.samples) {

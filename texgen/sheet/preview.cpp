@@ -110,6 +110,9 @@ std::string default_map(const BakedSet& set) {
             }
         }
     }
+    if (!set.maps.front().vector_format.empty()) {
+        return set.maps.front().name;  // map_sequence says that it has no pixels
+    }
     throw std::invalid_argument(fmt::format("no map of preset '{}' was baked", set.preset));
 }
 

@@ -6,10 +6,8 @@
 #include "core/geometry/max_or_nan.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/format.h"
-#include "texgen/image/pixel_hash.h"
 #include "texgen/manifest/manifest_file.h"
+#include "texgen/verify/baked_file.h"
 #include "texgen/verify/scene_check.h"
 
 #include <fmt/core.h>
@@ -31,8 +29,6 @@ namespace {
 // largest steps within frames, across the borders of frames and from frame to frame. A seam is the
 // border of a frame that should tile, or the change from the last frame of a loop to the first.
 // After the last file, the MapCheck returns the steps across seams and the largest other steps.
-
-using DecodedFile = std::shared_ptr<const Picture>;
 
 // Returns how samples of a map are compared.
 Difference difference_of(const ManifestMap& map) {
@@ -129,26 +125,6 @@ class MapCheck {
     Border rows_;
 };
 
-// Returns the picture in a file if its pixels have the hash in the manifest. Otherwise adds a
-// problem and returns null.
-DecodedFile read_baked(const ManifestFile& file,
-                       const std::filesystem::path& folder,
-                       std::vector<std::string>& problems) {
-    try {
-        auto read = std::make_shared<const Picture>(read_picture(folder / file.path));
-        if (pixel_hash(*read) == file.pixels) {
-            return read;
-        }
-        problems.push_back(fmt::format(
-            "{}: the pixels differ from the baked pixels (their hash differs from the hash "
-            "in the manifest)",
-            file.path));
-    } catch (const InputError& error) {
-        problems.emplace_back(error.what());
-    }
-    return nullptr;
-}
-
 // Adds problems for missing frames: one line for all maps with the same missing frames.
 void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
     std::map<std::vector<int>, std::string> maps_by_missing;
@@ -215,6 +191,11 @@ VerifiedSet verify_set(const BakedSet& set,
     note_missing(set, found.problems);
     std::map<std::string, MapCheck> checks;
     for (const ManifestFile& file : set.files) {
+        if (!set.find_map(file.maps.front())->vector_format.empty()) {
+            found.files_same += is_same_vector(file, folder, found.problems) ? 1 : 0;
+            progress.add();
+            continue;
+        }
         if (const DecodedFile read = read_baked(file, folder, found.problems)) {
             ++found.files_same;
             for (const std::string& map : file.maps) {

@@ -3,6 +3,7 @@
 #include "texgen/bake/file_pattern.h"
 
 #include "texgen/image/format.h"
+#include "texgen/vector/format.h"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +66,8 @@ TEST(FilePattern, RejectsUnknownPlaceholdersAndOtherFormats) {
         EXPECT_NE(failure(pattern), "no failure") << pattern;
     }
     EXPECT_EQ(failure("a.####.jpg"),
-              "file name pattern 'a.####.jpg': must end in " + format_suffixes());
+              "file name pattern 'a.####.jpg': must end in " + format_suffixes() + ", or in " +
+                  vector_suffixes());
 }
 
 TEST(FilePattern, TwoImagesMayNotShareAFile) {

@@ -32,6 +32,14 @@ bool may_be_within(const OffsetArc& a, const OffsetArc& b, double distance) {
     return (a.middle - b.middle).squaredNorm() <= reach * reach;
 }
 
+// Returns true if a boundary turns right by exactly 180 degrees: it passes around the end of a line
+// and returns along the other side of the line.
+bool turns_back(const OffsetArc& before, const OffsetArc& after) {
+    const Vec2 from = head_tangent(before);
+    const Vec2 to = tail_tangent(after);
+    return cross(from, to) == 0.0 && from.dot(to) < 0.0;
+}
+
 }  // namespace
 
 const ArcLoops& InsetTracer::trace(const ArcLoops& region, double distance) {
@@ -73,7 +81,7 @@ void InsetTracer::add_loop(std::span<const ArcLoops::Side> loop) {
         if (shrinkage(side, distance_) >= kSmallestShrinkage) {
             offsets_.push_back({offset_left(side, distance_), k});
         }
-        if (turns_right(side, next)) {
+        if (turns_right(side, next) || turns_back(side, next)) {
             offsets_.push_back({corner_arc(side, next, distance_), kCorner});
         }
     }

@@ -13,11 +13,12 @@ namespace foam::texgen {
 /// Finds the inset of a region: all points of the region whose distance from every side of the
 /// region is at least a given distance. The offset of a side is the arc at this distance on the
 /// left of the side. The offset of a corner with an inner angle of more than 180 degrees is a
-/// circular arc around the corner. Each offset is cut at its crossings with all other offsets. A
-/// piece between two cuts belongs to the boundary of the inset if and only if its middle has at
-/// least the given distance from all other sides. FullInset (full_inset.h) finds the insets of most
-/// loops faster; where it finds one, its result has the same bits as the result of this class.
-/// Buffers are reused between regions.
+/// circular arc around the corner. The inner angle may be 360 degrees: then the region surrounds
+/// the end of a line, and both sides of the line belong to its boundary. Each offset is cut at its
+/// crossings with all other offsets. A piece between two cuts belongs to the boundary of the inset
+/// if and only if its middle has at least the given distance from all other sides. FullInset
+/// (full_inset.h) finds the insets of most loops faster; where it finds one, its result has the
+/// same bits as the result of this class. Buffers are reused between regions.
 class InsetTracer {
   public:
     /// Returns the boundary loops of the inset of a region. Both the region and the inset are on

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/animation/simulated_frame.h"
+#include "texgen/preset/preset.h"
+#include "texgen/vector/format.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns the format of the files of a preset if they are vector files (output.pattern), otherwise
+/// nullptr.
+const VectorFormat* vector_format_of(const Preset& preset);
+
+/// Returns the names of the vector files of a frame, which take the place of {map}. Precondition:
+/// the files of the preset are vector files.
+std::vector<std::string> vector_parts(const Preset& preset);
+
+/// Returns the words that take the place of {map} in the names of the files of a frame: the names
+/// of its vector files, or the words of its images (file_word).
+std::vector<std::string> file_words(const Preset& preset);
+
+/// Throws std::invalid_argument if the files of a preset are vector files, but have packings or
+/// sheets, if frames show two foams (a cross-fade), or if outlines have no width. The message is
+/// one line and names the key.
+void check_vector_files(const Preset& preset);
+
+/// Returns the content of a vector file of a frame. `part` is one of the names that
+/// VectorFormat::parts returns. Throws std::invalid_argument if the frame is a part of a
+/// cross-fade, and as VectorFormat::encode does.
+std::string encode_vector(const VectorFormat& format,
+                          const SimulatedFrame& shown,
+                          const Preset& preset,
+                          std::string_view part);
+
+/// Returns a frame as SVG, with the options of the table `vector`. Throws as encode_vector does.
+std::string to_svg(const SimulatedFrame& shown, const Preset& preset);
+
+}  // namespace foam::texgen

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/vector/draw.h"
+
+#include "core/foam/measure.h"
+#include "texgen/image/color.h"
+#include "texgen/maps/cell_color.h"
+#include "texgen/vector/appearance.h"
+#include "texgen/vector/foam_layout.h"
+#include "texgen/vector/number_text.h"
+#include "texgen/vector/solution_arcs.h"
+#include "texgen/vector/tile_copies.h"
+#include "texgen/vector/tile_cut.h"
+#include "texgen/vector/wall_outlines.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+// The lines of a drawing. On a torus whose tile cuts them, `near` contains whole copies of all
+// lines that touch the tile when they are drawn with their width, and `beyond` the parts outside of
+// the tile of these copies. Otherwise `near` equals `lines`, and `beyond` is empty.
+struct LineWork {
+    std::string layer;  // name of the layer
+    std::string kind;   // class of the shapes
+    std::string color;
+    double width = 0.0;  // millimeters
+    bool is_cut = false;
+    std::vector<NetArc> lines{};
+    std::vector<NetArc> near{};
+    std::vector<DrawnArc> beyond{};
+};
+
+// Adds each chain of lines as a shape.
+void add_chains(const LineWork& work,
+                const std::string& name,
+                bool is_beyond,
+                const std::vector<Chain>& chains,
+                Drawing& drawing) {
+    Layer layer{.name = name,
+                .style = {.stroke = work.color, .stroke_width = work.width},
+                .is_outline = !is_beyond,
+                .is_beyond = is_beyond};
+    for (const Chain& chain : chains) {
+        layer.shapes.push_back({.kind = work.kind, .chains = {chain}});
+    }
+    drawing.layers.push_back(std::move(layer));
+}
+
+void add_lines(const LineWork& work, Drawing& drawing) {
+    if (!work.beyond.empty() && work.width > 0.0) {
+        std::vector<Chain> parts;
+        for (const DrawnArc& arc : work.beyond) {
+            parts.push_back(chain_of(std::span(&arc, 1), false));
+        }
+        add_chains(work, work.layer + "_beyond", true, parts, drawing);
+    }
+    add_chains(work, work.layer, false, joined(work.lines), drawing);
+}
+
+void add_outlines(const LineWork& work, Drawing& drawing) {
+    std::vector<Chain> outlines = wall_outlines(work.near, work.width);
+    if (work.is_cut) {
+        outlines = clipped_to_tile(outlines, drawing.width, drawing.height);
+    }
+    drawing.layers.push_back({.name = work.layer,
+                              .style = {.fill = work.color},
+                              .shapes = {{.kind = work.kind, .chains = std::move(outlines)}},
+                              .is_outline = true});
+}
+
+void add_work(const LineWork& work, VectorWalls walls, Drawing& drawing) {
+    if (walls == VectorWalls::Lines) {
+        add_lines(work, drawing);
+    } else {
+        add_outlines(work, drawing);
+    }
+}
+
+LineWork films_work(const Appearance& look,
+                    const FoamLayout& layout,
+                    const Page& page,
+                    const VectorOptions& options) {
+    const double width =
+        options.wall_width > 0.0 ? options.wall_width : look.map_width * page.pixel;
+    LineWork work{.layer = look.layer,
+                  .kind = look.kind,
+                  .color = look.line_color,
+                  .width = width,
+                  .is_cut = layout.is_cut()};
+    if (options.walls == VectorWalls::Lines) {
+        work.lines = layout.lines(look.has_line);
+        work.beyond = layout.lines_beyond_tile(look.has_line, width);
+    } else {
+        work.near = layout.lines_near_tile(look.has_line, width);
+    }
+    return work;
+}
+
+// Returns a number that differs between the periodic copies of an arc.
+std::uint64_t copy_number(LatticeOffset by) {
+    constexpr std::int32_t kMiddle = 1 << 15;
+    return static_cast<std::uint64_t>(by.j + kMiddle) << 16 |
+           static_cast<std::uint64_t>(by.i + kMiddle);
+}
+
+// The number of biarcs between two films that the solution crosses. With four, the arcs differ from
+// the line of the map maze_solution by less than a hundredth of its width.
+constexpr int kPiecesPerStation = 4;
+
+// Adds the parts of an arc of the solution, which connects two nodes, to `work`.
+void add_solution_arc(const DrawnArc& arc, std::uint64_t node, const Page& page, LineWork& work) {
+    constexpr std::uint64_t kUnique = std::uint64_t{1} << 32;  // above the numbers of other nodes
+    if (page.domain.is_plane()) {
+        work.lines.push_back({arc, node, node + 1});
+        work.near = work.lines;
+        return;
+    }
+    const std::vector<CellPiece> pieces = cut_at_cells(arc, page.domain);
+    std::uint64_t unique = kUnique * (node + 1);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const std::uint64_t tail = k == 0 ? node : unique++;
+        const std::uint64_t head = k + 1 == pieces.size() ? node + 1 : unique++;
+        work.lines.push_back({pieces[k].arc, tail, head});
+    }
+    for (const ArcCopy& copy : copies_near_tile(arc, page, work.width)) {
+        const std::uint64_t of_copy = kUnique * copy_number(copy.by);
+        work.near.push_back({copy.arc, of_copy + node, of_copy + node + 1});
+    }
+    std::ranges::copy(parts_beyond_tile(arc, page, work.width), std::back_inserter(work.beyond));
+}
+
+LineWork solution_work(FrameLayers& layers, const MazeOptions& options, const Page& page) {
+    const double width =
+        diameters_in_pixels(options.solution_width, layers.grid(), layers.frame().domain);
+    LineWork work{.layer = "solution",
+                  .kind = "solution",
+                  .color = options.solution_color,
+                  .width = width * page.pixel,
+                  .is_cut = !page.domain.is_plane()};
+    const Maze& maze = layers.maze(maze_rule(options));
+    if (!maze.solution.empty()) {
+        const auto stations = solution_stations(layers.frame(), maze.solution);
+        const auto arcs = smooth_arcs(refined(stations, kPiecesPerStation), page);
+        for (std::size_t k = 0; k < arcs.size(); ++k) {
+            add_solution_arc(arcs[k], k, page, work);
+        }
+    }
+    return work;
+}
+
+using Data = std::vector<std::pair<std::string, std::string>>;
+
+Data data_of(const Frame& frame, BubbleId id) {
+    const FrameBubble& bubble = frame.bubbles[id];
+    return {{"bubble", fmt::format("{}", bubble.identity)},
+            {"area", exact_text(bubble.area)},
+            {"sides", fmt::format("{}", frame.network.sides(id))},
+            {"pressure", exact_text(bubble.pressure)}};
+}
+
+Data data_of(const Frame& frame, const LoneBubble& bubble) {
+    return {{"bubble", fmt::format("{}", bubble.identity)},
+            {"area", exact_text(bubble.target_area)},
+            {"sides", "0"},
+            {"pressure", exact_text(frame.film_tension / lone_radius(bubble))}};
+}
+
+// Adds one shape per bubble, in the color of the map albedo.
+void add_bubbles(const FrameLayers& layers,
+                 const AlbedoOptions& options,
+                 const FoamLayout& layout,
+                 Drawing& drawing) {
+    const Frame& frame = layers.frame();
+    const PerBubble<std::string> colors = bubble_colors(layers, options);
+    PerBubble<std::vector<Chain>> outlines = layout.bubbles();
+    const PerBubble<Data> data = per_bubble<Data>(
+        frame,
+        [&](BubbleId bubble) { return data_of(frame, bubble); },
+        [&](const LoneBubble& bubble) { return data_of(frame, bubble); });
+    Layer layer{.name = "bubbles"};
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+        layer.shapes.push_back({.kind = "bubble",
+                                .id = "bubble-" + data[k].front().second,
+                                .chains = std::move(outlines[k]),
+                                .fill = colors[k],
+                                .data = data[k]});
+    }
+    drawing.layers.push_back(std::move(layer));
+}
+
+// Colors the ground under the lines: the whole drawing, or all bubbles as one shape, so that
+// there are no seams between bubbles.
+void add_ground(const std::string& color, const FoamLayout& layout, Drawing& drawing) {
+    if (layout.is_cut()) {
+        drawing.background = color;
+        return;
+    }
+    Shape ground{.kind = "passage", .chains = {}};
+    for (const std::vector<Chain>& outlines : layout.bubbles()) {
+        std::ranges::copy(outlines, std::back_inserter(ground.chains));
+    }
+    drawing.layers.push_back(
+        {.name = "passages", .style = {.fill = color}, .shapes = {std::move(ground)}});
+}
+
+}  // namespace
+
+PerBubble<std::string> bubble_colors(const FrameLayers& layers, const AlbedoOptions& options) {
+    PerBubble<std::string> colors;
+    for (const LinearRgb& color : cell_colors(layers.frame(), layers.record(), options)) {
+        const Srgb8 code = to_srgb8(color);
+        colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", code.r, code.g, code.b));
+    }
+    return colors;
+}
+
+Drawing draw(FrameLayers& layers,
+             VectorContent content,
+             const MapOptions& maps,
+             const VectorOptions& options) {
+    check_width(content, maps, options);
+    const Frame& frame = layers.frame();
+    const Page page = page_of(frame.domain, layers.grid(), options.width_mm);
+    const FoamLayout layout(frame, page, options.wrap);
+    const Appearance look = appearance_of(layers, content, maps);
+    Drawing drawing{.width = page.width, .height = page.height, .scale = page.scale};
+    if (look.ground_color.empty()) {
+        add_bubbles(layers, maps.albedo, layout, drawing);
+    } else {
+        add_ground(look.ground_color, layout, drawing);
+    }
+    add_work(films_work(look, layout, page, options), options.walls, drawing);
+    if (content == VectorContent::MazeSolution) {
+        add_work(solution_work(layers, maps.maze, page), options.walls, drawing);
+    }
+    drawing.junctions = layout.junctions();
+    return drawing;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/vector/chain.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The appearance of shapes. Colors are sRGB, "#rrggbb"; an empty color draws nothing.
+struct Style {
+    std::string fill{};
+    std::string stroke{};
+    double stroke_width = 0.0;  // millimeters
+};
+
+/// A part of a drawing. If the shape is filled, its inside is the region
+/// around which its closed chains wind (the rule "nonzero"), so that clockwise chains are holes.
+struct Shape {
+    std::string kind;  // class of the shape, such as "bubble"
+    std::string id{};  // unique in the drawing; may be empty
+    std::vector<Chain> chains;
+    std::string fill{};  // replaces the color Style::fill of the layer, unless empty
+    // Names and values of further data, such as {"sides", "6"}.
+    std::vector<std::pair<std::string, std::string>> data{};
+};
+
+/// Shapes of one kind, which are drawn in their order.
+struct Layer {
+    std::string name;
+    Style style{};
+    std::vector<Shape> shapes{};
+    bool is_outline = false;  // true for lines and walls, which plotters and cutters follow
+    // True for parts beyond the border of the drawing that only complete the picture at the border.
+    bool is_beyond = false;
+};
+
+/// A drawing of a frame. Lengths are in millimeters. The origin is the lower left corner, y points
+/// up.
+struct Drawing {
+    double width = 0.0;
+    double height = 0.0;
+    double scale = 1.0;  // millimeters per foam unit
+    std::string title{};
+    std::string description{};
+    std::string background{};     // color of the whole drawing; empty for none
+    std::vector<Layer> layers{};  // from bottom to top
+    std::vector<Vec2> junctions{};
+};
+
+}  // namespace foam::texgen

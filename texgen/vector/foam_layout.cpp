@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/vector/foam_layout.h"
+
+#include "core/foam/measure.h"
+#include "texgen/vector/tile_copies.h"
+#include "texgen/vector/tile_cut.h"
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+namespace foam::texgen {
+
+namespace {
+
+// Gives numbers to the nodes of a net. The copies of a junction are different nodes.
+class Nodes {
+  public:
+    std::uint64_t of(JunctionId junction, LatticeOffset copy) {
+        return numbers_.try_emplace({index_of(junction), copy.i, copy.j}, next_node())
+            .first->second;
+    }
+    /// Returns a node that no other arc shares.
+    std::uint64_t unique() { return unique_++; }
+
+  private:
+    std::uint64_t next_node() const { return numbers_.size(); }
+
+    std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, std::uint64_t> numbers_;
+    std::uint64_t unique_ = std::uint64_t{1} << 63;
+};
+
+}  // namespace
+
+FoamLayout::FoamLayout(const Frame& frame, const Page& page, VectorWrap wrap)
+    : frame_(frame), page_(page), is_cut_(!page.domain.is_plane() && wrap == VectorWrap::Cut) {}
+
+// Returns the outline of a bubble. The first corner is at its position in the fundamental cell.
+Chain FoamLayout::whole_bubble(BubbleId bubble) const {
+    std::vector<DrawnArc> arcs;
+    for (const HalfEdgeId h : frame_.network.around(bubble)) {
+        DrawnArc arc = arc_on(page_, frame_, h);
+        if (!arcs.empty()) {
+            arc = moved_by(arc, arcs.back().head - arc.tail);
+        }
+        arcs.push_back(arc);
+    }
+    arcs.back().head = arcs.front().tail;
+    return chain_of(arcs, true);
+}
+
+// Returns the offset of the copy of a bubble that is drawn whole, relative to whole_bubble.
+LatticeOffset FoamLayout::place_of(BubbleId bubble) const {
+    return -page_.domain.cell_of(centroid(whole_bubble(bubble)));
+}
+
+PerBubble<std::vector<Chain>> FoamLayout::bubbles() const {
+    return per_bubble<std::vector<Chain>>(
+        frame_,
+        [&](BubbleId bubble) -> std::vector<Chain> {
+            Chain outline = whole_bubble(bubble);
+            if (is_cut_) {
+                return closed_in_cells(outline, page_.domain);
+            }
+            const Vec2 by = page_.domain.translation(place_of(bubble));
+            outline.tail += by;
+            for (Chain::Step& step : outline.steps) {
+                step.head += by;
+            }
+            return {outline};
+        },
+        [&](const LoneBubble& bubble) -> std::vector<Chain> {
+            return {circle(page_(bubble.center), page_.scale * lone_radius(bubble))};
+        });
+}
+
+void FoamLayout::add_lone_bubbles(std::vector<NetArc>& lines) const {
+    std::uint64_t node = std::uint64_t{3} << 62;
+    for (const LoneBubble& bubble : frame_.lone_bubbles) {
+        const Chain outline = circle(page_(bubble.center), page_.scale * lone_radius(bubble));
+        const std::vector<DrawnArc> arcs = arcs_of(outline);
+        lines.push_back({arcs[0], node, node + 1});
+        lines.push_back({arcs[1], node + 1, node});
+        node += 2;
+    }
+}
+
+// Returns the parts of the films in the tile. A node at which a film is cut has only one arc.
+std::vector<NetArc> FoamLayout::cut_lines(const FilmFilter& is_chosen) const {
+    Nodes nodes;
+    std::vector<NetArc> lines;
+    for (const FilmId film : frame_.network.films()) {
+        if (!is_chosen(film)) {
+            continue;
+        }
+        const HalfEdgeId side = forward_side(film);
+        const auto pieces = cut_at_cells(arc_on(page_, frame_, side), page_.domain);
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            const LatticeOffset cell = pieces[k].cell;
+            // A junction on the border may be drawn on the opposite side of the tile.
+            const bool at_tail = k == 0 && cell == LatticeOffset{};
+            const bool at_head = k + 1 == pieces.size() && cell == frame_.network.offset(side);
+            lines.push_back({pieces[k].arc,
+                             at_tail ? nodes.of(frame_.network.tail(side), {}) : nodes.unique(),
+                             at_head ? nodes.of(frame_.network.head(side), {}) : nodes.unique()});
+        }
+    }
+    return lines;
+}
+
+// Returns the films of all bubbles that are drawn whole, each once per place.
+std::vector<NetArc> FoamLayout::whole_lines(const FilmFilter& is_chosen) const {
+    Nodes nodes;
+    std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, bool> drawn;
+    std::vector<NetArc> lines;
+    for (const BubbleId bubble : frame_.network.bubbles()) {
+        LatticeOffset at = place_of(bubble);
+        for (const HalfEdgeId h : frame_.network.around(bubble)) {
+            const LatticeOffset next = at + frame_.network.offset(h);
+            const LatticeOffset& tail = is_forward(h) ? at : next;
+            const FilmId film = film_of(h);
+            if (is_chosen(film) &&
+                drawn.try_emplace({index_of(film), tail.i, tail.j}, true).second) {
+                lines.push_back({moved_by(arc_on(page_, frame_, h), page_.domain.translation(at)),
+                                 nodes.of(frame_.network.tail(h), at),
+                                 nodes.of(frame_.network.head(h), next)});
+            }
+            at = next;
+        }
+    }
+    return lines;
+}
+
+std::vector<NetArc> FoamLayout::lines(const FilmFilter& is_chosen) const {
+    std::vector<NetArc> lines = is_cut_ ? cut_lines(is_chosen) : whole_lines(is_chosen);
+    add_lone_bubbles(lines);
+    return lines;
+}
+
+std::vector<NetArc> FoamLayout::lines_near_tile(const FilmFilter& is_chosen, double reach) const {
+    if (!is_cut_) {
+        return lines(is_chosen);
+    }
+    Nodes nodes;
+    std::vector<NetArc> lines;
+    for (const FilmId film : frame_.network.films()) {
+        if (!is_chosen(film)) {
+            continue;
+        }
+        const HalfEdgeId side = forward_side(film);
+        for (const auto& [arc, by] : copies_near_tile(arc_on(page_, frame_, side), page_, reach)) {
+            lines.push_back(
+                {arc,
+                 nodes.of(frame_.network.tail(side), by),
+                 nodes.of(frame_.network.head(side), by + frame_.network.offset(side))});
+        }
+    }
+    return lines;
+}
+
+std::vector<DrawnArc> FoamLayout::lines_beyond_tile(const FilmFilter& is_chosen,
+                                                    double reach) const {
+    std::vector<DrawnArc> beyond;
+    if (!is_cut_) {
+        return beyond;
+    }
+    for (const FilmId film : frame_.network.films()) {
+        if (is_chosen(film)) {
+            const auto parts =
+                parts_beyond_tile(arc_on(page_, frame_, forward_side(film)), page_, reach);
+            beyond.insert(beyond.end(), parts.begin(), parts.end());
+        }
+    }
+    return beyond;
+}
+
+std::vector<Vec2> FoamLayout::junctions() const {
+    std::vector<Vec2> positions;
+    for (const JunctionId junction : frame_.network.junctions()) {
+        positions.push_back(page_(frame_.positions[junction]));
+    }
+    return positions;
+}
+
+}  // namespace foam::texgen

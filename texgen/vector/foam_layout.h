@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/maps/per_bubble.h"
+#include "texgen/vector/chain.h"
+#include "texgen/vector/page.h"
+#include "texgen/vector/vector_options.h"
+
+#include <functional>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Selects films.
+using FilmFilter = std::function<bool(FilmId)>;
+
+/// Places the bubbles and the films of a frame on a page. Borrows the frame.
+///
+/// On a torus with VectorWrap::Cut, bubbles and films are cut at the border of the tile, and each
+/// part is drawn once. With VectorWrap::Whole, each bubble is drawn once, at the place at which its
+/// centroid is in the tile. Each film beside a drawn bubble is drawn; a film between two
+/// bubbles that are on opposite sides of the tile is drawn on both sides.
+class FoamLayout {
+  public:
+    FoamLayout(const Frame& frame, const Page& page, VectorWrap wrap);
+
+    /// Returns true if arcs are cut at the border of the tile.
+    bool is_cut() const { return is_cut_; }
+
+    /// Returns the outlines of every bubble, counter-clockwise: one closed chain, or several if the
+    /// bubble is cut.
+    PerBubble<std::vector<Chain>> bubbles() const;
+
+    /// Returns the arcs of the chosen films and of all lone bubbles. Arcs share a node if they meet
+    /// in a junction.
+    std::vector<NetArc> lines(const FilmFilter& is_chosen) const;
+
+    /// Returns whole arcs of the chosen films, including all copies that come within `reach` of the
+    /// tile. If nothing is cut, returns `lines`.
+    std::vector<NetArc> lines_near_tile(const FilmFilter& is_chosen, double reach) const;
+
+    /// Returns the parts of lines_near_tile outside of the tile that come within `reach` of it.
+    /// Empty if nothing is cut.
+    std::vector<DrawnArc> lines_beyond_tile(const FilmFilter& is_chosen, double reach) const;
+
+    /// Returns the positions of all junctions.
+    std::vector<Vec2> junctions() const;
+
+  private:
+    Chain whole_bubble(BubbleId bubble) const;
+    std::vector<NetArc> cut_lines(const FilmFilter& is_chosen) const;
+    std::vector<NetArc> whole_lines(const FilmFilter& is_chosen) const;
+    LatticeOffset place_of(BubbleId bubble) const;
+    void add_lone_bubbles(std::vector<NetArc>& lines) const;
+
+    const Frame& frame_;
+    Page page_;
+    bool is_cut_;
+};
+
+}  // namespace foam::texgen

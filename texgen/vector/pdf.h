@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/vector/drawing.h"
+
+#include <string>
+
+namespace foam::texgen {
+
+/// Returns a drawing as a PDF of one page, written by cairo. PDF has no arcs: each arc consists of
+/// cubic Bezier curves that turn by at most 30 degrees and differ from the arc by less than 3e-7 of
+/// its radius. Cairo rounds coordinates to 1/256 point (0.0014 mm). Throws std::bad_alloc if cairo
+/// has too little memory, and std::runtime_error for other errors of cairo.
+std::string to_pdf(const Drawing& drawing);
+
+}  // namespace foam::texgen

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/vector/solution_arcs.h"
+
+#include "core/geometry/elementary.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace foam::texgen {
+
+namespace {
+
+double angle_between(const Vec2& a, const Vec2& b) {
+    return ieee::atan2(cross(a, b), a.dot(b));
+}
+
+// Returns the length of both handles of a biarc with equal handles: of the positive roots d of
+// chord² = 2 d chord · (t + u) + 2 d² (1 - t · u), with the directions t and u at the ends.
+double handle_of(const Vec2& chord, const Vec2& t, const Vec2& u) {
+    const double across = 2.0 * (1.0 - t.dot(u));
+    const double along = chord.dot(t + u);
+    return chord.squaredNorm() / (along + std::sqrt(along * along + across * chord.squaredNorm()));
+}
+
+}  // namespace
+
+std::vector<DrawnArc> smooth_arcs(const std::vector<Station>& stations, const Page& page) {
+    std::vector<DrawnArc> arcs;
+    for (std::size_t k = 1; k < stations.size(); ++k) {
+        const Station& from = stations[k - 1];
+        const Station& to = stations[k];
+        const Vec2 a = page(from.position);
+        const Vec2 b = page(to.position);
+        const double handle = handle_of(b - a, from.direction, to.direction);
+        const Vec2 middle = 0.5 * (a + b + handle * (from.direction - to.direction));
+        arcs.push_back({a, middle, angle_between(from.direction, middle - a)});
+        arcs.push_back({middle, b, angle_between(b - middle, to.direction)});
+    }
+    return arcs;
+}
+
+}  // namespace foam::texgen

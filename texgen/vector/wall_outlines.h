@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/vector/chain.h"
+
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns the outlines of walls of the given full width along lines: the border of the region of
+/// all points that are at most half the width from a line. Walls have round ends. All outlines are
+/// closed chains of circular arcs with the walls on their left, accurate to about 1e-8 of the
+/// length of a line. Precondition: width > 0, and lines meet only in their nodes. Takes time in
+/// proportion to the square of the number of lines, except that each part of the plane that lines
+/// surround takes only the square of the number of lines around it.
+std::vector<Chain> wall_outlines(std::span<const NetArc> lines, double width);
+
+}  // namespace foam::texgen

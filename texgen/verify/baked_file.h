@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/picture.h"
+#include "texgen/manifest/manifest.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+using DecodedFile = std::shared_ptr<const Picture>;
+
+/// Returns the picture in a file if its pixels have the hash in the manifest. Otherwise adds a
+/// problem and returns null. `folder` is the folder of the manifest.
+DecodedFile read_baked(const ManifestFile& file,
+                       const std::filesystem::path& folder,
+                       std::vector<std::string>& problems);
+
+/// Returns true if a vector file has the content whose hash is in the manifest. Otherwise adds a
+/// problem.
+bool is_same_vector(const ManifestFile& file,
+                    const std::filesystem::path& folder,
+                    std::vector<std::string>& problems);
+
+}  // namespace foam::texgen
