@@ -58,6 +58,16 @@ test("the page saves presets that the program reads", () =>
         assert.match(manifest.sets[0].toml, /seed = 7/);
     }));
 
+test("a frame can be downloaded as a drawing", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        const { page } = await open_studio(browser, studio.url);
+        await page.click("#take-home");
+        const [download] = await Promise.all([page.waitForEvent("download"), page.click("#download-drawing")]);
+        const file = path.join(folder, download.suggestedFilename());
+        await download.saveAs(file);
+        assert.match(await readFile(file, "utf8"), /<svg [^>]*width="100mm"/);
+    }));
+
 test("a frame can be downloaded", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page } = await open_studio(browser, studio.url);

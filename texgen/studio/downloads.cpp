@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <numeric>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -40,17 +41,19 @@ HttpResponse attachment(std::span<const std::byte> content,
             .body = std::string(reinterpret_cast<const char*>(content.data()), content.size())};
 }
 
-/// Bakes frames of one map as PNGs into a scratch folder and returns the contents of their files,
-/// in the order of the frames.
+/// Bakes frames of one map into a scratch folder, as PNGs or SVGs, and returns the contents of
+/// their files, in the order of the frames.
 std::vector<Bytes> baked_frames(Preset preset,
                                 const std::string& map,
                                 const std::vector<int>& frames,
-                                const FrameSource& source) {
+                                const FrameSource& source,
+                                std::string_view suffix) {
     const ScratchFolder scratch;
     preset.image.maps = {map};
     preset.output.pack.clear();
     preset.output.names.clear();
-    preset.output.pattern = (scratch.path() / "frame.######.png").string();
+    preset.output.pattern = (scratch.path() / fmt::format("frame.######{}", suffix)).string();
+    preset.output.sheets = SheetKind::None;
     const BakeSummary summary = bake(preset, {.frames = frames, .source = source});
     std::vector<Bytes> files;
     for (const std::filesystem::path& path : summary.files) {
@@ -71,9 +74,20 @@ HttpResponse frame_download(const Preset& preset,
                             const std::string& map,
                             int frame,
                             FrameStore& store) {
-    const std::vector<Bytes> files = baked_frames(preset, map, {frame}, store.source(preset));
+    const std::vector<Bytes> files =
+        baked_frames(preset, map, {frame}, store.source(preset), ".png");
     return attachment(
         files.at(0), fmt::format("{}_{}.{:04}.png", preset.name, map, frame), "image/png");
+}
+
+HttpResponse drawing_download(const Preset& preset,
+                              const std::string& map,
+                              int frame,
+                              FrameStore& store) {
+    const std::vector<Bytes> files =
+        baked_frames(preset, map, {frame}, store.source(preset), ".svg");
+    return attachment(
+        files.at(0), fmt::format("{}.{:04}.svg", preset.name, frame), "image/svg+xml");
 }
 
 HttpResponse loop_download(Preset preset,
@@ -90,7 +104,7 @@ HttpResponse loop_download(Preset preset,
     std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
     std::iota(frames.begin(), frames.end(), 1);
     ApngMuxer muxer(preset.frames.count, {preset.output.frames_per_second, 1});
-    for (const Bytes& file : baked_frames(preset, map, frames, source)) {
+    for (const Bytes& file : baked_frames(preset, map, frames, source, ".png")) {
         muxer.add(file);
     }
     return attachment(muxer.finish(), fmt::format("{}_{}_loop.png", preset.name, map), "image/png");

@@ -24,6 +24,13 @@ HttpResponse frame_download(const Preset& preset,
                             int frame,
                             FrameStore& store);
 
+/// Returns a frame as the SVG that a bake writes. Its content is that of the map if the map is a
+/// maze or contours, otherwise the foam (vector.content). Throws the exceptions of bake.
+HttpResponse drawing_download(const Preset& preset,
+                              const std::string& map,
+                              int frame,
+                              FrameStore& store);
+
 /// Returns all frames of a map as an animated PNG. `side` is the longer side of the pictures, in
 /// pixels; without it they have the size of the preset. Throws the exceptions of bake.
 HttpResponse loop_download(Preset preset,

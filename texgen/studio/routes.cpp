@@ -127,7 +127,7 @@ class StudioRoutes {
     }
 
     HttpResponse download(const JsonValue& request) const {
-        constexpr std::array<std::string_view, 3> kKinds = {"frame", "loop", "preset"};
+        constexpr std::array<std::string_view, 4> kKinds = {"frame", "drawing", "loop", "preset"};
         const std::string& kind = request["kind"].word(kKinds);
         const PageSettings settings = read_settings(request);
         if (kind == "preset") {
@@ -137,6 +137,9 @@ class StudioRoutes {
         const std::string map(find_map(request["map"].text()).name);
         if (kind == "frame") {
             return frame_download(preset, map, frame_of(request), store_);
+        }
+        if (kind == "drawing") {
+            return drawing_download(preset, map, frame_of(request), store_);
         }
         std::optional<int> side;
         if (const auto width = request.find("width")) {

@@ -355,6 +355,19 @@ TEST_F(StudioTest, ShowsBakedImages) {
     EXPECT_EQ(post("/api/baked", outside).status, HttpStatus::Unprocessable);
 }
 
+TEST_F(StudioTest, DownloadsAFrameAsADrawing) {
+    const HttpResponse drawing = post("/api/download",
+                                      {{"settings", settings()},
+                                       {"page", "test"},
+                                       {"kind", "drawing"},
+                                       {"frame", 2},
+                                       {"map", "lit"}});
+    ASSERT_EQ(drawing.status, HttpStatus::Ok) << drawing.body;
+    EXPECT_EQ(drawing.content_type, "image/svg+xml");
+    EXPECT_NE(drawing.body.find("<svg"), std::string::npos);
+    EXPECT_NE(drawing.body.find("data-bubble"), std::string::npos);
+}
+
 TEST_F(StudioTest, DownloadsALoop) {
     const HttpResponse loop = post("/api/download",
                                    {{"settings", settings()},

@@ -180,7 +180,8 @@ export class Player {
             this.#clock = this.complete || this.#ready() ? {start: time, frame: this.frame} : null;
             return;
         }
-        const steps = Math.floor(((time - this.#clock.start) * this.framesPerSecond * this.speed) / 1000);
+        // Rounded, because at the rate of the screen a fraction just below a whole number would skip frames.
+        const steps = Math.round(((time - this.#clock.start) * this.framesPerSecond * this.speed) / 1000);
         const frame = ((this.#clock.frame - 1 + steps) % this.count) + 1;
         if (frame === this.frame) {
             return;

@@ -16,6 +16,7 @@ export class TakeHome {
             "save-preset": () => this.askName(),
             "download-preset": () => this.download("preset"),
             "download-frame": () => this.download("frame"),
+            "download-drawing": () => this.download("drawing"),
             "download-loop": () => this.download("loop"),
             "download-loop-preview": () => this.download("loop", studio.painter.width),
         };
@@ -58,13 +59,14 @@ export class TakeHome {
         $("save-name").select();
     }
 
-    /** Downloads the preset, the frame, or the loop. `width` is null for the size of the preset. */
+    /** Downloads the preset, the frame as a picture or a drawing, or the loop. `width` is null for the size of the preset. */
     async download(kind, width = null) {
         const {state, player, map, status} = this.#studio;
         const name = state.preset.replace(/\.toml$/, "");
         const fallback = {
             preset: `${name}.toml`,
             frame: `${name}_${map}_${player.frame}.png`,
+            drawing: `${name}_${player.frame}.svg`,
             loop: `${name}_${map}.png`,
         }[kind];
         status.say(kind === "loop" ? "The loop is being written." : "The file is being written.");
@@ -80,10 +82,10 @@ export class TakeHome {
         const {answer, baked, player} = this.#studio;
         $("copy-command").disabled = !answer?.command;
         $("copy-command").title = answer?.command ?? "Changed events need a preset file.";
-        for (const id of ["copy-command", "save-preset", "download-preset", "download-frame"]) {
+        for (const id of ["copy-command", "save-preset", "download-preset", "download-frame", "download-drawing"]) {
             $(id).disabled ||= Boolean(baked);
         }
-        for (const id of ["save-preset", "download-preset", "download-frame"]) {
+        for (const id of ["save-preset", "download-preset", "download-frame", "download-drawing"]) {
             $(id).disabled = Boolean(baked);
         }
         for (const id of ["download-loop", "download-loop-preview"]) {
