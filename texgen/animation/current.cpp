@@ -4,10 +4,15 @@
 
 #include "core/foam/random.h"
 #include "core/geometry/elementary.h"
+#include "core/parallel/simd_level.h"
 #include "texgen/animation/displaced_frame.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
 
 namespace foam::texgen {
 
@@ -24,26 +29,73 @@ struct VelocityWave {
     double phase;
 };
 
-Vec2 velocity(const std::vector<VelocityWave>& waves, const Vec2& point) {
-    Vec2 sum = Vec2::Zero();
-    for (const VelocityWave& wave : waves) {
-        sum += ieee::cos(wave.vector.dot(point) + wave.phase) * wave.amplitude;
+// The coordinates of points, or the components of vectors. The points move together, so that the
+// loops over them are vectorized.
+struct PointGroup {
+    static constexpr std::size_t kSize = 32;
+
+    std::array<double, kSize> x{};
+    std::array<double, kSize> y{};
+};
+
+// Returns a + factor * b.
+[[gnu::always_inline]] inline PointGroup sum(const PointGroup& a,
+                                             double factor,
+                                             const PointGroup& b) {
+    PointGroup sums;
+    for (std::size_t k = 0; k < PointGroup::kSize; ++k) {
+        sums.x[k] = a.x[k] + factor * b.x[k];
+        sums.y[k] = a.y[k] + factor * b.y[k];
     }
-    return sum;
+    return sums;
 }
 
-// Returns the displacement of a point that moves with the velocity for one unit of time.
-Vec2 displacement_in(const std::vector<VelocityWave>& waves, const Vec2& point) {
-    constexpr double kStep = 1.0 / kPathSteps;
-    Vec2 place = point;
-    for (int step = 0; step < kPathSteps; ++step) {
-        const Vec2 first = velocity(waves, place);
-        const Vec2 second = velocity(waves, place + 0.5 * kStep * first);
-        const Vec2 third = velocity(waves, place + 0.5 * kStep * second);
-        const Vec2 fourth = velocity(waves, place + kStep * third);
-        place += kStep / 6.0 * (first + 2.0 * second + 2.0 * third + fourth);
+[[gnu::always_inline]] inline PointGroup velocity(std::span<const VelocityWave> waves,
+                                                  const PointGroup& points) {
+    PointGroup velocities;
+    for (const VelocityWave& wave : waves) {
+        for (std::size_t k = 0; k < PointGroup::kSize; ++k) {
+            const double angle =
+                wave.vector.x() * points.x[k] + wave.vector.y() * points.y[k] + wave.phase;
+            const double cosine = ieee::sincos_of_moderate(angle).cosine;
+            velocities.x[k] += cosine * wave.amplitude.x();
+            velocities.y[k] += cosine * wave.amplitude.y();
+        }
     }
-    return place - point;
+    return velocities;
+}
+
+// Moves points with the velocity for one unit of time, by the Runge-Kutta method of order 4.
+void move(std::span<const VelocityWave> waves, PointGroup& points) {
+    at_simd_level([waves, &points] {
+        constexpr double kStep = 1.0 / kPathSteps;
+        PointGroup moved = points;
+        for (int step = 0; step < kPathSteps; ++step) {
+            const PointGroup first = velocity(waves, moved);
+            const PointGroup second = velocity(waves, sum(moved, 0.5 * kStep, first));
+            const PointGroup third = velocity(waves, sum(moved, 0.5 * kStep, second));
+            const PointGroup fourth = velocity(waves, sum(moved, kStep, third));
+            const PointGroup all = sum(sum(sum(first, 2.0, second), 2.0, third), 1.0, fourth);
+            moved = sum(moved, kStep / 6.0, all);
+        }
+        points = moved;
+    });
+}
+
+// Replaces points by their displacements if they move with the velocity for one unit of time.
+void replace_by_displacements(std::span<const VelocityWave> waves, std::span<Vec2> points) {
+    for (std::size_t begin = 0; begin < points.size(); begin += PointGroup::kSize) {
+        const auto some = points.subspan(begin, std::min(PointGroup::kSize, points.size() - begin));
+        PointGroup group;
+        for (std::size_t k = 0; k < some.size(); ++k) {
+            group.x[k] = some[k].x();
+            group.y[k] = some[k].y();
+        }
+        move(waves, group);
+        for (std::size_t k = 0; k < some.size(); ++k) {
+            some[k] = Vec2(group.x[k], group.y[k]) - some[k];
+        }
+    }
 }
 
 // Returns the waves of the velocity after the fraction `progress` of the loop. A wave of the stream
@@ -85,7 +137,10 @@ Current::Current(const LoopOptions& loop, double aspect, std::uint64_t seed)
 }
 
 Vec2 Current::displacement(const Vec2& point, const Domain& domain, double progress) const {
-    return displacement_in(waves_at(progress, waves_, directions_, strength_, domain), point);
+    Vec2 displacement = point;
+    replace_by_displacements(waves_at(progress, waves_, directions_, strength_, domain),
+                             std::span(&displacement, 1));
+    return displacement;
 }
 
 Frame Current::carried(const Frame& frame, double progress) const {
@@ -94,14 +149,15 @@ Frame Current::carried(const Frame& frame, double progress) const {
         waves_at(progress, waves_, directions_, strength_, frame.domain);
     Indexed<JunctionId, Vec2> of_junctions;
     for (const JunctionId junction : network.junctions()) {
-        of_junctions.push_back(displacement_in(waves, frame.positions[junction]));
+        of_junctions.push_back(frame.positions[junction]);
     }
     Indexed<FilmId, Vec2> of_middles;
     for (const FilmId film : network.films()) {
-        const Vec2 middle =
-            frame.positions[network.tail(forward_side(film))] + point_at(frame.arcs[film], 0.5);
-        of_middles.push_back(displacement_in(waves, middle));
+        of_middles.push_back(frame.positions[network.tail(forward_side(film))] +
+                             point_at(frame.arcs[film], 0.5));
     }
+    replace_by_displacements(waves, {of_junctions.begin(), of_junctions.end()});
+    replace_by_displacements(waves, {of_middles.begin(), of_middles.end()});
     return displaced(frame, of_junctions, of_middles);
 }
 

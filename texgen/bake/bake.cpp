@@ -112,12 +112,12 @@ class FrameWriter {
     // Precondition: `file.numbers` is set. The file then stores codes, so it has only one
     // image, and this image has a range.
     void add_numbers(const WrittenFile& file) {
-        const auto& [image, samples] = file.images.front();
+        const DrawnImage& image = file.images.front().first;
         const auto found = std::ranges::find_if(numbers_, [&](const WrittenNumbers& numbers) {
             return numbers.image.name() == image.name();
         });
         if (found == numbers_.end()) {
-            numbers_.push_back({image, *samples.range, *file.numbers});
+            numbers_.push_back({image, *file.images.front().second.range, *file.numbers});
         } else {
             found->extent = joined(found->extent, *file.numbers);
         }

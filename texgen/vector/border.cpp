@@ -116,7 +116,9 @@ std::vector<BorderEnd> followers(const std::vector<Chain>& chains, const Border&
 
 std::vector<Chain> closed_along_border(std::vector<Chain> chains, double width, double height) {
     const Border border(width, height);
-    const auto first_open = std::ranges::stable_partition(chains, &Chain::is_closed).begin();
+    // Clang 14 does not compile std::ranges::stable_partition.
+    const auto first_open = std::stable_partition(
+        chains.begin(), chains.end(), [](const Chain& chain) { return chain.is_closed; });
     std::vector<Chain> open(std::make_move_iterator(first_open),
                             std::make_move_iterator(chains.end()));
     chains.erase(first_open, chains.end());
