@@ -13,6 +13,8 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
 cd -- "$root"
 # shellcheck source=samples/setup/build.sh
 source samples/setup/build.sh
+# shellcheck source=samples/setup/node.sh
+source samples/setup/node.sh
 
 foamtex=${FOAMTEX:-$foamtex}
 scratch=$(mktemp -d)
@@ -81,6 +83,15 @@ maze() {
     cp -- "$scratch/maze.svg" samples/figures/maze.svg
 }
 
+studio() {
+    ensure_npm tests/browser
+    ensure_packages chromium
+    [[ -x $foamtex ]] || build_foamtex
+    mkdir "$scratch/folder"
+    FOAMTEX=$foamtex node samples/figures/studio.mjs "$scratch/folder" "$scratch/studio.png"
+    convert "$scratch/studio.png" -quality 90 -strip samples/figures/studio.jpg
+}
+
 # states NAME PRESET RANGE [OPTION]...: simulates frames of a preset and stores their states in $scratch/NAME, from
 # which diagrams read them. Options are passed to `foamtex simulate`.
 states() {
@@ -115,7 +126,7 @@ signed_area() { diagram signed_area; }
 bake_flow() { diagram bake_flow; }
 rooms() { diagram rooms; }
 
-pictures=(sea_foam_tiled figure_4 figure_6 figure_7 figure_8 shear soap_raft maze)
+pictures=(sea_foam_tiled figure_4 figure_6 figure_7 figure_8 shear soap_raft maze studio)
 diagrams=(t1_and_t2 half_edges ghost_bubble film_arc signed_area bake_flow rooms)
 figures=("${pictures[@]}" "${diagrams[@]}")
 for figure in "$@"; do
