@@ -3,9 +3,12 @@
 // Who may use a studio, several pages at once, and a studio that ends.
 
 import assert from "node:assert/strict";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
+import os from "node:os";
+import path from "node:path";
 import test from "node:test";
 import { open_page } from "../browser/chromium.mjs";
-import { open_studio, set_key, start_studio, with_studio } from "./studio.mjs";
+import { open_session, open_studio, set_key, start_studio, with_studio } from "./studio.mjs";
 
 test("a page without the token gets nothing", () =>
     with_studio(async ({ studio, browser }) => {
@@ -99,3 +102,50 @@ test("the studio ends while a picture is awaited", () =>
         });
         assert.equal(await studio.stop(), 0);
     }));
+
+// Returns the memory that a process has in use, in MB.
+async function memory_of(pid) {
+    const status = await readFile(`/proc/${pid}/status`, "utf8");
+    return Number(/VmRSS:\s+(\d+) kB/.exec(status)[1]) / 1024;
+}
+
+test("memory stays flat while 10,000 pictures are drawn", async () => {
+    const folder = await mkdtemp(path.join(os.tmpdir(), "foamtex-studio-"));
+    const studio = await start_studio(folder);
+    try {
+        const post = await open_session(studio);
+        const maps = ["lit", "albedo", "normal", "height", "id_color"];
+        const draw = (k) =>
+            post("/api/picture", {
+                settings: {
+                    preset: "sea_foam",
+                    set: ["foam.bubbles=40", "frames.count=8", `relief.width=${0.1 + (k % 97) / 500}`],
+                    events: null,
+                },
+                page: "draws",
+                frame: 1 + (k % 8),
+                map: maps[k % maps.length],
+                width: 64 + (k % 13),
+                quality: "full",
+                samples: "rgba",
+            });
+        let next = 0;
+        const draw_until = (end) =>
+            Promise.all(
+                Array.from({ length: 4 }, async () => {
+                    while (next < end) {
+                        await draw(next++);
+                    }
+                }),
+            );
+        // What is kept of recent frames has filled its place after the first draws.
+        await draw_until(3000);
+        const before = await memory_of(studio.pid);
+        await draw_until(10_000);
+        const after = await memory_of(studio.pid);
+        assert.ok(after < before + 16, `${before.toFixed(1)} MB before, ${after.toFixed(1)} MB after`);
+    } finally {
+        await studio.stop();
+        await rm(folder, { recursive: true });
+    }
+});

@@ -5,6 +5,7 @@
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { mkdtemp, rm } from "node:fs/promises";
+import http from "node:http";
 import os from "node:os";
 import path from "node:path";
 import { launch_chromium, open_page } from "../browser/chromium.mjs";
@@ -25,7 +26,8 @@ export async function run(arguments_, options = {}) {
     return out;
 }
 
-// Starts a studio in a folder. Returns its address, its port, and `stop`, which ends it and returns its exit code.
+// Starts a studio in a folder. Returns its address, its port, the id of its process, and `stop`, which ends it and returns its
+// exit code.
 export async function start_studio(folder, options = []) {
     const child = spawn(program, ["studio", folder, "--no-browser", "--json", ...options]);
     const [line] = await once(child.stdout, "data");
@@ -33,6 +35,7 @@ export async function start_studio(folder, options = []) {
     return {
         url,
         port,
+        pid: child.pid,
         stop: async (signal = "SIGINT") => {
             if (child.exitCode !== null || child.signalCode !== null) {
                 return child.exitCode;
@@ -41,6 +44,35 @@ export async function start_studio(folder, options = []) {
             const [code] = await once(child, "close");
             return code;
         },
+    };
+}
+
+// Opens a session of a studio without a browser. Returns a function that posts a request and returns the body of the answer. Up
+// to four requests can run at the same time. The function throws an Error if the status is not 200.
+export async function open_session(studio) {
+    const agent = new http.Agent({ keepAlive: true, maxSockets: 4 });
+    const origin = `http://localhost:${studio.port}`;
+    let cookie = "";
+    const send = (target, body) =>
+        new Promise((resolve, reject) => {
+            const headers = { "Content-Type": "application/json", Origin: origin, "Sec-Fetch-Site": "same-origin", Cookie: cookie };
+            const request = http.request(`${origin}${target}`, { method: "POST", agent, headers }, (response) => {
+                const parts = [];
+                response.on("data", (part) => parts.push(part));
+                response.on("end", () => resolve({ response, body: Buffer.concat(parts) }));
+            });
+            request.on("error", reject);
+            request.end(JSON.stringify(body));
+        });
+    const token = /token=([^&]+)/.exec(new URL(studio.url).hash)[1];
+    const session = await send("/api/session", { token });
+    cookie = session.response.headers["set-cookie"][0].split(";")[0];
+    return async (target, body) => {
+        const answer = await send(target, body);
+        if (answer.response.statusCode !== 200) {
+            throw new Error(`${target} was answered with ${answer.response.statusCode}: ${answer.body}`);
+        }
+        return answer.body;
     };
 }
 
