@@ -62,7 +62,7 @@ class DxfWriter {
     std::string table(std::string_view name, int entries) {
         group(0, "TABLE");
         group(2, name);
-        const std::string handle = fmt::format("{:X}", next_handle_++);
+        std::string handle = fmt::format("{:X}", next_handle_++);
         group(5, handle);
         group(330, "0");
         group(100, "AcDbSymbolTable");

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -220,15 +221,15 @@ std::vector<Chain> wall_outlines(std::span<const NetArc> lines, double width) {
     }
     const double scale = kMeanChord / mean_chord(lines);
     const std::vector<ArcLoops> groups = groups_of(loops_along(lines, scale));
-    Insets insets;
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
         const double distance = 0.5 * scale * width * (1.0 + attempt * kLargerWidth);
-        insets = insets_of(groups, distance, scale);
+        Insets insets = insets_of(groups, distance, scale);
         if (insets.unclosed == 0) {
-            break;
+            return std::move(insets.chains);
         }
     }
-    return insets.chains;
+    throw std::invalid_argument(
+        "an outline of the walls does not close at this width: choose another vector.wall_width");
 }
 
 }  // namespace foam::texgen
