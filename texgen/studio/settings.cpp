@@ -8,6 +8,7 @@
 #include "texgen/preset/drawn_images.h"
 #include "texgen/preset/event_io.h"
 #include "texgen/preset/load_preset.h"
+#include "texgen/preset/preset_extension.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_keys.h"
 #include "texgen/preset/preset_schema.h"
@@ -15,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <string_view>
 #include <utility>
 
@@ -163,24 +163,8 @@ std::string preset_file(const PageSettings& settings, const PagePreset& loaded) 
     if (!extends || drops_events) {
         return to_toml(loaded.preset);
     }
-    std::map<std::string, Value> values;
-    for (const Assignment& one : loaded.assignments) {
-        if (!is_event_key(one.key)) {
-            values[one.key] = one.value;
-        }
-    }
-    std::string toml = fmt::format("extends = \"{}\"\n", settings.preset);
-    std::string_view table;
-    for (const Key<Preset>& key : preset_keys()) {
-        if (const auto found = values.find(key.path); found != values.end()) {
-            if (key.table() != table) {
-                table = key.table();
-                toml += fmt::format("\n[{}]\n", table);
-            }
-            toml += fmt::format("{} = {}\n", key.name(), to_toml(found->second));
-        }
-    }
-    return toml + (settings.events ? "\n" + events_to_toml(loaded.preset) : "");
+    return extending_preset(settings.preset, loaded.assignments) +
+           (settings.events ? "\n" + events_to_toml(loaded.preset) : "");
 }
 
 Json describe_settings(const PageSettings& settings, const StudioFolder& folder) {

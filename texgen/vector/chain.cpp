@@ -84,6 +84,17 @@ Vec2 centroid(const Chain& chain) {
     return chain.tail + moment / area;
 }
 
+void include(const Chain& chain, Box& box) {
+    constexpr int kPoints = 16;
+    for (const DrawnArc& arc : arcs_of(chain)) {
+        for (int k = 0; k <= kPoints; ++k) {
+            const Vec2 point = arc.tail + point_at(arc.arc(), static_cast<double>(k) / kPoints);
+            box.low = box.low.cwiseMin(point);
+            box.high = box.high.cwiseMax(point);
+        }
+    }
+}
+
 Chain circle(const Vec2& center, double radius) {
     constexpr double kQuarter = 0.5 * std::numbers::pi;
     const Vec2 right = center + Vec2(radius, 0.0);

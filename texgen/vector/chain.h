@@ -54,6 +54,16 @@ double signed_area(const Chain& chain);
 /// Returns the centroid of the region inside a closed chain whose area is not zero.
 Vec2 centroid(const Chain& chain);
 
+/// A rectangle whose sides are parallel to the axes.
+struct Box {
+    Vec2 low{0.0, 0.0};
+    Vec2 high{0.0, 0.0};
+};
+
+/// Enlarges a box so that it contains a chain. Arcs may extend beyond the box by 0.3 % of their
+/// distance from their chord.
+void include(const Chain& chain, Box& box);
+
 /// A full circle, counter-clockwise, as two arcs.
 Chain circle(const Vec2& center, double radius);
 

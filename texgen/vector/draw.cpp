@@ -212,6 +212,21 @@ void add_ground(const std::string& color, const FoamLayout& layout, Drawing& dra
         {.name = "passages", .style = {.fill = color}, .shapes = {std::move(ground)}});
 }
 
+// Returns a box around the tile and all shapes, with the whole width of their lines.
+Box box_around(const Drawing& drawing) {
+    Box box{{0.0, 0.0}, {drawing.width, drawing.height}};
+    double width = 0.0;
+    for (const Layer& layer : drawing.layers) {
+        width = std::max(width, layer.style.stroke_width);
+        for (const Shape& shape : layer.shapes) {
+            for (const Chain& chain : shape.chains) {
+                include(chain, box);
+            }
+        }
+    }
+    return {box.low - Vec2::Constant(0.5 * width), box.high + Vec2::Constant(0.5 * width)};
+}
+
 }  // namespace
 
 PerBubble<std::string> bubble_colors(const FrameLayers& layers, const AlbedoOptions& options) {
@@ -243,6 +258,9 @@ Drawing draw(FrameLayers& layers,
         add_work(solution_work(layers, maps.maze, page), options.walls, drawing);
     }
     drawing.junctions = layout.junctions();
+    if (options.wrap == VectorWrap::Whole && !page.domain.is_plane()) {
+        drawing.extended = box_around(drawing);
+    }
     return drawing;
 }
 

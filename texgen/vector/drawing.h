@@ -4,6 +4,7 @@
 
 #include "texgen/vector/chain.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,17 +39,23 @@ struct Layer {
     bool is_beyond = false;
 };
 
-/// A drawing of a frame. Lengths are in millimeters. The origin is the lower left corner, y points
-/// up.
+/// A drawing of a frame. Lengths are in millimeters. The origin is the lower left corner of the
+/// tile or of the view, y points up.
 struct Drawing {
-    double width = 0.0;
+    double width = 0.0;  // of the tile or the view
     double height = 0.0;
+    // What the page shows if whole bubbles extend beyond the tile; nullopt for the tile or the
+    // view.
+    std::optional<Box> extended{};
     double scale = 1.0;  // millimeters per foam unit
     std::string title{};
     std::string description{};
     std::string background{};     // color of the whole drawing; empty for none
     std::vector<Layer> layers{};  // from bottom to top
     std::vector<Vec2> junctions{};
+
+    /// What the page shows.
+    Box shown() const { return extended.value_or(Box{{0.0, 0.0}, {width, height}}); }
 };
 
 }  // namespace foam::texgen

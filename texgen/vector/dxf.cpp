@@ -107,10 +107,10 @@ void write_header(const Drawing& drawing, DxfWriter& dxf) {
     dxf.group(9, "$MEASUREMENT");
     dxf.group(70, 1);  // metric
     dxf.group(9, "$EXTMIN");
-    dxf.point({0.0, 0.0});
+    dxf.point(drawing.shown().low);
     dxf.real(30, 0.0);
     dxf.group(9, "$EXTMAX");
-    dxf.point({drawing.width, drawing.height});
+    dxf.point(drawing.shown().high);
     dxf.real(30, 0.0);
     dxf.end_section();
 }
@@ -125,9 +125,12 @@ void write_view(const Drawing& drawing, DxfWriter& dxf) {
     };
     pair(10, 0.0, 0.0);
     pair(11, 1.0, 1.0);
-    pair(12, 0.5 * drawing.width, 0.5 * drawing.height);
-    dxf.real(40, 1.1 * drawing.height);
-    dxf.real(41, drawing.width / drawing.height);
+    const Box box = drawing.shown();
+    const Vec2 center = 0.5 * (box.low + box.high);
+    const Vec2 size = box.high - box.low;
+    pair(12, center.x(), center.y());
+    dxf.real(40, 1.1 * size.y());
+    dxf.real(41, size.x() / size.y());
     dxf.end_table();
 }
 

@@ -100,7 +100,8 @@ void draw_shape(cairo_t* cairo, const Shape& shape, const Style& style) {
 void draw_layers(cairo_t* cairo, const Drawing& drawing) {
     // Millimeters, and y up from the lower left corner.
     cairo_scale(cairo, kPointsPerMillimeter, -kPointsPerMillimeter);
-    cairo_translate(cairo, 0.0, -drawing.height);
+    const Box box = drawing.shown();
+    cairo_translate(cairo, -box.low.x(), -box.high.y());
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     if (!drawing.background.empty()) {
@@ -118,12 +119,9 @@ void draw_layers(cairo_t* cairo, const Drawing& drawing) {
 
 std::string to_pdf(const Drawing& drawing) {
     std::string text;
-    const Surface surface(
-        cairo_pdf_surface_create_for_stream(append,
-                                            &text,
-                                            drawing.width * kPointsPerMillimeter,
-                                            drawing.height * kPointsPerMillimeter),
-        cairo_surface_destroy);
+    const Vec2 size = kPointsPerMillimeter * (drawing.shown().high - drawing.shown().low);
+    const Surface surface(cairo_pdf_surface_create_for_stream(append, &text, size.x(), size.y()),
+                          cairo_surface_destroy);
     check(cairo_surface_status(surface.get()));
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, drawing.title.c_str());
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, kCreationDate);

@@ -150,17 +150,21 @@ std::string junctions_of(const Drawing& drawing, const PathWriter& paths) {
 }  // namespace
 
 std::string to_svg(const Drawing& drawing) {
-    const std::string width = length_text(drawing.width);
-    const std::string height = length_text(drawing.height);
+    const Box box = drawing.shown();
+    const std::string width = length_text(box.high.x() - box.low.x());
+    const std::string height = length_text(box.high.y() - box.low.y());
     PathWriter paths(drawing.height);
     std::string text = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" "
-        "width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\" data-mm-per-foam-unit=\"{2}\">\n",
+        "width=\"{0}mm\" height=\"{1}mm\" viewBox=\"{3} {4} {0} {1}\" "
+        "data-mm-per-foam-unit=\"{2}\">\n",
         width,
         height,
-        exact_text(drawing.scale));
+        exact_text(drawing.scale),
+        length_text(box.low.x()),
+        length_text(drawing.height - box.high.y()));
     text += "<title>" + escaped(drawing.title) + "</title>\n";
     if (!drawing.description.empty()) {
         text += "<desc>" + escaped(drawing.description) + "</desc>\n";

@@ -101,9 +101,11 @@ TEST(Ktx2, AnArrayStoresItsAnimation) {
         texture.animation = {.rate = {24000, 1001}, .repeats = repeats};
         const Bytes bytes = encode_ktx2(texture);
         const std::string key("KTXanimData\0", 12);
-        const auto found = std::ranges::search(bytes, std::as_bytes(std::span(key)));
-        ASSERT_FALSE(found.empty());
-        const auto position = static_cast<std::size_t>(found.begin() - bytes.begin());
+        const auto searched = std::as_bytes(std::span(key));
+        const auto found =
+            std::search(bytes.begin(), bytes.end(), searched.begin(), searched.end());
+        ASSERT_NE(found, bytes.end());
+        const auto position = static_cast<std::size_t>(found - bytes.begin());
         EXPECT_EQ(number_at(bytes, position - 4), 24U);  // bytes of the key and the value
         EXPECT_EQ(number_at(bytes, position + 12), 1001U);
         EXPECT_EQ(number_at(bytes, position + 16), 24000U);

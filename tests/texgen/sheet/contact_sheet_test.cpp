@@ -3,7 +3,6 @@
 #include "texgen/sheet/contact_sheet.h"
 
 #include "texgen/sheet/display_frame.h"
-#include "texgen/sheet/frame_number.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +28,7 @@ int count(const Image<std::uint8_t>& image, std::uint8_t code) {
 
 // Twelve squares are arranged in 4 columns and 3 rows.
 TEST(ContactSheet, ShowsEveryThumbnailWhole) {
-    std::vector<Thumbnail> thumbnails(12, {filled(40, 40), 8});
+    std::vector<Thumbnail> thumbnails(12, {filled(40, 40), {"8"}});
     const Image<std::uint8_t> sheet = contact_sheet(thumbnails);
     EXPECT_EQ(count(sheet, kFilled), 12 * 3 * 40 * 40);
     EXPECT_GT(sheet.width(), 4 * 40);
@@ -42,11 +41,19 @@ TEST(ContactSheet, ShowsEveryThumbnailWhole) {
 
 // The digit 8 has 17 pixels with three samples each. All other samples belong to thumbnails or to
 // the ground.
-TEST(ContactSheet, NumbersEveryFrame) {
-    std::vector<Thumbnail> thumbnails(3, {filled(20, 10), 8});
+TEST(ContactSheet, LabelsEveryThumbnail) {
+    std::vector<Thumbnail> thumbnails(3, {filled(20, 10), {"8"}});
     const Image<std::uint8_t> sheet = contact_sheet(thumbnails);
     const auto all = static_cast<int>(sheet.samples().size());
     EXPECT_EQ(all - count(sheet, kBackgroundGray) - count(sheet, kFilled), 3 * 3 * 17);
+}
+
+TEST(ContactSheet, HasTheGivenColumns) {
+    std::vector<Thumbnail> thumbnails(6, {filled(40, 40), {"a", "b"}});
+    const Image<std::uint8_t> sheet = contact_sheet(thumbnails, {.columns = 2, .magnification = 2});
+    EXPECT_GT(sheet.width(), 2 * 40);
+    EXPECT_LT(sheet.width(), 3 * 40);
+    EXPECT_GT(sheet.height(), 3 * (40 + 2 * 14));
 }
 
 TEST(ContactSheet, NeedsAFrame) {

@@ -107,6 +107,29 @@ TEST(Draw, AMazeHasWallsAndAGround) {
     EXPECT_GE(arcs_in(*find_layer(whole, "walls")), walls);
 }
 
+// Bubbles at the border of the tile extend beyond it on every side.
+TEST(Draw, ThePageHoldsWholeBubbles) {
+    Drawn drawn;
+    const Drawing cut = drawn.of(VectorContent::Foam);
+    EXPECT_EQ(cut.shown().high, Vec2(cut.width, cut.height));
+    drawn.options.wrap = VectorWrap::Whole;
+    const Drawing whole = drawn.of(VectorContent::Foam);
+    const Box page = whole.shown();
+    EXPECT_LT(page.low.maxCoeff(), 0.0);
+    EXPECT_GT(page.high.x(), whole.width);
+    EXPECT_GT(page.high.y(), whole.height);
+    Box bubbles{whole.layers.front().shapes.front().chains.front().tail,
+                whole.layers.front().shapes.front().chains.front().tail};
+    for (const Shape& bubble : find_layer(whole, "bubbles")->shapes) {
+        for (const Chain& chain : bubble.chains) {
+            include(chain, bubbles);
+        }
+    }
+    const double half_line = 0.5 * find_layer(whole, "films")->style.stroke_width;
+    EXPECT_LT((bubbles.low - page.low - Vec2::Constant(half_line)).norm(), 1e-9);
+    EXPECT_LT((page.high - bubbles.high - Vec2::Constant(half_line)).norm(), 1e-9);
+}
+
 TEST(Draw, TheSolutionIsALineOfArcs) {
     Drawn drawn;
     const Drawing drawing = drawn.of(VectorContent::MazeSolution);

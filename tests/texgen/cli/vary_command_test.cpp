@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/support/places.h"
+#include "tests/texgen/cli/run_program.h"
+#include "texgen/cli/exit_code.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+namespace foam::texgen {
+namespace {
+
+constexpr const char* kSmall =
+    " --threads 1 --width 32 --set foam.bubbles=12 --set loop.kind=none --set image.size=[64,64]";
+
+TEST(VaryCommand, WritesASheetAndPresetFiles) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_program(
+        std::string("vary sea_foam --seeds 1-2 --sweep foam.lloyd=0,3") + kSmall, folder);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              "out/sea_foam_variations.png\nout/sea_foam_1.toml\nout/sea_foam_2.toml\n"
+              "out/sea_foam_3.toml\nout/sea_foam_4.toml\n");
+    EXPECT_EQ(file_content(folder.path() / "out" / "sea_foam_4.toml"),
+              "extends = \"sea_foam\"\n"
+              "\n[foam]\nbubbles = 12\nseed = 2\nlloyd = 3\n"
+              "\n[loop]\nkind = \"none\"\n"
+              "\n[image]\nsize = [64, 64]\n");
+    EXPECT_EQ(run_program("bake out/sea_foam_4.toml --frames 1 -q", folder).code, 0);
+}
+
+TEST(VaryCommand, FilesExtendThePresetWhereverItIs) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "mine.toml") << "extends = \"sea_foam\"\n";
+    ASSERT_EQ(run_program(std::string("vary mine.toml --seeds 4 -q -o a/b") + kSmall, folder).code,
+              0);
+    EXPECT_EQ(file_content(folder.path() / "a" / "b" / "mine_1.toml").substr(0, 33),
+              "extends = \"../../mine.toml\"\n\n[foa");
+    EXPECT_EQ(run_program("bake a/b/mine_1.toml --frames 1 -q", folder).code, 0);
+}
+
+TEST(VaryCommand, ABadRequestIsOneLineAndWritesNothing) {
+    const TemporaryFolder folder;
+    const Outcome none = run_program("vary sea_foam", folder);
+    EXPECT_EQ(none.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(none.err,
+              "foamtex: vary needs one or two sweeps: --seeds RANGE, --sweep KEY=VALUES\n");
+    const Outcome value = run_program("vary sea_foam --sweep foam.bubbles=9,2", folder);
+    EXPECT_EQ(value.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_NE(value.err.find("--sweep foam.bubbles=9,2: key 'foam.bubbles' = 2"), std::string::npos)
+        << value.err;
+    EXPECT_EQ(run_program("vary sea_foam --seeds 1 --map nothing", folder).code,
+              static_cast<int>(ExitCode::BadRequest));
+    EXPECT_TRUE(value.written.empty());
+}
+
+TEST(VaryCommand, AFoamWithoutEquilibriumLeavesTheOthers) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_program(
+        "vary sea_foam --sweep loop.amplitude=0,0.9 --set foam.bubbles=40 --set loop.cycles=1 "
+        "--set frames.count=6 --set image.size=[64,64] --width 32 --threads 1",
+        folder);
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::NoEquilibrium)) << outcome.err;
+    EXPECT_EQ(outcome.out, "out/sea_foam_variations.png\nout/sea_foam_1.toml\n");
+    EXPECT_NE(outcome.err.find("variation 2 (amplitude=0.9): "), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace foam::texgen

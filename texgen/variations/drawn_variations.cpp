@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/variations/drawn_variations.h"
+
+#include "core/parallel/parallel_for.h"
+#include "texgen/animation/progress_meter.h"
+#include "texgen/bake/reduced_image.h"
+#include "texgen/image/scratch_folder.h"
+#include "texgen/manifest/manifest_file.h"
+#include "texgen/manifest/recorded_bake.h"
+#include "texgen/sheet/display_frame.h"
+#include "texgen/sheet/map_sequence.h"
+#include "texgen/sheet/preview.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+
+namespace foam::texgen {
+
+namespace {
+
+/// Returns the preset whose only image is the picture of a variation.
+Preset reduced(Preset preset,
+               const VariationDrawing& drawing,
+               const std::filesystem::path& folder) {
+    const ReducedImage image = reduced_image(preset, drawing.side);
+    preset.image.width = image.width;
+    preset.image.height = image.height;
+    preset.maps = image.options;
+    preset.image.maps = {drawing.map};
+    preset.output = {};
+    preset.output.pattern = (folder / "{map}.######.png").string();
+    return preset;
+}
+
+Image<std::uint8_t> gray_picture(int width, int height) {
+    Image<std::uint8_t> picture(width, height, DisplayFrame::kColors);
+    std::ranges::fill(picture.samples(), kBackgroundGray);
+    return picture;
+}
+
+/// Bakes the picture in a scratch folder and reads it.
+DrawnVariation drawn(const Preset& preset,
+                     const VariationDrawing& drawing,
+                     const ProgressCallback& on_progress) {
+    const ScratchFolder scratch;
+    const Preset small = reduced(preset, drawing, scratch.path());
+    DrawnVariation variation{.pixels = gray_picture(small.image.width, small.image.height),
+                             .outcome = {}};
+    variation.outcome =
+        bake_recorded(
+            small, {.frames = {drawing.frame}, .threads = 1}, {.on_progress = on_progress})
+            .outcome;
+    if (variation.outcome.status == RunStatus::Complete) {
+        const Manifest manifest = read_manifest(scratch.path());
+        const MapSequence sequence = map_sequence(
+            manifest.sets.front(), scratch.path(), drawing.map, std::array{drawing.frame});
+        check_shown_map(drawing.map, sequence.map.samples->kind);
+        variation.pixels = codes_of(read_display_frame(sequence.files.front(), sequence.map));
+    }
+    return variation;
+}
+
+bool have_same_size(const DrawnVariation& a, const DrawnVariation& b) {
+    return a.pixels.width() == b.pixels.width() && a.pixels.height() == b.pixels.height();
+}
+
+}  // namespace
+
+std::vector<DrawnVariation> draw_variations(std::span<const Preset> presets,
+                                            const VariationDrawing& drawing,
+                                            const ProgressCallback& on_progress) {
+    std::vector<DrawnVariation> variations(presets.size());
+    ProgressMeter meter(Phase::Previews, static_cast<int>(presets.size()), on_progress);
+    meter.begin();
+    parallel_for(presets.size(), 1, drawing.threads, [&](std::size_t k, std::size_t) {
+        variations[k] = drawn(presets[k], drawing, meter.for_source());
+        meter.add();
+    });
+    for (const DrawnVariation& variation : variations) {
+        if (!have_same_size(variation, variations.front())) {
+            throw std::invalid_argument(
+                "the variations have pictures of different shapes, which do not fit on a sheet");
+        }
+    }
+    return variations;
+}
+
+}  // namespace foam::texgen
