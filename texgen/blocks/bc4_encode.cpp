@@ -207,6 +207,44 @@ FOAM_INLINE StoredChannels<Simd> compressed(const Values<Simd>& texels) {
     return result;
 }
 
+// Returns one channel of as many blocks as there are lanes. If there are fewer, the last one is
+// repeated.
+template <class Simd>
+FOAM_INLINE Values<Simd> channel_of(std::span<const TexelBlock> texels, std::size_t channel) {
+    Array<Array<float, Simd::kCount>, kBlockTexels> numbers;
+    for (std::size_t lane = 0; lane < Simd::kCount; ++lane) {
+        const TexelBlock& block = texels[std::min(lane, texels.size() - 1)];
+        for (std::size_t k = 0; k < kBlockTexels; ++k) {
+            numbers[k][lane] = static_cast<float>(block[k][channel]);
+        }
+    }
+    Values<Simd> values;
+    for (std::size_t k = 0; k < kBlockTexels; ++k) {
+        values[k] = Simd::Floats::load(numbers[k].data());
+    }
+    return values;
+}
+
+// Stores the bytes of a channel in blocks, from the given byte of each block.
+template <class Simd, std::size_t kBytes>
+FOAM_INLINE void store(const StoredChannels<Simd>& channels,
+                       std::size_t offset,
+                       std::span<std::array<std::uint8_t, kBytes>> blocks) {
+    Array<Array<std::int32_t, Simd::kCount>, 4> fields;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        channels.fields[k].store(fields[k].data());
+    }
+    for (std::size_t lane = 0; lane < blocks.size(); ++lane) {
+        std::uint8_t* const to = blocks[lane].data() + offset;
+        to[0] = static_cast<std::uint8_t>(fields[0][lane]);
+        to[1] = static_cast<std::uint8_t>(fields[1][lane]);
+        for (std::size_t byte = 0; byte < 6; ++byte) {
+            to[2 + byte] =
+                static_cast<std::uint8_t>(fields[byte < 3 ? 2 : 3][lane] >> (8 * (byte % 3)));
+        }
+    }
+}
+
 // Compresses one channel of all blocks. Its bytes begin at `offset` in each block.
 template <std::size_t kBytes>
 void encode_channel(std::span<const TexelBlock> texels,
@@ -216,32 +254,9 @@ void encode_channel(std::span<const TexelBlock> texels,
     at_simd_level([=](auto level) FOAM_INLINE_LAMBDA {
         using Simd = LanesAt<decltype(level)::value>;
         for (std::size_t first = 0; first < texels.size(); first += Simd::kCount) {
-            Array<Array<float, Simd::kCount>, kBlockTexels> numbers;
-            for (std::size_t lane = 0; lane < Simd::kCount; ++lane) {
-                const TexelBlock& block = texels[std::min(first + lane, texels.size() - 1)];
-                for (std::size_t k = 0; k < kBlockTexels; ++k) {
-                    numbers[k][lane] = static_cast<float>(block[k][channel]);
-                }
-            }
-            Values<Simd> values;
-            for (std::size_t k = 0; k < kBlockTexels; ++k) {
-                values[k] = Simd::Floats::load(numbers[k].data());
-            }
-            const StoredChannels<Simd> result = compressed<Simd>(values);
-            Array<Array<std::int32_t, Simd::kCount>, 4> fields;
-            for (std::size_t k = 0; k < fields.size(); ++k) {
-                result.fields[k].store(fields[k].data());
-            }
             const std::size_t count = std::min(Simd::kCount, texels.size() - first);
-            for (std::size_t lane = 0; lane < count; ++lane) {
-                std::uint8_t* const to = blocks[first + lane].data() + offset;
-                to[0] = static_cast<std::uint8_t>(fields[0][lane]);
-                to[1] = static_cast<std::uint8_t>(fields[1][lane]);
-                for (std::size_t byte = 0; byte < 6; ++byte) {
-                    to[2 + byte] = static_cast<std::uint8_t>(fields[byte < 3 ? 2 : 3][lane] >>
-                                                             (8 * (byte % 3)));
-                }
-            }
+            const Values<Simd> values = channel_of<Simd>(texels.subspan(first, count), channel);
+            store<Simd, kBytes>(compressed<Simd>(values), offset, blocks.subspan(first, count));
         }
     });
 }

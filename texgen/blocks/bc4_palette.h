@@ -36,9 +36,10 @@ class Palette {
             Simd::truncated(Simd::smaller(Simd::larger(position, Floats()), Floats(kSteps + 0.5F)));
         // The sum is not a multiple of the number of steps, so that the quotient is rounded as
         // integers are.
-        const Floats value = Simd::truncated(
-            (low_ * Floats(kSteps) + step_ * result.index + Floats(kSteps / 2 + 0.5F)) *
-            Floats(1.0F / kSteps));
+        constexpr int kHalf = kSteps / 2;
+        const Floats value =
+            Simd::truncated((low_ * Floats(kSteps) + step_ * result.index + Floats(kHalf + 0.5F)) *
+                            Floats(1.0F / kSteps));
         result.square = (texel - value) * (texel - value);
         result.is_between = Ints(-1);
         result.code = code_of(Simd::whole(result.index));

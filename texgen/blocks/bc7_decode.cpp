@@ -18,7 +18,7 @@ using EndColors = std::array<std::array<int, 4>, 6>;  // two for each subset
 using PerTexel = std::array<int, kBlockTexels>;
 
 EndColors read_ends(const Mode& mode, BitReader& bits) {
-    const auto count = static_cast<std::size_t>(2 * mode.subsets);
+    const auto count = 2 * static_cast<std::size_t>(mode.subsets);
     EndColors ends{};
     for (std::size_t channel = 0; channel < 4; ++channel) {
         for (std::size_t k = 0; k < count; ++k) {
@@ -29,7 +29,7 @@ EndColors read_ends(const Mode& mode, BitReader& bits) {
 }
 
 void read_lowest_bits(const Mode& mode, BitReader& bits, EndColors& ends) {
-    const auto count = static_cast<std::size_t>(2 * mode.subsets);
+    const auto count = 2 * static_cast<std::size_t>(mode.subsets);
     int lowest = 0;
     for (std::size_t k = 0; mode.lowest != LowestBits::None && k < count; ++k) {
         if (mode.lowest == LowestBits::PerEndpoint || k % 2 == 0) {
@@ -91,9 +91,10 @@ TexelBlock decode_bc7(std::span<const std::uint8_t, kBc7Bytes> block) {
         std::swap(color, alpha);
     }
     for (std::size_t k = 0; k < texels.size(); ++k) {
-        const int subset = subset_of(mode.subsets, partition, static_cast<int>(k));
-        const std::array<int, 4>& first = ends[static_cast<std::size_t>(2 * subset)];
-        const std::array<int, 4>& second = ends[static_cast<std::size_t>(2 * subset + 1)];
+        const auto subset =
+            static_cast<std::size_t>(subset_of(mode.subsets, partition, static_cast<int>(k)));
+        const std::array<int, 4>& first = ends[2 * subset];
+        const std::array<int, 4>& second = ends[2 * subset + 1];
         for (std::size_t channel = 0; channel < 4; ++channel) {
             texels[k][channel] = static_cast<std::uint8_t>(interpolated(
                 first[channel], second[channel], channel == kAlpha ? alpha[k] : color[k]));

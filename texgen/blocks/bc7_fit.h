@@ -115,29 +115,40 @@ class Fitter {
     }
 
   private:
-    /// Chooses the index of the nearest color for every texel. Sets the indices and the error of
-    /// the fit, and the squared errors as a function of the endpoints for these indices. The
-    /// weights are nearly evenly spaced, so the index follows from the position along the line.
-    FOAM_INLINE void choose_indices(Result& fit) {
-        constexpr auto kSteps = static_cast<float>(Format::kSteps);
+    static constexpr auto kSteps = static_cast<float>(Format::kSteps);
+
+    // Numbers with which the position of a texel along the line of its subset is found.
+    struct Positions {
         Array<Array<Floats, kSubsets>, kChannels> origins;  // plus 1/2, for rounding
         Array<Array<Floats, kSubsets>, kChannels> strides;  // for a weight of 1 / 64
         Array<Floats, kSubsets> scales;
         Array<Floats, kSubsets> offsets;
+    };
+
+    FOAM_INLINE static Positions positions_of(const Result& fit) {
+        Positions positions;
         for (std::size_t s = 0; s < kSubsets; ++s) {
             Floats square = 1e-9F;
             Floats offset;
             for (std::size_t c = 0; c < kChannels; ++c) {
                 const Floats stride =
                     (fit.ends[s][1][c] - fit.ends[s][0][c]) * Floats(1.0F / 64.0F);
-                origins[c][s] = fit.ends[s][0][c] + Floats(0.5F);
-                strides[c][s] = stride;
+                positions.origins[c][s] = fit.ends[s][0][c] + Floats(0.5F);
+                positions.strides[c][s] = stride;
                 square += stride * stride;
                 offset += fit.ends[s][0][c] * stride;
             }
-            scales[s] = Floats(kSteps / 64.0F) / square;
-            offsets[s] = Floats(0.5F) - offset * scales[s];
+            positions.scales[s] = Floats(kSteps / 64.0F) / square;
+            positions.offsets[s] = Floats(0.5F) - offset * positions.scales[s];
         }
+        return positions;
+    }
+
+    /// Chooses the index of the nearest color for every texel. Sets the indices and the error of
+    /// the fit, and the squared errors as a function of the endpoints for these indices. The
+    /// weights are nearly evenly spaced, so the index follows from the position along the line.
+    FOAM_INLINE void choose_indices(Result& fit) {
+        const Positions positions = positions_of(fit);
         SubsetSum<Simd, kSubsets> weights;
         SubsetSum<Simd, kSubsets> squares;
         Array<SubsetSum<Simd, kSubsets>, kChannels> products;
@@ -146,17 +157,18 @@ class Fitter {
             Array<Floats, kChannels> stride;
             Floats along;
             for (std::size_t c = 0; c < kChannels; ++c) {
-                stride[c] = membership_.of(strides[c], k);
+                stride[c] = membership_.of(positions.strides[c], k);
                 along += colors_[k][c] * stride[c];
             }
-            const Floats position = along * membership_.of(scales, k) + membership_.of(offsets, k);
+            const Floats position =
+                along * membership_.of(positions.scales, k) + membership_.of(positions.offsets, k);
             fit.indices[k] =
                 Simd::whole(Simd::smaller(Simd::larger(position, Floats()), Floats(kSteps + 0.5F)));
             const Floats weight = Simd::truncated(
                 Simd::numbers(fit.indices[k]) * Floats(64.0F / kSteps) + Floats(0.5F));
             for (std::size_t c = 0; c < kChannels; ++c) {
                 const Floats shown =
-                    Simd::truncated(membership_.of(origins[c], k) + weight * stride[c]);
+                    Simd::truncated(membership_.of(positions.origins[c], k) + weight * stride[c]);
                 const Floats difference = shown - colors_[k][c];
                 fit.error += difference * difference;
                 products[c].add(weight * colors_[k][c], membership_, k);

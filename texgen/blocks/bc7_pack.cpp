@@ -12,22 +12,27 @@ namespace foam::texgen::bc7 {
 
 namespace {
 
-// Exchanges the endpoints of a subset, for the channels from `first` to `last` - 1, and the order
-// of their indices, if the highest bit of the index of the anchor is set. This bit is not stored.
-void order_ends(const BlockFields& fields,
+// The channels from `first` to `last` - 1, which share indices.
+struct IndexedChannels {
+    std::size_t first;
+    std::size_t last;
+    int index_bits;
+};
+
+// Exchanges the endpoints of a subset, for some channels, and the order of their indices, if the
+// highest bit of the index of the anchor is set. This bit is not stored.
+void order_ends(BlockFields& fields,
                 int subset,
-                std::size_t first,
-                std::size_t last,
-                int index_bits,
-                EndValues& ends,
+                const IndexedChannels& channels,
                 Indices& indices) {
     const int subsets = kModes[static_cast<std::size_t>(fields.mode)].subsets;
-    const int largest = (1 << index_bits) - 1;
+    const int largest = (1 << channels.index_bits) - 1;
     const int anchor = anchor_of(subsets, fields.partition, subset);
     if (indices[static_cast<std::size_t>(anchor)] * 2 <= largest) {
         return;
     }
-    for (std::size_t c = first; c < last; ++c) {
+    EndValues& ends = fields.ends[static_cast<std::size_t>(subset)];
+    for (std::size_t c = channels.first; c < channels.last; ++c) {
         std::swap(ends[0][c], ends[1][c]);
     }
     for (int k = 0; k < kBlockTexels; ++k) {
@@ -39,11 +44,10 @@ void order_ends(const BlockFields& fields,
 void order_all_ends(const Mode& mode, BlockFields& fields) {
     const bool has_alpha_indices = mode.alpha_index_bits > 0;
     for (int subset = 0; subset < mode.subsets; ++subset) {
-        EndValues& ends = fields.ends[static_cast<std::size_t>(subset)];
-        order_ends(
-            fields, subset, 0, has_alpha_indices ? 3 : 4, mode.index_bits, ends, fields.indices);
+        const IndexedChannels colors{0, has_alpha_indices ? 3U : 4U, mode.index_bits};
+        order_ends(fields, subset, colors, fields.indices);
         if (has_alpha_indices) {
-            order_ends(fields, subset, 3, 4, mode.alpha_index_bits, ends, fields.alpha_indices);
+            order_ends(fields, subset, {3, 4, mode.alpha_index_bits}, fields.alpha_indices);
         }
     }
 }

@@ -29,7 +29,7 @@ namespace foam::texgen {
 /// An array in kernels. Unlike those of std::array, its functions are always inlined and check no
 /// index, which would keep the compiler from holding elements in registers.
 template <class Value, std::size_t kSize>
-struct Array {
+struct Array {  // NOLINT(readability-identifier-naming): of a variable of the implicit copy
     FOAM_INLINE constexpr Value& operator[](std::size_t k) { return values[k]; }
     FOAM_INLINE constexpr const Value& operator[](std::size_t k) const { return values[k]; }
     FOAM_INLINE constexpr Value* begin() { return values; }
@@ -39,7 +39,7 @@ struct Array {
     FOAM_INLINE constexpr Value* data() { return values; }
     FOAM_INLINE static constexpr std::size_t size() { return kSize; }
 
-    Value values[kSize];  // NOLINT(*-avoid-c-arrays)
+    Value values[kSize]{};  // NOLINT(*-avoid-c-arrays)
 };
 
 /// One number for each of several blocks, in a SIMD register of `kBytes` bytes. Operations are done
