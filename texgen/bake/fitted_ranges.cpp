@@ -24,7 +24,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kMeasuredSide = 512;  // wanted length of the longer side of reduced images, pixels
 constexpr double kMargin =
     1.01;  // factor that allows for peaks between the pixels of the reduced images
 

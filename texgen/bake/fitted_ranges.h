@@ -9,6 +9,10 @@
 
 namespace foam::texgen {
 
+/// The wanted length of the longer side of the reduced images to which ranges are fitted, in
+/// pixels.
+inline constexpr int kMeasuredSide = 512;
+
 /// Returns true if a map of the preset has an automatic range (AutoReal), and this range is needed
 /// because the files store codes (integers, as in a PNG), or because the map is packed.
 bool has_automatic_ranges(const Preset& preset);

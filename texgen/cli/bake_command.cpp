@@ -15,7 +15,6 @@ namespace {
 
 constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake sea_foam --size 2048 --seed 7 --out 'foam/{map}.####.png'
-  foamtex bake my.toml --frames 1-120x2 --set albedo.colormap=magma
   foamtex bake lava --for unreal --scene usda
   foamtex bake maze --frames 1 --out maze.svg --set vector.width_mm=200
 A loop has frames.count frames; foamtex presets keys lists this and all other keys for --set.

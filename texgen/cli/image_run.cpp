@@ -7,6 +7,7 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/bake/vector_files.h"
+#include "texgen/cli/dry_run.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
@@ -216,6 +217,11 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
                   arguments.resume,
                   "Keep existing frames that were made with the same settings")
         ->option_text(" ");
+    command
+        .add_flag("--dry-run",
+                  arguments.dry_run,
+                  "Print number and size of files, memory and time, and write nothing")
+        ->option_text(" ");
     add_json_option(command, arguments.json);
 }
 
@@ -254,6 +260,9 @@ ExitCode run_images(const Preset& preset,
         note_unused_normal_y(arguments, preset);
         warn_of_full_disk(estimated_size(preset, options.frames), manifest_folder(preset));
         warn_of_little_memory(estimated_memory(preset, options.frames.size(), options.threads));
+    }
+    if (arguments.dry_run) {
+        return print_estimate(preset, options, arguments.json, progress);
     }
     Recorder recorder(preset);
     const BakeSummary summary = bake_images(preset, options, arguments, progress, recorder);

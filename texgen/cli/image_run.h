@@ -24,11 +24,13 @@ struct ImageArguments {
     std::optional<std::string> scene;  // formats, separated by commas
     std::optional<std::string> wrap;
     bool stats = false;
+    bool dry_run = false;
     bool resume = false;
     bool json = false;
 };
 
-/// Adds --maps, --pack, --normal-y, --out, --scene, --wrap, --stats, --resume and --json. The
+/// Adds --maps, --pack, --normal-y, --out, --scene, --wrap, --stats, --resume, --dry-run
+/// and --json. The
 /// arguments must outlive the parsing.
 void add_image_options(CLI::App& command, ImageArguments& arguments);
 

@@ -27,6 +27,19 @@ TEST(BakeCommand, BakesTheFramesAskedFor) {
                   "out/manifest.json", "out/sea_foam_lit.0001.png", "out/sea_foam_lit.0003.png"}));
 }
 
+TEST(BakeCommand, ADryRunWritesNothing) {
+    const TemporaryFolder folder;
+    const std::string command =
+        "bake sea_foam --dry-run --size 32 --frames 1-4 --set foam.bubbles=30";
+    const Outcome text = run_program(command, folder);
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_TRUE(text.out.starts_with("frames: 4 (1-4)\nfiles: 4, ")) << text.out;
+    EXPECT_TRUE(text.written.empty());
+    EXPECT_EQ(run_program(command + " -q", folder).out, "");
+    const Outcome json = run_program(command + " --json", folder);
+    EXPECT_NE(json.out.find("\"files\":4,"), std::string::npos) << json.out;
+}
+
 TEST(BakeCommand, PacksChannels) {
     const Outcome outcome = run_program(
         "bake sea_foam --set foam.bubbles=16 --frames 1 --size 16 --maps albedo "

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/bake/bake_estimate.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/preset/load_preset.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+std::vector<int> frames_to(int last) {
+    std::vector<int> frames(static_cast<std::size_t>(last));
+    std::iota(frames.begin(), frames.end(), 1);
+    return frames;
+}
+
+TEST(BakeEstimate, HasTheFilesOfABakeAndLeavesNone) {
+    const TemporaryFolder folder;
+    Preset preset = load_preset("sea_foam");
+    preset.seeding.bubbles = 40;
+    preset.loop.kind = LoopKind::None;
+    preset.image.width = preset.image.height = 96;
+    preset.image.maps = {"albedo", "normal", "height"};
+    preset.output.pattern = (folder.path() / "{map}.##.png").string();
+    const BakeOptions options{.frames = frames_to(6), .threads = 1};
+    const BakeEstimate estimate = estimate_bake(preset, options, {});
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    EXPECT_EQ(estimate.outcome.status, RunStatus::Complete);
+    EXPECT_GT(estimate.seconds, 0.0);
+    EXPECT_GT(estimate.memory, 1'000'000U);
+
+    const BakeSummary baked = bake(preset, options);
+    EXPECT_EQ(estimate.files, baked.files.size());
+    double bytes = 0.0;
+    for (const std::filesystem::path& path : baked.files) {
+        bytes += static_cast<double>(std::filesystem::file_size(path));
+    }
+    EXPECT_LT(std::abs(static_cast<double>(estimate.bytes) / bytes - 1.0), 0.1);
+}
+
+TEST(BakeEstimate, OfASingleFrameIsThatFrame) {
+    const TemporaryFolder folder;
+    Preset preset = load_preset("maze");
+    preset.seeding.bubbles = 30;
+    preset.output.pattern = (folder.path() / "maze.svg").string();
+    const BakeEstimate estimate = estimate_bake(preset, {.frames = {1}}, {});
+    EXPECT_EQ(estimate.files, 1U);
+    bake(preset, {.frames = {1}});
+    EXPECT_EQ(estimate.bytes, std::filesystem::file_size(folder.path() / "maze.svg"));
+}
+
+TEST(BakeEstimate, OfAFailedRunIsEmpty) {
+    const TemporaryFolder folder;
+    Preset preset = load_preset("sea_foam");
+    preset.seeding.bubbles = 40;
+    preset.loop = {.kind = LoopKind::Breathe, .amplitude = 0.9, .cycles = 1};
+    preset.frames.count = 6;
+    preset.output.pattern = (folder.path() / "####.png").string();
+    const BakeEstimate estimate = estimate_bake(preset, {.frames = frames_to(6)}, {});
+    EXPECT_EQ(estimate.outcome.status, RunStatus::OpenLoop);
+    EXPECT_EQ(estimate.files, 0U);
+}
+
+}  // namespace
+}  // namespace foam::texgen

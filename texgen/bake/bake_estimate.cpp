@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/bake/bake_estimate.h"
+
+#include "core/parallel/parallel_for.h"
+#include "texgen/bake/estimated_memory.h"
+#include "texgen/bake/fitted_ranges.h"
+#include "texgen/bake/reduced_image.h"
+#include "texgen/image/scratch_folder.h"
+#include "texgen/preset/drawn_images.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::size_t kFramesToMeasure = 2;  // frames
+
+double elapsed(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// What the bake of the first frames has shown.
+struct MeasuredFrames {
+    std::vector<double> begins;  // when the frames were simulated, in seconds since the beginning
+    double drawing = 0.0;        // seconds of drawing and writing, of all frames together
+    std::uint64_t bytes = 0;     // of all files
+    std::size_t files = 0;
+};
+
+/// Returns the time of fitting automatic ranges, divided by the time of the frames: ranges are
+/// fitted to all frames, which are simulated once more and drawn at a reduced size, but only the
+/// maps with such ranges, here one of the images.
+double share_of_fitting(const Preset& preset) {
+    if (!has_automatic_ranges(preset)) {
+        return 0.0;
+    }
+    const ReducedImage image = reduced_image(preset, kMeasuredSide);
+    return 1.0 /
+           (image.reduction * image.reduction * static_cast<double>(drawn_images(preset).size()));
+}
+
+/// Returns the time of a bake with the given number of frames.
+double extrapolated(const MeasuredFrames& measured,
+                    const Preset& preset,
+                    double frames,
+                    int threads) {
+    const auto count = static_cast<double>(measured.begins.size());
+    const double preparation = measured.begins.front();
+    const double step = (measured.begins.back() - preparation) / std::max(count - 1.0, 1.0);
+    const double drawing = measured.drawing / count / threads;
+    const auto run = [&](double share) {
+        return preparation + std::max((frames - 1.0) * step, frames * share * drawing);
+    };
+    const double share = share_of_fitting(preset);
+    return run(1.0) + drawing + (share > 0.0 ? run(share) : 0.0);
+}
+
+}  // namespace
+
+BakeEstimate estimate_bake(const Preset& preset,
+                           const BakeOptions& options,
+                           const ProgressCallback& on_progress) {
+    check_bake(preset, options);
+    const ScratchFolder scratch;
+    Preset first = preset;
+    const std::string suffix = std::filesystem::path(preset.output.pattern).extension().string();
+    first.output.pattern = (scratch.path() / ("{map}.######" + suffix)).string();
+    BakeOptions some = options;
+    some.frames.resize(std::min(options.frames.size(), kFramesToMeasure));
+
+    MeasuredFrames measured;
+    const auto begin = std::chrono::steady_clock::now();
+    const BakeSummary summary =
+        bake(first,
+             some,
+             {.on_progress = on_progress,
+              .on_frame = [&](const SimulatedFrame&) { measured.begins.push_back(elapsed(begin)); },
+              .on_baked =
+                  [&](const BakedFrame& baked) {
+                      measured.drawing += baked.seconds;
+                      measured.files += baked.files.size();
+                      for (const WrittenFile& file : baked.files) {
+                          measured.bytes += file.bytes;
+                      }
+                  }});
+    const std::size_t frames = options.frames.size();
+    BakeEstimate estimate{.memory = estimated_memory(preset, frames, options.threads),
+                          .outcome = summary.outcome};
+    if (summary.outcome.status == RunStatus::Complete) {
+        estimate.files = measured.files * frames / some.frames.size();
+        estimate.bytes = measured.bytes * frames / some.frames.size();
+        estimate.seconds = extrapolated(
+            measured, preset, static_cast<double>(frames), thread_count(options.threads));
+    }
+    return estimate;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/bake/bake.h"
+#include "texgen/preset/preset.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace foam::texgen {
+
+/// What a bake would take, estimated from its first frames. Sheets, scenes and statistics are not
+/// included.
+struct BakeEstimate {
+    std::size_t files = 0;     // images, or drawings and tables
+    std::uint64_t bytes = 0;   // of these files
+    std::uint64_t memory = 0;  // peak, in bytes (estimated_memory)
+    double seconds = 0.0;      // wall time
+    RunOutcome outcome{};      // if the run failed, the members above except `memory` are 0
+};
+
+/// Bakes the first two frames into a scratch folder, which is removed, and extrapolates to all
+/// frames: the time before the first frame, the time from frame to frame, the time of drawing and
+/// writing, which all threads share, and the size of the files. `on_progress` receives the phases
+/// of this bake. Throws the exceptions of check_bake and bake.
+BakeEstimate estimate_bake(const Preset& preset,
+                           const BakeOptions& options,
+                           const ProgressCallback& on_progress);
+
+}  // namespace foam::texgen

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/cli/dry_run.h"
+
+#include "texgen/animation/progress_text.h"
+#include "texgen/bake/bake_estimate.h"
+#include "texgen/bake/frame_range.h"
+#include "texgen/cli/json_report.h"
+#include "texgen/cli/report.h"
+#include "texgen/cli/standard_output.h"
+#include "texgen/image/memory.h"
+
+#include <fmt/core.h>
+
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+std::string duration_text(double seconds) {
+    constexpr double kLong = 300.0;
+    return seconds < kLong ? fmt::format("{:.{}f} s", seconds, seconds < 10.0 ? 1 : 0)
+                           : long_duration(seconds);
+}
+
+}  // namespace
+
+ExitCode print_estimate(const Preset& preset,
+                        const BakeOptions& options,
+                        bool json,
+                        const ProgressOptions& progress) {
+    const BakeEstimate estimate = [&] {
+        ProgressReporter reporter(progress);
+        return estimate_bake(preset, options, reporter.callback());
+    }();
+    const std::string frames = format_frame_range(options.frames);
+    if (json) {
+        Json report = json_report(estimate.outcome);
+        report["preset"] = preset.name;
+        report["frames"] = frames;
+        report["files"] = estimate.files;
+        report["bytes"] = estimate.bytes;
+        report["memory"] = estimate.memory;
+        report["seconds"] = estimate.seconds;
+        print_json(report);
+    }
+    if (estimate.outcome.status != RunStatus::Complete) {
+        return report_failure(estimate.outcome);
+    }
+    if (!json && progress.verbosity != Verbosity::Quiet) {
+        print_stdout("frames: {} ({})\nfiles: {}, {}\nmemory: {}\ntime: about {}\n",
+                     options.frames.size(),
+                     frames,
+                     estimate.files,
+                     amount_of_bytes(estimate.bytes),
+                     amount_of_bytes(estimate.memory),
+                     duration_text(estimate.seconds));
+    }
+    return ExitCode::Success;
+}
+
+}  // namespace foam::texgen
