@@ -21,6 +21,7 @@ constexpr std::size_t kLargestBakes = 200;
 }  // namespace
 
 StudioFolder::StudioFolder(const std::filesystem::path& folder) {
+    make_folders(folder);
     std::error_code error;
     path_ = std::filesystem::canonical(folder.empty() ? "." : folder, error);
     if (error || !std::filesystem::is_directory(path_, error)) {

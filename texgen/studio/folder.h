@@ -19,7 +19,8 @@ class PathRejected : public std::runtime_error {
 /// The folder below which a studio reads and writes files.
 class StudioFolder {
   public:
-    /// Throws OutputError if the folder does not exist or is not a folder.
+    /// Creates the folder if it does not exist. Throws OutputError if it cannot be created, or is
+    /// not a folder.
     explicit StudioFolder(const std::filesystem::path& folder);
 
     /// Returns the absolute path of the folder, without links.

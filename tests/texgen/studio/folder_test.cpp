@@ -52,11 +52,13 @@ TEST(StudioFolder, AFolderWithTheSameBeginningIsOutside) {
     EXPECT_THROW(folder.below("link"), PathRejected);
 }
 
-TEST(StudioFolder, MustExist) {
+TEST(StudioFolder, IsMadeIfItDoesNotExist) {
     const ScratchFolder scratch;
-    EXPECT_THROW(StudioFolder(scratch.path() / "missing"), OutputError);
+    const StudioFolder folder(scratch.path() / "a" / "b");
+    EXPECT_TRUE(fs::is_directory(folder.path()));
     std::ofstream(scratch.path() / "file") << "x";
     EXPECT_THROW(StudioFolder(scratch.path() / "file"), OutputError);
+    EXPECT_THROW(StudioFolder(scratch.path() / "file" / "below"), OutputError);
 }
 
 TEST(StudioFolder, ListsPresetsAndBakes) {
