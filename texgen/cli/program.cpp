@@ -35,7 +35,6 @@ constexpr const char* kFooter = R"(Examples:
   foamtex studio                               try presets in the browser
   foamtex bake sea_foam                        48 frames of a tileable texture, in out/
   foamtex presets show sea_foam > my.toml      a starting point for a preset of your own
-  foamtex bake my.toml --frames 1-120
 
 Exit codes: 0 success, 1 internal failure or out of memory, 2 bad command line or preset,
   3 the foam did not reach equilibrium, or its loop does not close, 4 bad input file,
@@ -123,6 +122,10 @@ ExitCode parse_and_run(int argc, char** argv, std::string& command) {
 ExitCode run_program(int argc, char** argv) {
     open_missing_streams();
     save_address_space();
+    return run_command_line(argc, argv);
+}
+
+ExitCode run_command_line(int argc, char** argv) {
     std::string command;
     const auto fail = [&command](const std::string& message, ExitCode code) {
         return report(message, code_for_command(code, command));

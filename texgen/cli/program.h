@@ -10,4 +10,8 @@ namespace foam::texgen {
 /// error as one line on stderr. Throws nothing.
 ExitCode run_program(int argc, char** argv);
 
+/// Runs a command line within the program, as run_program does. The first argument is ignored, as
+/// in main().
+ExitCode run_command_line(int argc, char** argv);
+
 }  // namespace foam::texgen

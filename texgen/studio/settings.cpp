@@ -3,6 +3,7 @@
 #include "texgen/studio/settings.h"
 
 #include "texgen/cache/simulation_keys.h"
+#include "texgen/image/shell_word.h"
 #include "texgen/material/profile.h"
 #include "texgen/preset/conditions.h"
 #include "texgen/preset/drawn_images.h"
@@ -44,20 +45,6 @@ std::vector<Assignment> read_events(const std::string& toml) {
         }
     }
     return events;
-}
-
-/// Returns a word in the notation of a POSIX shell.
-std::string shell_word(const std::string& word) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
-        return word;
-    }
-    std::string quoted = "'";
-    for (const char c : word) {
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return quoted + "'";
 }
 
 /// Returns the events of a preset as a list of objects.

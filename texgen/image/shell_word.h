@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <string>
+
+namespace foam::texgen {
+
+/// Returns a word in the notation of a POSIX shell: in quotes if it contains characters that have a
+/// meaning in a shell.
+std::string shell_word(const std::string& word);
+
+}  // namespace foam::texgen
