@@ -127,6 +127,21 @@ bool has_ink(const Letter& letter, int x, int row) {
     return (letter.at(static_cast<std::size_t>(row)) >> (kLetterWidth - 1 - x) & 1U) != 0;
 }
 
+void draw_letter(ImageView<std::uint8_t> image,
+                 int left,
+                 int bottom,
+                 const Letter& letter,
+                 std::uint8_t gray,
+                 int magnification) {
+    for (int y = 0; y < kLetterHeight * magnification; ++y) {
+        for (int x = 0; x < kLetterWidth * magnification; ++x) {
+            if (has_ink(letter, x / magnification, kLetterHeight - 1 - y / magnification)) {
+                std::ranges::fill(image.pixel(left + x, bottom + y), gray);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 int label_width(std::string_view text, int magnification) {
@@ -152,14 +167,7 @@ void draw_label(ImageView<std::uint8_t> image,
                 std::uint8_t gray,
                 int magnification) {
     for (const char character : text) {
-        const Letter& letter = letter_of(character);
-        for (int y = 0; y < kLetterHeight * magnification; ++y) {
-            for (int x = 0; x < kLetterWidth * magnification; ++x) {
-                if (has_ink(letter, x / magnification, kLetterHeight - 1 - y / magnification)) {
-                    std::ranges::fill(image.pixel(left + x, bottom + y), gray);
-                }
-            }
-        }
+        draw_letter(image, left, bottom, letter_of(character), gray, magnification);
         left += kAdvance * magnification;
     }
 }
