@@ -49,13 +49,17 @@ ExitCode print_estimate(const Preset& preset,
         return report_failure(estimate.outcome);
     }
     if (!json && progress.verbosity != Verbosity::Quiet) {
-        print_stdout("frames: {} ({})\nfiles: {}, {}\nmemory: {}\ntime: about {}\n",
+        const bool is_part =
+            preset.output.sheets != SheetKind::None || !preset.output.scene.empty();
+        print_stdout("frames: {} ({})\nfiles: {}, {}{}\nmemory: {}\ntime: about {}{}\n",
                      options.frames.size(),
                      frames,
                      estimate.files,
                      amount_of_bytes(estimate.bytes),
+                     is_part ? ", and sheets or scene files" : "",
                      amount_of_bytes(estimate.memory),
-                     duration_text(estimate.seconds));
+                     duration_text(estimate.seconds),
+                     is_part ? " without sheets and scene files" : "");
     }
     return ExitCode::Success;
 }

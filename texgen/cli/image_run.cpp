@@ -220,7 +220,7 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
     command
         .add_flag("--dry-run",
                   arguments.dry_run,
-                  "Print number and size of files, memory and time, and write nothing")
+                  "Estimate the files of the frames, memory and time; write nothing")
         ->option_text(" ");
     add_json_option(command, arguments.json);
 }

@@ -6,7 +6,7 @@
 #include "texgen/keys/nearest.h"
 #include "texgen/preset/assignment.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

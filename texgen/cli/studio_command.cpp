@@ -28,11 +28,10 @@ constexpr const char* kStudioExamples = R"(Examples:
   foamtex studio
   foamtex studio textures --port 8080
   foamtex studio --no-browser              prints the address, to be opened by hand
-The page draws the pixels that a bake writes. Bakes and presets are saved below FOLDER. Only a browser
-on this machine that opens the printed address, which can be used once, has access. For a program on
-another machine, start it there with --no-browser and --port 8080, forward the port with
-ssh -L 8080:localhost:8080 MACHINE, and open the printed address here. The studio ends with Ctrl-C, or
-30 minutes after the last page was closed.)";
+The page shows the pixels that a bake writes. The printed address gives one browser access and can
+be used once. To use the studio of another machine, start it there with --no-browser --port 8080,
+run ssh -L 8080:localhost:8080 MACHINE here, and open the printed address. The studio ends with
+Ctrl-C, or after 30 minutes without an open page.)";
 
 constexpr std::chrono::minutes kLongestIdleTime{30};
 constexpr int kLargestPort = 65535;
@@ -123,7 +122,8 @@ void add_studio_command(CLI::App& app, Action& action) {
         ->option_text("N");
     command->add_flag("--no-browser", arguments->no_browser, "Do not open the browser")
         ->option_text(" ");
-    command->add_flag("--keep", arguments->keep, "Go on when no page is open")->option_text(" ");
+    command->add_flag("--keep", arguments->keep, "Keep running when no page is open")
+        ->option_text(" ");
     command->add_flag("--json", arguments->json, "Print the address as a JSON object")
         ->option_text(" ");
     command->footer(kStudioExamples);

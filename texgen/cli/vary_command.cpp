@@ -10,22 +10,27 @@
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/all_maps.h"
+#include "texgen/preset/conditions.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_extension.h"
 #include "texgen/sheet/contact_sheet.h"
 #include "texgen/variations/drawn_variations.h"
 #include "texgen/variations/sweep.h"
 #include "texgen/variations/variation.h"
+#include "texgen/variations/variation_files.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace foam::texgen {
@@ -37,8 +42,9 @@ constexpr const char* kVaryExamples = R"(Examples:
   foamtex vary lava --sweep foam.lloyd=0,1,2,4 --sweep loop.current=0..0.6:4
   foamtex vary mine.toml --sweep albedo.colormap=magma,viridis --map albedo --width 400
   foamtex bake out/lava_07.toml                bakes the seventh variation
-0..0.6:4 stands for 4 evenly spaced numbers from 0 to 0.6. Two sweeps, or --seeds and a sweep, make
-a grid. Every variation becomes a preset file beside the sheet.)";
+0..0.6:4 stands for 4 evenly spaced numbers from 0 to 0.6. In a grid of two sweeps, rows have the
+values of the first one; --seeds is a sweep, too, and comes first. Every variation becomes a preset
+file beside the sheet, which replaces the preset files of an earlier run.)";
 
 constexpr int kLargestWidth = 2048;
 constexpr int kMagnification = 2;  // of labels
@@ -64,7 +70,8 @@ std::vector<Sweep> sweeps_of(const VaryArguments& arguments) {
     constexpr std::size_t kLargestCount = 2;
     if (sweeps.empty() || sweeps.size() > kLargestCount) {
         throw std::invalid_argument(
-            "vary needs one or two sweeps: --seeds RANGE, --sweep KEY=VALUES");
+            fmt::format("vary needs one or two sweeps, not {}: --seeds RANGE, --sweep KEY=VALUES",
+                        sweeps.size()));
     }
     return sweeps;
 }
@@ -79,24 +86,6 @@ std::string base_of(const std::string& preset, const std::filesystem::path& fold
         std::filesystem::absolute(folder).lexically_normal());
     return relative.empty() ? path.string() : relative.string();
 }
-
-/// The names of the files of variations.
-class VariationFiles {
-  public:
-    VariationFiles(std::filesystem::path folder, const std::string& preset, std::size_t count)
-        : folder_(std::move(folder)), stem_(preset), digits_(std::to_string(count).size()) {}
-
-    std::filesystem::path sheet() const { return folder_ / (stem_ + "_variations.png"); }
-    /// The numbers count from 1.
-    std::filesystem::path preset(std::size_t number) const {
-        return folder_ / fmt::format("{}_{:0{}}.toml", stem_, number, digits_);
-    }
-
-  private:
-    std::filesystem::path folder_;
-    std::string stem_;
-    std::size_t digits_;
-};
 
 void write_sheet(const std::vector<Variation>& variations,
                  const std::vector<DrawnVariation>& drawn,
@@ -145,6 +134,21 @@ ExitCode report_failures(const std::vector<Variation>& variations,
     return code;
 }
 
+/// Prints a note for each key that has no effect in any variation.
+void note_unused_keys(const std::vector<Preset>& presets,
+                      const std::vector<Variation>& variations) {
+    std::vector<std::string> lines = unused_keys(presets.front(), variations.front().assignments);
+    for (std::size_t k = 1; k < presets.size(); ++k) {
+        const std::vector<std::string> others = unused_keys(presets[k], variations[k].assignments);
+        std::erase_if(lines, [&](const std::string& line) {
+            return std::ranges::find(others, line) == others.end();
+        });
+    }
+    for (const std::string& line : lines) {
+        print_stderr("foamtex: note: {}", line);
+    }
+}
+
 void print(const VaryArguments& arguments,
            const std::string& preset,
            const std::vector<std::filesystem::path>& files) {
@@ -167,23 +171,31 @@ ExitCode run_vary(const VaryArguments& arguments) {
     drawing.map = arguments.map.empty() ? base.image.maps.front() : arguments.map;
     drawing.threads = arguments.run.threads;
     find_map(drawing.map);
+    if (!arguments.run.quiet) {
+        note_unused_keys(presets, variations);
+    }
     const std::filesystem::path folder = arguments.out.value_or("out");
     check_writable(folder);
+    const VariationFiles names(folder, base.name, variations.size());
+    const std::vector<std::filesystem::path> earlier = names.earlier();
 
     const std::vector<DrawnVariation> drawn = [&] {
         ProgressReporter reporter(progress_options(arguments.run, variations.size()));
         return draw_variations(presets, drawing, reporter.callback());
     }();
-    const VariationFiles names(folder, base.name, variations.size());
     std::vector<std::filesystem::path> files = {names.sheet()};
     const int columns = sweeps.size() == 2 ? static_cast<int>(sweeps.back().values.size()) : 0;
     make_folders(folder);
+    for (const std::filesystem::path& file : earlier) {
+        std::error_code error;
+        std::filesystem::remove(file, error);
+    }
     write_sheet(variations, drawn, columns, files.front());
     for (std::size_t k = 0; k < variations.size(); ++k) {
         if (drawn[k].outcome.status == RunStatus::Complete) {
             const std::string toml = preset_file(arguments, variations[k], folder);
             files.push_back(names.preset(k + 1));
-            write_file(files.back(), std::as_bytes(std::span(toml)));
+            write_variation(files.back(), toml);
         }
     }
     print(arguments, base.name, files);
@@ -199,7 +211,7 @@ void add_vary_options(CLI::App& command, VaryArguments& arguments) {
     command
         .add_option("--sweep",
                     arguments.sweeps,
-                    "Values of a key: A,B,C or LOW..HIGH:COUNT; may be given twice")
+                    "Values of a key: A,B,C or LOW..HIGH:COUNT; two sweeps make a grid")
         ->allow_extra_args(false)
         ->option_text("KEY=VALUES");
     command

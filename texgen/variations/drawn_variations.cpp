@@ -12,6 +12,8 @@
 #include "texgen/sheet/map_sequence.h"
 #include "texgen/sheet/preview.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -64,8 +66,21 @@ DrawnVariation drawn(const Preset& preset,
     return variation;
 }
 
-bool have_same_size(const DrawnVariation& a, const DrawnVariation& b) {
-    return a.pixels.width() == b.pixels.width() && a.pixels.height() == b.pixels.height();
+/// Throws std::invalid_argument if the pictures have different sizes.
+void check_sizes(std::span<const Preset> presets, int side) {
+    for (const Preset& preset : presets) {
+        const ReducedImage image = reduced_image(preset, side);
+        const ReducedImage first = reduced_image(presets.front(), side);
+        if (image.width != first.width || image.height != first.height) {
+            throw std::invalid_argument(
+                fmt::format("the pictures of the variations must have the same size, but are {} x "
+                            "{} and {} x {} pixels",
+                            first.width,
+                            first.height,
+                            image.width,
+                            image.height));
+        }
+    }
 }
 
 }  // namespace
@@ -73,6 +88,7 @@ bool have_same_size(const DrawnVariation& a, const DrawnVariation& b) {
 std::vector<DrawnVariation> draw_variations(std::span<const Preset> presets,
                                             const VariationDrawing& drawing,
                                             const ProgressCallback& on_progress) {
+    check_sizes(presets, drawing.side);
     std::vector<DrawnVariation> variations(presets.size());
     ProgressMeter meter(Phase::Previews, static_cast<int>(presets.size()), on_progress);
     meter.begin();
@@ -80,12 +96,6 @@ std::vector<DrawnVariation> draw_variations(std::span<const Preset> presets,
         variations[k] = drawn(presets[k], drawing, meter.for_source());
         meter.add();
     });
-    for (const DrawnVariation& variation : variations) {
-        if (!have_same_size(variation, variations.front())) {
-            throw std::invalid_argument(
-                "the variations have pictures of different shapes, which do not fit on a sheet");
-        }
-    }
     return variations;
 }
 

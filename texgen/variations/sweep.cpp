@@ -87,7 +87,9 @@ std::optional<std::vector<std::string>> numbers_of_range(std::string_view text,
 
 Sweep checked(Sweep sweep, const std::string& location) {
     if (sweep.values.size() > kLargestSweep) {
-        reject(location, fmt::format("must have at most {} values", kLargestSweep));
+        reject(location,
+               fmt::format(
+                   "has {} values; at most {} are allowed", sweep.values.size(), kLargestSweep));
     }
     return sweep;
 }
@@ -121,7 +123,7 @@ Sweep read_seeds(const std::string& argument) {
             sweep.values.push_back({location, sweep.key, {static_cast<std::int64_t>(seed)}});
         }
     } catch (const std::invalid_argument&) {
-        reject(location, "must be a range of seeds, such as 1-12 or 3,7,20-24");
+        reject(location, "must be a range of seeds from 1, such as 1-12 or 3,7,20-24");
     }
     return checked(std::move(sweep), location);
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -14,6 +15,9 @@ namespace {
 
 constexpr const char* kSmall =
     " --threads 1 --width 32 --set foam.bubbles=12 --set loop.kind=none --set image.size=[64,64]";
+
+const std::string kMark =
+    "# Written by foamtex vary, which replaces this file the next time. Rename it to keep it.\n";
 
 TEST(VaryCommand, WritesASheetAndPresetFiles) {
     const TemporaryFolder folder;
@@ -24,10 +28,11 @@ TEST(VaryCommand, WritesASheetAndPresetFiles) {
               "out/sea_foam_variations.png\nout/sea_foam_1.toml\nout/sea_foam_2.toml\n"
               "out/sea_foam_3.toml\nout/sea_foam_4.toml\n");
     EXPECT_EQ(file_content(folder.path() / "out" / "sea_foam_4.toml"),
-              "extends = \"sea_foam\"\n"
-              "\n[foam]\nbubbles = 12\nseed = 2\nlloyd = 3\n"
-              "\n[loop]\nkind = \"none\"\n"
-              "\n[image]\nsize = [64, 64]\n");
+              kMark +
+                  "extends = \"sea_foam\"\n"
+                  "\n[foam]\nbubbles = 12\nseed = 2\nlloyd = 3\n"
+                  "\n[loop]\nkind = \"none\"\n"
+                  "\n[image]\nsize = [64, 64]\n");
     EXPECT_EQ(run_program("bake out/sea_foam_4.toml --frames 1 -q", folder).code, 0);
 }
 
@@ -36,9 +41,32 @@ TEST(VaryCommand, FilesExtendThePresetWhereverItIs) {
     std::ofstream(folder.path() / "mine.toml") << "extends = \"sea_foam\"\n";
     ASSERT_EQ(run_program(std::string("vary mine.toml --seeds 4 -q -o a/b") + kSmall, folder).code,
               0);
-    EXPECT_EQ(file_content(folder.path() / "a" / "b" / "mine_1.toml").substr(0, 33),
+    EXPECT_EQ(file_content(folder.path() / "a" / "b" / "mine_1.toml").substr(kMark.size(), 33),
               "extends = \"../../mine.toml\"\n\n[foa");
     EXPECT_EQ(run_program("bake a/b/mine_1.toml --frames 1 -q", folder).code, 0);
+}
+
+TEST(VaryCommand, ReplacesTheFilesOfAnEarlierRunButNoOthers) {
+    const TemporaryFolder folder;
+    const std::string command = std::string("vary sea_foam -q") + kSmall;
+    ASSERT_EQ(run_program(command + " --seeds 1-10", folder).code, 0);
+    ASSERT_EQ(run_program(command + " --seeds 1-2", folder).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out" / "sea_foam_07.toml"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "sea_foam_2.toml"));
+    std::ofstream(folder.path() / "out" / "sea_foam_5.toml") << "extends = \"lava\"\n";
+    const Outcome outcome = run_program(command + " --seeds 1-2", folder);
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::OutputFailed));
+    EXPECT_EQ(outcome.err,
+              "foamtex: 'out/sea_foam_5.toml' would be replaced, but was not written by foamtex "
+              "vary\n");
+}
+
+TEST(VaryCommand, NotesKeysWithoutEffect) {
+    const Outcome outcome =
+        run_program(std::string("vary sea_foam --sweep vector.width_mm=30,40") + kSmall);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.err.find("note: vector.width_mm has no effect"), std::string::npos)
+        << outcome.err;
 }
 
 TEST(VaryCommand, ABadRequestIsOneLineAndWritesNothing) {
@@ -46,7 +74,7 @@ TEST(VaryCommand, ABadRequestIsOneLineAndWritesNothing) {
     const Outcome none = run_program("vary sea_foam", folder);
     EXPECT_EQ(none.code, static_cast<int>(ExitCode::BadRequest));
     EXPECT_EQ(none.err,
-              "foamtex: vary needs one or two sweeps: --seeds RANGE, --sweep KEY=VALUES\n");
+              "foamtex: vary needs one or two sweeps, not 0: --seeds RANGE, --sweep KEY=VALUES\n");
     const Outcome value = run_program("vary sea_foam --sweep foam.bubbles=9,2", folder);
     EXPECT_EQ(value.code, static_cast<int>(ExitCode::BadRequest));
     EXPECT_NE(value.err.find("--sweep foam.bubbles=9,2: key 'foam.bubbles' = 2"), std::string::npos)

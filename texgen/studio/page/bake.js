@@ -141,7 +141,6 @@ export class BakeDialog {
                 seconds: 0,
                 seconds_left: null,
                 files: 0,
-                notes: [],
             });
             $("bake-cancel").focus();
             this.#poll(bake);
@@ -191,7 +190,7 @@ export class BakeDialog {
         this.#studio.gallery.refreshBakes();
     }
 
-    #showStatus({status, phase, done, total, seconds, seconds_left, files, first_file, message, notes}) {
+    #showStatus({status, phase, done, total, seconds, seconds_left, files, first_file, message}) {
         const running = status === "running";
         const part = total > 0 ? done / total : running ? 0 : 1;
         const titles = {running: "Baking", complete: "Complete", failed: "Failed", cancelled: "Cancelled"};
@@ -202,7 +201,6 @@ export class BakeDialog {
         $("bake-files").textContent = files > 0 ? `${files} files, the first is ${first_file}` : "";
         $("bake-message").hidden = !message;
         $("bake-message").textContent = message ?? "";
-        $("bake-notes").replaceChildren(...(notes ?? []).map((note) => el("li", {}, note)));
         $("bake-cancel").hidden = !running;
         $("bake-again").hidden = running;
         $("bake-open-folder").hidden = status !== "complete";

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/variations/variation_files.h"
+
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace foam::texgen {
+namespace {
+
+TEST(VariationFiles, HaveNumbersOfTheSameWidth) {
+    const VariationFiles files("out", "lava", 12);
+    EXPECT_EQ(files.sheet(), "out/lava_variations.png");
+    EXPECT_EQ(files.preset(7), "out/lava_07.toml");
+    EXPECT_EQ(VariationFiles("", "lava", 3).preset(3), "lava_3.toml");
+}
+
+TEST(VariationFiles, FindsThoseOfAnEarlierRun) {
+    const TemporaryFolder folder;
+    EXPECT_TRUE(VariationFiles(folder.path() / "none", "lava", 3).earlier().empty());
+    write_variation(folder.path() / "lava_07.toml", "extends = \"lava\"\n");
+    for (const char* const other : {"lava_x.toml", "lava_.toml", "lava_7.png", "sea_1.toml"}) {
+        std::ofstream(folder.path() / other) << "x";
+    }
+    const VariationFiles files(folder.path(), "lava", 3);
+    EXPECT_THAT(files.earlier(), testing::ElementsAre(folder.path() / "lava_07.toml"));
+    std::ofstream(folder.path() / "lava_2.toml") << "extends = \"lava\"\n";
+    EXPECT_THROW(files.earlier(), OutputError);
+}
+
+}  // namespace
+}  // namespace foam::texgen
