@@ -63,10 +63,8 @@ FinishedJob run(const Job& job, std::size_t number, bool quiet) {
     if (quiet) {
         words.emplace_back("--quiet");
     }
-    std::vector<char*> arguments;
-    for (std::string& word : words) {
-        arguments.push_back(word.data());
-    }
+    std::vector<char*> arguments(words.size());
+    std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
     const auto begin = std::chrono::steady_clock::now();
     const ExitCode code = run_command_line(static_cast<int>(arguments.size()), arguments.data());
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

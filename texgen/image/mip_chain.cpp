@@ -69,10 +69,12 @@ struct Conversion {
     Code code(float number, std::size_t channel) const {
         const double whole = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
         if (!is_light(channel)) {
-            // The product is exact, and so is the sum unless it is far below 1.
+            // The product is exact, and so is the sum unless it is far below 1; std::lround would
+            // be a call for each number. NOLINTNEXTLINE(bugprone-incorrect-roundings)
             return static_cast<Code>(whole * static_cast<double>(kLargest<Code>) + 0.5);
         }
         if (sizeof(Code) == 1) {
+            // NOLINTNEXTLINE(bugprone-incorrect-roundings)
             return static_cast<Code>(codes[static_cast<std::size_t>(whole * 65535.0 + 0.5)]);
         }
         return static_cast<Code>(
