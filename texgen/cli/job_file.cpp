@@ -72,10 +72,8 @@ std::optional<JobPath> parse_path(std::string_view path) {
 const JobKey& find_key(const Assignment& assignment, std::string_view name) {
     const auto* const found = std::ranges::find(kJobKeys, name, &JobKey::name);
     if (found == kJobKeys.end()) {
-        std::vector<std::string_view> names;
-        for (const JobKey& key : kJobKeys) {
-            names.push_back(key.name);
-        }
+        std::array<std::string_view, kJobKeys.size()> names;
+        std::ranges::transform(kJobKeys, names.begin(), &JobKey::name);
         reject(assignment,
                fmt::format("is unknown; a job has the keys {}{}",
                            fmt::join(names, ", "),
