@@ -83,9 +83,7 @@ Bytes key_value_data(const GpuTexture& texture) {
     Bytes bytes;
     for (const auto& [key, value] : values) {
         append(bytes, static_cast<std::uint32_t>(key.size() + 1 + value.size()));
-        std::string entry = key;
-        entry += '\0';
-        entry += value;
+        const std::string entry = fmt::format("{}{}{}", key, '\0', value);
         const auto characters = std::as_bytes(std::span(entry));
         bytes.insert(bytes.end(), characters.begin(), characters.end());
         pad(bytes, 4);
