@@ -4,10 +4,7 @@
 
 #include "texgen/preset/preset.h"
 
-#include <cstddef>
 #include <filesystem>
-#include <numeric>
-#include <vector>
 
 namespace foam::texgen {
 
@@ -23,13 +20,6 @@ inline Preset small_preset(const std::filesystem::path& pattern) {
     preset.image.height = 64;
     preset.output.pattern = pattern.string();
     return preset;
-}
-
-/// Returns the frame numbers from 1 to `last`.
-inline std::vector<int> frames_to(int last) {
-    std::vector<int> frames(static_cast<std::size_t>(last));
-    std::iota(frames.begin(), frames.end(), 1);
-    return frames;
 }
 
 }  // namespace foam::texgen

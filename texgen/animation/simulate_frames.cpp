@@ -2,6 +2,7 @@
 
 #include "texgen/animation/simulate_frames.h"
 
+#include "texgen/animation/seconds_since.h"
 #include "texgen/animation/shown_states.h"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ bool advance(Simulation& simulation, FrameEffort& effort) {
     effort.t2 += equilibrium.t2;
     effort.area_error = equilibrium.area_error;
     effort.angle_error = equilibrium.angle_error;
-    effort.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    effort.seconds += seconds_since(begin);
     return found;
 }
 

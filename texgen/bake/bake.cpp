@@ -4,6 +4,7 @@
 
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_meter.h"
+#include "texgen/animation/seconds_since.h"
 #include "texgen/animation/simulate_frames.h"
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
@@ -32,10 +33,6 @@ namespace foam::texgen {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 FrameSource source_of(const Preset& preset, const BakeOptions& options) {
     return options.source ? options.source : simulation_of(preset, options.threads);

@@ -3,6 +3,7 @@
 #include "texgen/bake/bake_estimate.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/animation/seconds_since.h"
 #include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/reduced_image.h"
@@ -19,13 +20,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kFramesToMeasure = 2;  // frames
+constexpr std::size_t kFramesToMeasure = 2;
 
-double elapsed(std::chrono::steady_clock::time_point begin) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-/// What the bake of the first frames has shown.
+/// The times and the files of the frames that were baked.
 struct MeasuredFrames {
     std::vector<double> begins;  // when the frames were simulated, in seconds since the beginning
     double drawing = 0.0;        // seconds of drawing and writing, of all frames together
@@ -80,7 +77,8 @@ BakeEstimate estimate_bake(const Preset& preset,
         bake(first,
              some,
              {.on_progress = on_progress,
-              .on_frame = [&](const SimulatedFrame&) { measured.begins.push_back(elapsed(begin)); },
+              .on_frame =
+                  [&](const SimulatedFrame&) { measured.begins.push_back(seconds_since(begin)); },
               .on_baked =
                   [&](const BakedFrame& baked) {
                       measured.drawing += baked.seconds;

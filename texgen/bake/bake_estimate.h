@@ -10,8 +10,8 @@
 
 namespace foam::texgen {
 
-/// What a bake would take, estimated from its first frames. Sheets, scenes and statistics are not
-/// included.
+/// The files, the memory and the time of a bake, estimated from its first frames. Sheets, scenes
+/// and statistics are not included.
 struct BakeEstimate {
     std::size_t files = 0;     // images, or drawings and tables
     std::uint64_t bytes = 0;   // of these files

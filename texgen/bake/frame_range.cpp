@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdlib>
+#include <numeric>
 #include <stdexcept>
 
 namespace foam::texgen {
@@ -127,6 +128,12 @@ std::vector<int> parse_frame_range(std::string_view text) {
     if (frames.empty()) {
         reject(text, "contains no frame");
     }
+    return frames;
+}
+
+std::vector<int> frames_to(int last) {
+    std::vector<int> frames(static_cast<std::size_t>(last));
+    std::iota(frames.begin(), frames.end(), 1);
     return frames;
 }
 

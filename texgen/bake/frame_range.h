@@ -24,6 +24,9 @@ constexpr int kLastFrame = 1'000'000;
 /// frames.
 std::vector<int> parse_frame_range(std::string_view text);
 
+/// Returns the frames from 1 to `last`.
+std::vector<int> frames_to(int last);
+
 /// Returns a short text that parse_frame_range parses to these frames. Two or more consecutive
 /// frames from A to B become `A-B`. Three or more frames from A to B with a larger constant step S
 /// become `A-BxS`. The frames may also decrease. Precondition: each frame is given once.

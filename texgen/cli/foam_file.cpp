@@ -4,6 +4,7 @@
 
 #include "core/io/evolver_file.h"
 #include "core/io/foam_json.h"
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 
 #include <fmt/core.h>
@@ -33,10 +34,6 @@ FoamFormat format_of(const std::filesystem::path& path) {
             "'{}': the name of a foam file must end in .fe, .dmp or .json", path.string()));
     }
     return FoamFormat::Evolver;
-}
-
-std::string_view text_of(const Bytes& bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 // Returns the foam as text in the format that the extension selects. Throws OutputError if the

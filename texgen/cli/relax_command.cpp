@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/equilibrium/equilibrate_given.h"
+#include "texgen/animation/seconds_since.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/foam_file.h"
 #include "texgen/cli/json_report.h"
@@ -54,8 +55,7 @@ const char* status_word(EquilibriumStatus status) {
 RelaxReport relax_loaded(Foam& foam, int threads) {
     const auto start = std::chrono::steady_clock::now();
     const EquilibriumSummary summary = equilibrate_given(foam, threads);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    return {summary, foam.network.bubble_count() + foam.lone_bubbles.size(), elapsed.count()};
+    return {summary, foam.network.bubble_count() + foam.lone_bubbles.size(), seconds_since(start)};
 }
 
 void print_report(const RelaxReport& report) {

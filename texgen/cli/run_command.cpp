@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "texgen/animation/seconds_since.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/job_file.h"
 #include "texgen/cli/json_report.h"
@@ -7,6 +8,7 @@
 #include "texgen/cli/program.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 
 #include <CLI/CLI.hpp>
@@ -67,8 +69,7 @@ FinishedJob run(const Job& job, std::size_t number, bool quiet) {
     std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
     const auto begin = std::chrono::steady_clock::now();
     const ExitCode code = run_command_line(static_cast<int>(arguments.size()), arguments.data());
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    return {number, code, seconds.count()};
+    return {number, code, seconds_since(begin)};
 }
 
 void print_summary(const std::vector<FinishedJob>& finished,
@@ -106,8 +107,7 @@ void print_summary(const std::vector<FinishedJob>& finished,
 
 ExitCode run_jobs(const RunCommandArguments& arguments) {
     const Bytes content = read_file(arguments.file);
-    const std::vector<Job> jobs =
-        read_jobs({reinterpret_cast<const char*>(content.data()), content.size()}, arguments.file);
+    const std::vector<Job> jobs = read_jobs(text_of(content), arguments.file);
     if (arguments.job && *arguments.job > jobs.size()) {
         throw std::invalid_argument(
             fmt::format("--job {}: '{}' has {} jobs", *arguments.job, arguments.file, jobs.size()));

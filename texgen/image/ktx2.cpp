@@ -3,6 +3,7 @@
 #include "texgen/image/ktx2.h"
 
 #include "texgen/image/byte_reader.h"
+#include "texgen/image/content_text.h"
 #include "texgen/image/data_format.h"
 #include "texgen/image/texture_limits.h"
 
@@ -51,17 +52,13 @@ void pad(Bytes& bytes, std::size_t unit) {
     bytes.resize((bytes.size() + unit - 1) / unit * unit);
 }
 
-std::string text_in(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 // Returns the value of KTXanimData. The number of loops is 0 for an animation without an end.
 std::string animation_value(const TextureAnimation& animation) {
     Bytes bytes;
     append(bytes, static_cast<std::uint32_t>(animation.rate.seconds));
     append(bytes, static_cast<std::uint32_t>(animation.rate.frames));
     append(bytes, animation.repeats ? 0U : 1U);
-    return text_in(bytes);
+    return std::string(text_of(bytes));
 }
 
 // Returns the keys and values of a file, sorted as the specification requires. Values that are
@@ -182,13 +179,13 @@ void read_values(std::span<const std::byte> data, GpuTexture& texture) {
         const auto end = std::ranges::find(entry, std::byte{0});
         check(end != entry.end(), "a key has no end");
         const auto key_size = static_cast<std::size_t>(end - entry.begin());
-        const std::string key = text_in(entry.first(key_size));
+        const std::string key(text_of(entry.first(key_size)));
         const auto value_bytes = entry.subspan(key_size + 1);
         if (key == kAnimation) {
             texture.animation = animation_in(value_bytes);
             continue;
         }
-        std::string value = text_in(value_bytes);
+        std::string value(text_of(value_bytes));
         if (value.ends_with('\0')) {
             value.pop_back();
         }

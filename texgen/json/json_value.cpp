@@ -2,6 +2,7 @@
 
 #include "texgen/json/json_value.h"
 
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/shown_text.h"
 
@@ -155,7 +156,7 @@ JsonDocument::~JsonDocument() = default;
 
 JsonDocument JsonDocument::read(const std::filesystem::path& path) {
     const Bytes bytes = read_file(path, kDescriptionInput);
-    return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string()};
+    return {text_of(bytes), path.string()};
 }
 
 JsonValue JsonDocument::root() const {

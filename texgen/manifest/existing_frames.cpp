@@ -3,6 +3,7 @@
 #include "texgen/manifest/existing_frames.h"
 
 #include "texgen/bake/vector_files.h"
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
@@ -20,7 +21,7 @@ namespace {
 
 // Returns the hash that the manifest records for a file.
 std::string recorded_hash(const std::filesystem::path& path) {
-    return find_vector_format(path.string()) != nullptr ? vector_hash(path)
+    return find_vector_format(path.string()) != nullptr ? file_hash(path)
                                                         : pixel_hash(read_picture(path));
 }
 
@@ -53,9 +54,8 @@ std::vector<std::string> names_of(const Preset& preset) {
 
 }  // namespace
 
-std::string vector_hash(const std::filesystem::path& path) {
-    const Bytes content = read_file(path);
-    return text_hash({reinterpret_cast<const char*>(content.data()), content.size()});
+std::string file_hash(const std::filesystem::path& path) {
+    return text_hash(text_of(read_file(path)));
 }
 
 std::set<int> existing_frames_of(const Preset& preset,

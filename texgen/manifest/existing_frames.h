@@ -13,9 +13,10 @@
 
 namespace foam::texgen {
 
-/// Returns the hash that the manifest records for a vector file: the text_hash of its content.
+/// Returns the hash that the manifest records for a vector file or a scene file: the text_hash of
+/// its content.
 /// Throws InputError, whose message names the file, if the file cannot be read.
-std::string vector_hash(const std::filesystem::path& path);
+std::string file_hash(const std::filesystem::path& path);
 
 /// Returns the subset of `frames` whose files a resumed bake can keep. For every map of the preset,
 /// the manifest must list a file of the frame in the set that has the BakedSet::parameters of the

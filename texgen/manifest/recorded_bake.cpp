@@ -4,6 +4,7 @@
 
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_files.h"
+#include "texgen/bake/frame_range.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/shown_text.h"
 #include "texgen/manifest/bake_recorder.h"
@@ -17,7 +18,6 @@
 
 #include <cstddef>
 #include <exception>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -81,12 +81,6 @@ BakeSummary bake_and_record(const Preset& preset,
         }
     };
     return bake(preset, options, recording);
-}
-
-std::vector<int> all_frames(const Preset& preset) {
-    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
-    std::iota(frames.begin(), frames.end(), 1);
-    return frames;
 }
 
 // Fits the automatic ranges of a preset to the frames of a sequence.
@@ -165,7 +159,7 @@ BakeSummary bake_recorded(const Preset& given,
     const std::filesystem::path folder = manifest_folder(given);
     check_writable(folder);
     Preset preset = given;
-    const std::vector<int> animation = all_frames(preset);
+    const std::vector<int> animation = frames_to(preset.frames.count);
     const std::vector<int>& sequence = options.sequence.empty() ? animation : options.sequence;
     RunOutcome fitted;
     if (sequence != animation) {

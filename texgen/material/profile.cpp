@@ -3,6 +3,7 @@
 #include "texgen/material/profile.h"
 
 #include "texgen/cache/simulation_keys.h"
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/material/shipped_profiles.h"
@@ -55,10 +56,10 @@ Profile parse_profile(std::string_view toml, std::string name, const std::string
     return profile;
 }
 
-std::string text_of(const std::string& path) {
+std::string text_in(const std::string& path) {
     try {
         const Bytes content = read_file(path, kPresetInput);
-        return {reinterpret_cast<const char*>(content.data()), content.size()};
+        return std::string(text_of(content));
     } catch (const InputError& error) {
         throw PresetError(error.what());
     }
@@ -121,7 +122,7 @@ Profile load_profile(const std::string& name_or_path) {
             shipped.toml, name_or_path, fmt::format("presets/profiles/{}.toml", name_or_path));
     }
     return parse_profile(
-        text_of(name_or_path), std::filesystem::path(name_or_path).stem().string(), name_or_path);
+        text_in(name_or_path), std::filesystem::path(name_or_path).stem().string(), name_or_path);
 }
 
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset) {

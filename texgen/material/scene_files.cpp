@@ -3,6 +3,7 @@
 #include "texgen/material/scene_files.h"
 
 #include "texgen/bake/file_pattern.h"
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
@@ -41,10 +42,6 @@ Bytes content_of(std::string_view format, const SceneMaterial& material) {
     Bytes content;
     append(content, std::as_bytes(std::span(text)));
     return content;
-}
-
-std::string hash_of(const Bytes& content) {
-    return text_hash({reinterpret_cast<const char*>(content.data()), content.size()});
 }
 
 // Returns true if a scene can refer to the files of a bake.
@@ -89,7 +86,7 @@ std::vector<std::filesystem::path> write_scenes(const Preset& preset) {
         const std::string name = fmt::format("{}.{}", preset.name, suffix_of(format));
         const Bytes content = content_of(format, material);
         staged.emplace_back(folder / name, content);
-        scenes.push_back({name, format, content.size(), hash_of(content)});
+        scenes.push_back({name, format, content.size(), text_hash(text_of(content))});
         paths.push_back(folder / name);
     }
     for (StagedFile& file : staged) {

@@ -2,6 +2,7 @@
 
 #include "texgen/preset/load_preset.h"
 
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 #include "texgen/preset/event_io.h"
 #include "texgen/preset/preset_io.h"
@@ -43,7 +44,7 @@ Document read_document(const std::string& path) {
         const Bytes content = read_file(path, kPresetInput);
         return {std::move(name),
                 path,
-                std::string(reinterpret_cast<const char*>(content.data()), content.size()),
+                std::string(text_of(content)),
                 std::filesystem::path(path).parent_path()};
     } catch (const InputError& error) {
         throw PresetError(error.what());

@@ -3,8 +3,10 @@
 #include "texgen/studio/downloads.h"
 
 #include "texgen/bake/bake.h"
+#include "texgen/bake/frame_range.h"
 #include "texgen/bake/reduced_image.h"
 #include "texgen/image/apng.h"
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/scratch_folder.h"
 
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <numeric>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -38,7 +39,7 @@ HttpResponse attachment(std::span<const std::byte> content,
     return {.content_type = type,
             .headers = {{"Content-Disposition",
                          fmt::format("attachment; filename=\"{}\"", header_word(name))}},
-            .body = std::string(reinterpret_cast<const char*>(content.data()), content.size())};
+            .body = std::string(text_of(content))};
 }
 
 /// Bakes frames of one map into a scratch folder, as PNGs or SVGs, and returns the contents of
@@ -101,8 +102,7 @@ HttpResponse loop_download(Preset preset,
         preset.image.height = reduced.height;
         preset.maps = reduced.options;
     }
-    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
-    std::iota(frames.begin(), frames.end(), 1);
+    const std::vector<int> frames = frames_to(preset.frames.count);
     ApngMuxer muxer(preset.frames.count, {preset.output.frames_per_second, 1});
     for (const Bytes& file : baked_frames(preset, map, frames, source, ".png")) {
         muxer.add(file);

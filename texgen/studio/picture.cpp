@@ -4,6 +4,7 @@
 
 #include "core/parallel/parallel_for.h"
 #include "texgen/bake/fitted_ranges.h"
+#include "texgen/bake/frame_range.h"
 #include "texgen/bake/reduced_image.h"
 #include "texgen/cache/simulation_keys.h"
 #include "texgen/image/pixel_hash.h"
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -28,7 +28,8 @@ namespace foam::texgen {
 
 namespace {
 
-// What the maps of recent frames share is kept for pictures of at most this many pixels together.
+// The data that the maps of a frame share is kept for pictures of at most this many pixels
+// together.
 constexpr std::size_t kLargestKept = 4UL * 1024 * 1024;
 // The number of pictures that are drawn from the same kept data. Each may add to the data, because
 // some of it depends on options, such as the width of films.
@@ -47,12 +48,6 @@ void fit_to_picture(NumberPixels& numbers, double value) {
         numbers.low *= factor;
         numbers.high *= factor;
     }
-}
-
-std::vector<int> all_frames(const Preset& preset) {
-    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
-    std::iota(frames.begin(), frames.end(), 1);
-    return frames;
 }
 
 DistanceNeeds joined(const DistanceNeeds& a, const DistanceNeeds& b) {
@@ -176,7 +171,7 @@ bool Painter::fit_range(const Preset& preset, const PictureRequest& request, Map
     if (!source) {
         return false;
     }
-    fit_automatic_ranges(measured, source, all_frames(preset), 0);
+    fit_automatic_ranges(measured, source, frames_to(preset.frames.count), 0);
     range->value = range_option_of(map, measured.maps)->value;
     const std::scoped_lock lock(mutex_);
     if (ranges_.size() >= kLargestRanges) {

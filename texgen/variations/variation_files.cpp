@@ -2,6 +2,7 @@
 
 #include "texgen/variations/variation_files.h"
 
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 
 #include <fmt/core.h>
@@ -21,8 +22,7 @@ constexpr std::string_view kSuffix = ".toml";
 
 bool has_mark(const std::filesystem::path& path) {
     const Bytes content = read_file(path);
-    const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
-    return text.starts_with(kMark);
+    return text_of(content).starts_with(kMark);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ bool is_same_vector(const ManifestFile& file,
                     const std::filesystem::path& folder,
                     std::vector<std::string>& problems) {
     try {
-        if (vector_hash(folder / file.path) == file.pixels) {
+        if (file_hash(folder / file.path) == file.pixels) {
             return true;
         }
         problems.push_back(fmt::format(

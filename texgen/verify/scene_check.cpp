@@ -3,7 +3,7 @@
 #include "texgen/verify/scene_check.h"
 
 #include "texgen/image/file_io.h"
-#include "texgen/image/pixel_hash.h"
+#include "texgen/manifest/existing_frames.h"
 
 #include <fmt/core.h>
 
@@ -13,9 +13,7 @@ std::vector<std::string> scene_problems(const BakedSet& set, const std::filesyst
     std::vector<std::string> problems;
     for (const ManifestScene& scene : set.scenes) {
         try {
-            const Bytes content = read_file(folder / scene.path, kImageInput);
-            if (text_hash({reinterpret_cast<const char*>(content.data()), content.size()}) !=
-                scene.hash) {
+            if (file_hash(folder / scene.path) != scene.hash) {
                 problems.push_back(
                     fmt::format("{}: the content differs from the written content (its hash "
                                 "differs from the hash in the manifest)",

@@ -2,6 +2,7 @@
 
 #include "texgen/verify/tolerances.h"
 
+#include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 #include "texgen/keys/nearest.h"
 #include "texgen/maps/all_maps.h"
@@ -127,8 +128,7 @@ Tolerances parse_tolerances(std::string_view toml, const std::string& source) {
 Tolerances read_tolerances(const std::filesystem::path& path) {
     try {
         const Bytes content = read_file(path, kPresetInput);
-        return parse_tolerances({reinterpret_cast<const char*>(content.data()), content.size()},
-                                path.string());
+        return parse_tolerances(text_of(content), path.string());
     } catch (const InputError& error) {
         throw PresetError(error.what());
     }

@@ -3,23 +3,17 @@
 #include "texgen/bake/bake_estimate.h"
 
 #include "tests/texgen/temporary_folder.h"
+#include "texgen/bake/frame_range.h"
 #include "texgen/preset/load_preset.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 #include <vector>
 
 namespace foam::texgen {
 namespace {
-
-std::vector<int> frames_to(int last) {
-    std::vector<int> frames(static_cast<std::size_t>(last));
-    std::iota(frames.begin(), frames.end(), 1);
-    return frames;
-}
 
 TEST(BakeEstimate, HasTheFilesOfABakeAndLeavesNone) {
     const TemporaryFolder folder;

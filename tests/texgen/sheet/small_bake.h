@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tests/texgen/small_preset.h"
+#include "texgen/bake/frame_range.h"
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"

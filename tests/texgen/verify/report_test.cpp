@@ -4,6 +4,7 @@
 #include "tests/texgen/small_preset.h"
 #include "tests/texgen/temporary_folder.h"
 #include "tests/texgen/verify/breathing_loop.h"
+#include "texgen/bake/frame_range.h"
 #include "texgen/image/png.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/verify/verify.h"
