@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 namespace foam::texgen {
@@ -31,24 +30,6 @@ Value size_value(const std::string& size) {
     const std::string width = size.substr(0, x);
     const std::string height = x == std::string::npos ? width : size.substr(x + 1);
     return {Value::List{read_value(width), read_value(height)}};
-}
-
-/// Returns the assignments of every `--set`, followed by the assignments of the other options that
-/// set a key. The other options override `--set`, because later assignments win.
-std::vector<Assignment> assignments_of(const RunArguments& arguments) {
-    std::vector<Assignment> assignments;
-    for (const std::string& set : arguments.sets) {
-        assignments.push_back(read_set_argument(set));
-    }
-    if (arguments.size) {
-        assignments.push_back(
-            {"--size " + *arguments.size, "image.size", size_value(*arguments.size)});
-    }
-    if (arguments.seed) {
-        assignments.push_back(
-            {"--seed " + *arguments.seed, "foam.seed", read_value(*arguments.seed)});
-    }
-    return assignments;
 }
 
 std::vector<Assignment> in_order(std::vector<Assignment> first,
@@ -93,10 +74,20 @@ void check_is_no_cache(const std::string& preset) {
 
 }  // namespace
 
-void add_preset_options(CLI::App& command, RunArguments& arguments) {
+void add_preset_argument(CLI::App& command, RunArguments& arguments) {
     command.add_option("PRESET", arguments.preset, "Name of a shipped preset, or a .toml file")
         ->required()
         ->option_text(" ");
+}
+
+void add_set_option(CLI::App& command, RunArguments& arguments) {
+    command.add_option("--set", arguments.sets, "Set one key of the preset; may be repeated")
+        ->allow_extra_args(false)
+        ->option_text("KEY=VALUE");
+}
+
+void add_preset_options(CLI::App& command, RunArguments& arguments) {
+    add_preset_argument(command, arguments);
     add_frame_options(command, arguments);
     command
         .add_option("--seed",
@@ -106,9 +97,7 @@ void add_preset_options(CLI::App& command, RunArguments& arguments) {
 }
 
 void add_frame_options(CLI::App& command, RunArguments& arguments) {
-    command.add_option("--set", arguments.sets, "Set one key of the preset; may be repeated")
-        ->allow_extra_args(false)
-        ->option_text("KEY=VALUE");
+    add_set_option(command, arguments);
     add_frames_option(command, arguments.frames);
     command.add_option("--size", arguments.size, "Image size in pixels")->option_text("W[xH]");
 }
@@ -143,6 +132,22 @@ Assignment maps_assignment(const std::string& maps) {
     return {"--maps " + maps, "image.maps", list_value(maps)};
 }
 
+std::vector<Assignment> assignments_of(const RunArguments& arguments) {
+    std::vector<Assignment> assignments;
+    for (const std::string& set : arguments.sets) {
+        assignments.push_back(read_set_argument(set));
+    }
+    if (arguments.size) {
+        assignments.push_back(
+            {"--size " + *arguments.size, "image.size", size_value(*arguments.size)});
+    }
+    if (arguments.seed) {
+        assignments.push_back(
+            {"--seed " + *arguments.seed, "foam.seed", read_value(*arguments.seed)});
+    }
+    return assignments;
+}
+
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more) {
     check_is_no_cache(arguments.preset);
     LoadedPreset loaded = load_with_assignments(arguments.preset);
@@ -158,12 +163,7 @@ Preset changed(Preset preset, const RunArguments& arguments, const std::vector<A
 }
 
 std::vector<int> frames_of(const RunArguments& arguments, const Preset& preset) {
-    if (arguments.frames) {
-        return parse_frame_range(*arguments.frames);
-    }
-    std::vector<int> frames(static_cast<std::size_t>(preset.frames.count));
-    std::iota(frames.begin(), frames.end(), 1);
-    return frames;
+    return arguments.frames ? parse_frame_range(*arguments.frames) : frames_to(preset.frames.count);
 }
 
 Verbosity verbosity_of(const RunArguments& arguments) {

@@ -32,6 +32,12 @@ struct RunArguments {
     std::string progress;  // the value of --progress
 };
 
+/// Adds PRESET. The arguments must outlive the parsing.
+void add_preset_argument(CLI::App& command, RunArguments& arguments);
+
+/// Adds --set. The arguments must outlive the parsing.
+void add_set_option(CLI::App& command, RunArguments& arguments);
+
 /// Adds PRESET, --set, --frames, --size and --seed. The arguments must outlive the parsing.
 void add_preset_options(CLI::App& command, RunArguments& arguments);
 
@@ -51,6 +57,11 @@ Assignment maps_assignment(const std::string& maps);
 /// Adds --for, the profile of an engine (material/profile.h). The arguments must outlive the
 /// parsing.
 void add_profile_option(CLI::App& command, RunArguments& arguments);
+
+/// Returns the assignments of every `--set`, followed by the assignments of --size and --seed,
+/// which override them, because later assignments win. Throws PresetError if a `--set` is
+/// malformed.
+std::vector<Assignment> assignments_of(const RunArguments& arguments);
 
 /// Returns the preset that the arguments name, after assignments in this order: those of the
 /// profile, every `--set`, the other options that set a key, and `more`. Later assignments override

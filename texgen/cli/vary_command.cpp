@@ -109,10 +109,7 @@ void write_sheet(const std::vector<Variation>& variations,
 std::string preset_file(const VaryArguments& arguments,
                         const Variation& variation,
                         const std::filesystem::path& folder) {
-    std::vector<Assignment> assignments;
-    for (const std::string& set : arguments.run.sets) {
-        assignments.push_back(read_set_argument(set));
-    }
+    std::vector<Assignment> assignments = assignments_of(arguments.run);
     assignments.insert(
         assignments.end(), variation.assignments.begin(), variation.assignments.end());
     return extending_preset(base_of(arguments.run.preset, folder), assignments);
@@ -146,6 +143,17 @@ void note_unused_keys(const std::vector<Preset>& presets,
     }
     for (const std::string& line : lines) {
         print_stderr("foamtex: note: {}", line);
+    }
+}
+
+/// Removes the files of an earlier run that this run has not replaced.
+void remove_others(const std::vector<std::filesystem::path>& earlier,
+                   const std::vector<std::filesystem::path>& written) {
+    for (const std::filesystem::path& file : earlier) {
+        if (std::ranges::find(written, file) == written.end()) {
+            std::error_code error;
+            std::filesystem::remove(file, error);
+        }
     }
 }
 
@@ -186,10 +194,6 @@ ExitCode run_vary(const VaryArguments& arguments) {
     std::vector<std::filesystem::path> files = {names.sheet()};
     const int columns = sweeps.size() == 2 ? static_cast<int>(sweeps.back().values.size()) : 0;
     make_folders(folder);
-    for (const std::filesystem::path& file : earlier) {
-        std::error_code error;
-        std::filesystem::remove(file, error);
-    }
     write_sheet(variations, drawn, columns, files.front());
     for (std::size_t k = 0; k < variations.size(); ++k) {
         if (drawn[k].outcome.status == RunStatus::Complete) {
@@ -198,14 +202,13 @@ ExitCode run_vary(const VaryArguments& arguments) {
             write_variation(files.back(), toml);
         }
     }
+    remove_others(earlier, files);
     print(arguments, base.name, files);
     return report_failures(variations, drawn);
 }
 
 void add_vary_options(CLI::App& command, VaryArguments& arguments) {
-    command.add_option("PRESET", arguments.run.preset, "Name of a shipped preset, or a .toml file")
-        ->required()
-        ->option_text(" ");
+    add_preset_argument(command, arguments.run);
     command.add_option("--seeds", arguments.seeds, "Seeds: 1-12, or 3,7,20-24")
         ->option_text("RANGE");
     command
@@ -214,10 +217,7 @@ void add_vary_options(CLI::App& command, VaryArguments& arguments) {
                     "Values of a key: A,B,C or LOW..HIGH:COUNT; two sweeps make a grid")
         ->allow_extra_args(false)
         ->option_text("KEY=VALUES");
-    command
-        .add_option("--set", arguments.run.sets, "Set one key in all variations; may be repeated")
-        ->allow_extra_args(false)
-        ->option_text("KEY=VALUE");
+    add_set_option(command, arguments.run);
     command.add_option("--frame", arguments.drawing.frame, "The frame to draw (default: 1)")
         ->check(CLI::Range(1, kLastFrame))
         ->option_text("N");

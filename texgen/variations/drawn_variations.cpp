@@ -68,9 +68,9 @@ DrawnVariation drawn(const Preset& preset,
 
 /// Throws std::invalid_argument if the pictures have different sizes.
 void check_sizes(std::span<const Preset> presets, int side) {
+    const ReducedImage first = reduced_image(presets.front(), side);
     for (const Preset& preset : presets) {
         const ReducedImage image = reduced_image(preset, side);
-        const ReducedImage first = reduced_image(presets.front(), side);
         if (image.width != first.width || image.height != first.height) {
             throw std::invalid_argument(
                 fmt::format("the pictures of the variations must have the same size, but are {} x "
