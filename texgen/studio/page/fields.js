@@ -97,17 +97,21 @@ function numbersField(key, id, edit, options) {
     return key.length === null ? numberListField(key, id, edit, options) : fixedNumbersField(key, id, edit, options);
 }
 
-// Any number of numbers, separated by commas. An empty text removes the value.
-function numberListField(key, id, edit, {label}) {
-    const input = el("input", {
+// An input for text. `more` are further attributes.
+const textInput = (key, id, label, more = {}) =>
+    el("input", {
         type: "text",
         id,
         spellcheck: "false",
         autocomplete: "off",
         "aria-label": label,
-        placeholder: "such as 4, 5",
         data: {key: key.path},
+        ...more,
     });
+
+// Any number of numbers, separated by commas. An empty text removes the value.
+function numberListField(key, id, edit, {label}) {
+    const input = textInput(key, id, label, {placeholder: "such as 4, 5"});
     input.addEventListener("change", () => {
         const items = input.value
             .split(",")
@@ -157,14 +161,7 @@ function fixedNumbersField(key, id, edit, {label}) {
 const dirty = (inputs) => inputs.some((input) => input === document.activeElement);
 
 function textField(key, id, edit, {label}) {
-    const input = el("input", {
-        type: "text",
-        id,
-        spellcheck: "false",
-        autocomplete: "off",
-        "aria-label": label,
-        data: {key: key.path},
-    });
+    const input = textInput(key, id, label);
     input.addEventListener("change", () => edit(toToml(input.value), {}));
     return {
         element: input,

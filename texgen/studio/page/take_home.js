@@ -80,11 +80,8 @@ export class TakeHome {
 
     #prepare() {
         const {answer, baked, player} = this.#studio;
-        $("copy-command").disabled = !answer?.command;
+        $("copy-command").disabled = Boolean(baked) || !answer?.command;
         $("copy-command").title = answer?.command ?? "Changed events need a preset file.";
-        for (const id of ["copy-command", "save-preset", "download-preset", "download-frame", "download-drawing"]) {
-            $(id).disabled ||= Boolean(baked);
-        }
         for (const id of ["save-preset", "download-preset", "download-frame", "download-drawing"]) {
             $(id).disabled = Boolean(baked);
         }
