@@ -2,11 +2,14 @@
 
 #include "texgen/cli/job_file.h"
 
+#include "tests/texgen/cli/run_program.h"
 #include "texgen/preset/assignment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,6 +57,25 @@ stats = false
                             "albedo,normal",
                             "--stats"));
     EXPECT_EQ(jobs[1].command(), "foamtex bake 'my file.toml' --frames 1-10x2 --maps albedo");
+}
+
+// A job has no keys for options that concern the run as a whole.
+TEST(JobFile, HasAKeyForEveryOptionOfABake) {
+    const std::set<std::string> others = {
+        "help", "resume", "dry-run", "json", "quiet", "verbose", "progress"};
+    const std::string help = run_program("bake --help").out;
+    std::string toml = "[[bake]]\npreset = \"lava\"\n";
+    std::size_t options = 0;
+    const std::regex option("\n  (?:-[a-z],)?--([a-z-]+)");
+    for (std::sregex_iterator found(help.begin(), help.end(), option), end; found != end; ++found) {
+        const std::string name = (*found)[1];
+        if (!others.contains(name)) {
+            toml += name + " = " + (name == "stats" ? "true" : "\"1\"") + "\n";
+            ++options;
+        }
+    }
+    EXPECT_GT(options, 10U);
+    EXPECT_EQ(rejection_of(toml), "");
 }
 
 TEST(JobFile, SaysWhatIsWrong) {
