@@ -29,8 +29,8 @@ struct Format {
     static constexpr int kSteps = (1 << kBitsOfIndex) - 1;  // from one endpoint to the other
 };
 
-/// What least squares needs to know of a subset and its indices. The squared error of the colors,
-/// apart from a constant, is
+/// The squared error of a subset with given indices, as a function of its endpoints. Apart from a
+/// constant, it is
 ///     first x^2 + 2 mixed x y + second y^2 - 2 sums[0][c] x - 2 sums[1][c] y
 /// for the values x and y of channel c at the two endpoints.
 template <class Simd, std::size_t kChannels>

@@ -14,7 +14,7 @@
 
 namespace foam::texgen {
 
-/// What a page wants to bake.
+/// A bake that a page asks for.
 struct BakeRequest {
     PageSettings settings;
     std::string folder;                       // below the folder of the studio

@@ -25,7 +25,7 @@ namespace {
 // The memory for the states of foams, in bytes.
 constexpr std::size_t kStoreBytes = 1UL << 30;
 
-// What a page may load: only files of the studio itself, and pictures that its scripts have made.
+// A page may load only files of the studio itself, and pictures that its scripts have made.
 constexpr const char* kContentPolicy =
     "default-src 'self'; img-src 'self' blob: data:; frame-ancestors 'none'; base-uri 'none'; "
     "form-action 'none'";

@@ -68,7 +68,7 @@ inline std::optional<HttpResponse> answer_to(const error_code& error) {
 
 class HttpConnection;
 
-/// What a connection needs from its server.
+/// The interface by which a connection uses its server.
 class HttpConnectionOwner {
   public:
     virtual ~HttpConnectionOwner() = default;
@@ -115,8 +115,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     }
 
   private:
-    // What follows a response: the next request, the end of the connection, or, after a request
-    // that was not read completely, reading the rest of it.
+    // A response is followed by the next request, the end of the connection, or, if its
+    // request was not read completely, by reading the rest of the request.
     enum class Next { Read, Close, Drain };
 
     // Continues after a request has been read, or could not be read.

@@ -13,7 +13,7 @@
 
 namespace foam::texgen {
 
-/// What the requests of a page work with.
+/// The objects with which the requests of a page work.
 struct StudioParts {
     const StudioFolder& folder;
     FrameStore& store;

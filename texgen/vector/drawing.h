@@ -44,8 +44,8 @@ struct Layer {
 struct Drawing {
     double width = 0.0;  // of the tile or the view
     double height = 0.0;
-    // What the page shows if whole bubbles extend beyond the tile; nullopt for the tile or the
-    // view.
+    // The box that the page shows if whole bubbles extend beyond the tile; nullopt if the page
+    // shows the tile or the view.
     std::optional<Box> extended{};
     double scale = 1.0;  // millimeters per foam unit
     std::string title{};
@@ -54,7 +54,7 @@ struct Drawing {
     std::vector<Layer> layers{};  // from bottom to top
     std::vector<Vec2> junctions{};
 
-    /// What the page shows.
+    /// Returns the box that the page shows.
     Box shown() const { return extended.value_or(Box{{0.0, 0.0}, {width, height}}); }
 };
 
