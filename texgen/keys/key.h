@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace foam::texgen {
@@ -50,6 +51,9 @@ struct KeyInfo {
     std::optional<Condition> use{};        // unless it is met, the key has no effect
     /// The path of another key. The number of this key must be below the number of that key.
     std::optional<std::string> upper_limit{};
+    /// Returns true if a value is the path of a file that the key reads. In a preset, such a path
+    /// is relative to the folder of the preset's file. This member is empty if no value is a path.
+    std::function<bool(const Value&)> names_file{};
 
     /// Returns the part of the path before the dot; the whole path if there is no dot.
     std::string_view table() const;
@@ -102,6 +106,17 @@ struct Key : KeyInfo {
     Key unused_with(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.use = Condition{other, std::move(values), true};
+        return key;
+    }
+
+    /// Returns a copy of this key whose text values are paths of files if `is_path` returns true
+    /// for them.
+    Key with_files(bool (*is_path)(std::string_view text)) const {
+        Key key = *this;
+        key.names_file = [is_path](const Value& value) {
+            const auto* const text = std::get_if<std::string>(&value.data);
+            return text != nullptr && is_path(*text);
+        };
         return key;
     }
 

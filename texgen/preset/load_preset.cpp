@@ -6,6 +6,7 @@
 #include "texgen/image/file_io.h"
 #include "texgen/preset/event_io.h"
 #include "texgen/preset/preset_io.h"
+#include "texgen/preset/preset_keys.h"
 #include "texgen/preset/rejection.h"
 #include "texgen/preset/shipped_presets.h"
 
@@ -60,12 +61,26 @@ Document find_document(const std::string& name_or_path) {
         name_or_path, fmt::format("presets/{}.toml", name_or_path), std::string(shipped.toml), {}};
 }
 
+// Returns the assignments of a document. Paths of files that are relative to the folder of the
+// document become paths that the program can open.
+std::vector<Assignment> assignments_of(const Document& document) {
+    std::vector<Assignment> assignments = read_assignments(document.toml, document.source);
+    for (Assignment& assignment : assignments) {
+        const Key<Preset>* const key = find_key(assignment.key);
+        if (key != nullptr && key->names_file && key->names_file(assignment.value)) {
+            auto& path = std::get<std::string>(assignment.value.data);
+            path = (document.folder / path).lexically_normal().string();
+        }
+    }
+    return assignments;
+}
+
 // Loads a preset and the presets that it extends, directly or indirectly.
 class Loader {
   public:
     LoadedPreset load(const Document& document) {
         sources_.push_back(document.source);
-        std::vector<Assignment> assignments = read_assignments(document.toml, document.source);
+        std::vector<Assignment> assignments = assignments_of(document);
         Preset preset = take_extended(assignments, document);
         preset.name = document.name;
         // The events of a preset replace all events of the preset that it extends.

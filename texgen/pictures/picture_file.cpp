@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/pictures/picture_file.h"
+
+#include "texgen/image/file_io.h"
+#include "texgen/image/format.h"
+#include "texgen/image/memory.h"
+
+#include <fmt/core.h>
+
+#include <variant>
+
+namespace foam::texgen {
+
+bool is_picture_name(std::string_view text) {
+    return find_format(text) != nullptr;
+}
+
+PictureFile read_picture_file(const std::string& path) {
+    return {path, std::make_shared<const SourcePicture>(read_source_picture(path))};
+}
+
+std::string PictureFiles::allowed() const {
+    return fmt::format("the path of a picture, which ends in {}, or \"\"", format_suffixes());
+}
+
+std::string PictureFiles::schema() const {
+    return R"({"type": "string", "pattern": "^$|\\.(png|exr|dds|ktx2)$"})";
+}
+
+bool PictureFiles::read(const Value& value, PictureFile& member) const {
+    const auto* const path = std::get_if<std::string>(&value.data);
+    if (path == nullptr) {
+        return false;
+    }
+    try {
+        member = path->empty() ? PictureFile{} : read_picture_file(*path);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    } catch (const OutOfMemory&) {
+        return false;
+    }
+}
+
+std::string PictureFiles::fault(const Value& value) const {
+    const auto* const path = std::get_if<std::string>(&value.data);
+    if (path == nullptr || path->empty()) {
+        return {};
+    }
+    try {
+        read_source_picture(*path);
+        return {};
+    } catch (const InputError& error) {
+        return error.what();
+    } catch (const OutOfMemory& error) {
+        return error.what();
+    }
+}
+
+}  // namespace foam::texgen

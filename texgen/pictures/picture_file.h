@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/keys/value.h"
+#include "texgen/pictures/source_picture.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// The value of a key that names a picture: the path of its file, and the picture itself. Reading
+/// the key reads the file, so that a bad file is an error of the preset.
+struct PictureFile {
+    std::string path{};                              // empty if no picture is named
+    std::shared_ptr<const SourcePicture> picture{};  // null if no picture is named
+
+    bool is_set() const { return picture != nullptr; }
+};
+
+/// Returns true if the text is the name of a picture: if it has the suffix of an image format.
+bool is_picture_name(std::string_view text);
+
+/// Returns the picture in a file. Throws the exceptions of read_source_picture.
+PictureFile read_picture_file(const std::string& path);
+
+/// The kind of values (value_kinds.h) that name a picture: paths of image files, and the empty
+/// string, which names no picture.
+struct PictureFiles {
+    std::string allowed() const;
+    std::string schema() const;
+    bool read(const Value& value, PictureFile& member) const;
+    Value write(const PictureFile& member) const { return {member.path}; }
+    std::string fault(const Value& value) const;
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/color.h"
+#include "texgen/image/image.h"
+
+#include <cstdint>
+#include <filesystem>
+
+namespace foam::texgen {
+
+/// A picture from which a preset takes the sizes or colors of bubbles, or an outline.
+struct SourcePicture {
+    /// Four channels: red, green and blue as linear light with the primaries of sRGB, from 0 to
+    /// 65535 (white), and opacity. Colors are straight: they are not multiplied by the opacity.
+    Image<std::uint16_t> pixels;
+
+    int width() const { return pixels.width(); }
+    int height() const { return pixels.height(); }
+};
+
+/// A pixel of a source picture: its color and its opacity, which is from 0 to 1.
+struct SourcePixel {
+    LinearRgb color;
+    double opacity = 1.0;
+};
+
+/// Returns the pixel in column x and row y; row 0 is the bottom row.
+SourcePixel pixel_of(const SourcePicture& picture, int x, int y);
+
+/// Returns the color of a pixel on white paper: transparent parts show the paper.
+LinearRgb color_on_white(const SourcePixel& pixel);
+
+/// Returns the lightness of a color as people see it, from 0 (black) to 1 (white): the relative
+/// luminance with the weights of ITU-R BT.709, encoded with the transfer function of sRGB.
+double lightness_of(const LinearRgb& color);
+
+/// Reads a PNG, EXR, DDS or KTX2 as a source picture. Codes count as sRGB, numbers as linear light
+/// that is premultiplied by the opacity. One or two channels are gray; a picture without a channel
+/// of opacity is opaque. Light outside [0, 1] is clamped. Throws InputError, whose message names
+/// the file, if the file cannot be read or has no channels of gray or RGB. Throws OutOfMemory if
+/// the machine has too little memory for the picture.
+SourcePicture read_source_picture(const std::filesystem::path& path);
+
+}  // namespace foam::texgen
