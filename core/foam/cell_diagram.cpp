@@ -127,6 +127,15 @@ double cell_area(const std::vector<CellCorner>& cell) {
     return 0.5 * twice;
 }
 
+std::vector<Vec2> cell_polygon(const std::vector<CellCorner>& cell) {
+    std::vector<Vec2> polygon;
+    polygon.reserve(cell.size());
+    for (const CellCorner& corner : cell) {
+        polygon.push_back(corner.point);
+    }
+    return polygon;
+}
+
 Vec2 cell_centroid(const std::vector<CellCorner>& cell) {
     Vec2 weighted = Vec2::Zero();
     double twice = 0.0;

@@ -28,6 +28,9 @@ Foam foam_from_cells(const Domain& domain, const CellDiagram& cells);
 /// Returns the area of the polygon of a cell.
 double cell_area(const std::vector<CellCorner>& cell);
 
+/// Returns the corners of the polygon of a cell, counter-clockwise.
+std::vector<Vec2> cell_polygon(const std::vector<CellCorner>& cell);
+
 /// Returns the centroid of the polygon of a cell.
 Vec2 cell_centroid(const std::vector<CellCorner>& cell);
 

@@ -78,8 +78,11 @@ Cell cell_of_ring(const std::vector<Vec2>& ring, PointSet& points) {
     return cell;
 }
 
-// Returns the centroid of the polygon of a cell.
-Vec2 center_of(const PolygonMesh& mesh, const Cell& cell) {
+// Returns the centroid of the polygon of a cell, weighted if there is an area field.
+Vec2 center_of(const PolygonMesh& mesh, const Cell& cell, const AreaField* areas) {
+    if (areas != nullptr) {
+        return areas->centroid_of(polygon_of(mesh, cell));
+    }
     std::vector<CellCorner> corners;
     corners.reserve(cell.size());
     for (const std::uint32_t point : cell) {
@@ -164,12 +167,21 @@ std::optional<Cell> merged(const Cell& a, const Cell& b) {
     return loop.size() == sides ? std::optional(loop) : std::nullopt;
 }
 
-double mean_area(const PolygonMesh& mesh) {
-    const double total = std::accumulate(
-        mesh.cells.begin(), mesh.cells.end(), 0.0, [&](double sum, const Cell& cell) {
-            return sum + polygon_area(mesh, cell);
-        });
-    return total / static_cast<double>(mesh.cells.size());
+// Returns the area of a cell that counts as 1 in comparisons of sizes: that of the area field, or 1
+// if there is none.
+double unit_area(const PolygonMesh& mesh, const Cell& cell, const AreaField* areas) {
+    return areas != nullptr ? areas->mean_over(polygon_of(mesh, cell)) : 1.0;
+}
+
+// Returns the mean area of the cells, relative to the area field.
+double mean_area(const PolygonMesh& mesh, const AreaField* areas) {
+    double total = 0.0;
+    double units = 0.0;
+    for (const Cell& cell : mesh.cells) {
+        total += polygon_area(mesh, cell);
+        units += unit_area(mesh, cell, areas);
+    }
+    return total / units;
 }
 
 // Removes the cell from the mesh after merging it into a neighbor: of the neighbors whose union
@@ -187,6 +199,15 @@ void merge_or_drop(PolygonMesh& mesh, std::size_t cell) {
 
 }  // namespace
 
+std::vector<Vec2> polygon_of(const PolygonMesh& mesh, const Cell& cell) {
+    std::vector<Vec2> polygon;
+    polygon.reserve(cell.size());
+    for (const std::uint32_t point : cell) {
+        polygon.push_back(mesh.points[point]);
+    }
+    return polygon;
+}
+
 double polygon_area(const PolygonMesh& mesh, const Cell& cell) {
     double twice = 0.0;
     for (std::size_t k = 0; k + 1 < cell.size(); ++k) {
@@ -196,17 +217,15 @@ double polygon_area(const PolygonMesh& mesh, const Cell& cell) {
     return 0.5 * twice;
 }
 
-ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
+ClippedCells clip_cells(const Outline& outline,
+                        const CellDiagram& diagram,
+                        const AreaField* areas) {
     ClippedCells clipped_cells;
     PolygonMesh& mesh = clipped_cells.mesh;
     PointSet points(mesh.points);
     for (const std::vector<CellCorner>& corners : diagram) {
-        std::vector<Vec2> ring;
-        ring.reserve(corners.size());
-        for (const CellCorner& corner : corners) {
-            ring.push_back(corner.point);
-        }
-        Vec2 center = cell_centroid(corners);
+        const std::vector<Vec2> ring = cell_polygon(corners);
+        Vec2 center = areas != nullptr ? areas->centroid_of(ring) : cell_centroid(corners);
         double largest = 0.0;
         for (const std::vector<Vec2>& part : clipped(outline, ring)) {
             const Cell cell = cell_of_ring(part, points);
@@ -216,7 +235,7 @@ ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
             const double area = polygon_area(mesh, cell);
             if (area > largest) {
                 largest = area;
-                center = center_of(mesh, cell);
+                center = center_of(mesh, cell, areas);
             }
             mesh.cells.push_back(cell);
         }
@@ -225,10 +244,11 @@ ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram) {
     return clipped_cells;
 }
 
-void merge_slivers(PolygonMesh& mesh) {
-    const double min_area = kSliverArea * mean_area(mesh);
+void merge_slivers(PolygonMesh& mesh, const AreaField* areas) {
+    const double min_area = kSliverArea * mean_area(mesh, areas);
     for (std::size_t cell = 0; cell < mesh.cells.size();) {
-        if (polygon_area(mesh, mesh.cells[cell]) < min_area) {
+        const double unit = unit_area(mesh, mesh.cells[cell], areas);
+        if (polygon_area(mesh, mesh.cells[cell]) < min_area * unit) {
             merge_or_drop(mesh, cell);
         } else {
             ++cell;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "core/foam/area_field.h"
 #include "core/foam/cell_diagram.h"
 #include "core/foam/outline.h"
 #include "core/foam/polygon_mesh.h"
@@ -12,19 +13,26 @@ namespace foam {
 struct ClippedCells {
     PolygonMesh mesh;           // each part of a cell within the outline is a cell of the mesh
     std::vector<Vec2> centers;  // per cell of the diagram: the centroid of its largest part, or of
-                                // the whole cell if no part is within the outline
+                                // the whole cell if no part is within the outline; weighted if
+                                // there is an area field (AreaField::centroid_of)
 };
 
 /// Clips the cells of a diagram on a torus to the outline. Precondition: no lattice copy of a cell
-/// at an offset other than zero overlaps the outline.
-ClippedCells clip_cells(const Outline& outline, const CellDiagram& diagram);
+/// at an offset other than zero overlaps the outline. `areas` may be null.
+ClippedCells clip_cells(const Outline& outline,
+                        const CellDiagram& diagram,
+                        const AreaField* areas = nullptr);
+
+/// Returns the corners of a cell of the mesh, counter-clockwise.
+std::vector<Vec2> polygon_of(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
 
 /// Returns the area of a cell of the mesh.
 double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
 
 /// Merges every cell smaller than a tenth of the mean area into the neighbor with which it shares
-/// the longest border. If the boundary of the union of the two cells is not a single loop, tries
-/// the neighbor with the next longest border. Removes the small cell if no neighbor is left to try.
-void merge_slivers(PolygonMesh& mesh);
+/// the longest border. If `areas` is not null, the area of a cell is counted relative to that of
+/// the field. If the boundary of the union of the two cells is not a single loop, tries the
+/// neighbor with the next longest border. Removes the small cell if no neighbor is left to try.
+void merge_slivers(PolygonMesh& mesh, const AreaField* areas = nullptr);
 
 }  // namespace foam

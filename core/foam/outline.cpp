@@ -142,6 +142,16 @@ double outline_area(const Outline& outline) {
     return bg::area(polygon_of(outline));
 }
 
+double bounding_aspect(const Outline& outline) {
+    Vec2 low = outline.outer.front();
+    Vec2 high = low;
+    for (const Vec2& corner : outline.outer) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    return (high.x() - low.x()) / (high.y() - low.y());
+}
+
 bool is_inside(const Outline& outline, const Vec2& point) {
     return bg::within(Point(point.x(), point.y()), polygon_of(outline));
 }

@@ -33,6 +33,9 @@ Outline rectangle_outline(double aspect);
 /// Returns the area within the outer ring minus the area of the holes.
 double outline_area(const Outline& outline);
 
+/// Returns the width of the bounding box divided by its height.
+double bounding_aspect(const Outline& outline);
+
 /// Returns true if the point is inside the outer ring and in no hole. Points on the boundary count
 /// as outside.
 bool is_inside(const Outline& outline, const Vec2& point);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -75,34 +76,48 @@ Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
 struct PreparedOutline {
     Outline outline;
     Domain domain;
+    std::optional<AreaField> areas;  // stretched over the bounding box of the outline
+
+    const AreaField* areas_or_null() const { return areas ? &*areas : nullptr; }
 };
 
-PreparedOutline prepare(const Outline& outline, int bubbles) {
+PreparedOutline prepare(const Outline& outline, const PatchOptions& options) {
     const Box box = box_of(outline);
     const Vec2 size = box.high - box.low;
-    const double scale = std::sqrt(bubbles / outline_area(outline));
+    const double scale = std::sqrt(options.bubbles / outline_area(outline));
     const double side = 2.0 * scale * size.maxCoeff();
     const Vec2 to_middle = 0.5 * Vec2::Constant(side) / scale - 0.5 * (box.low + box.high);
-    return {moved_and_scaled(outline, to_middle, scale), {side, side}};
+    PreparedOutline prepared{moved_and_scaled(outline, to_middle, scale), {side, side}, {}};
+    if (options.areas) {
+        prepared.areas = options.areas->stretched_over(scale * (box.low + to_middle), scale * size);
+    }
+    return prepared;
 }
 
-// Returns `count` uniformly random points inside the outline. Draws points in its bounding box and
-// keeps the points inside the outline.
-std::vector<Vec2> random_sites(const Outline& outline, int count, Random& random) {
-    const Box box = box_of(outline);
+Vec2 random_point(const Box& box, Random& random) {
+    const double x = box.low.x() + (box.high.x() - box.low.x()) * random.uniform();
+    const double y = box.low.y() + (box.high.y() - box.low.y()) * random.uniform();
+    return {x, y};
+}
+
+// Returns `count` random points inside the outline. Draws points in its bounding box, uniformly or
+// with the density of the area field, and keeps the points inside the outline.
+std::vector<Vec2> random_sites(const PreparedOutline& prepared, int count, Random& random) {
+    const Box box = box_of(prepared.outline);
     std::vector<Vec2> sites;
     while (static_cast<int>(sites.size()) < count) {
-        const double x = box.low.x() + (box.high.x() - box.low.x()) * random.uniform();
-        const double y = box.low.y() + (box.high.y() - box.low.y()) * random.uniform();
-        if (is_inside(outline, {x, y})) {
-            sites.emplace_back(x, y);
+        const Vec2 site =
+            prepared.areas ? prepared.areas->random_point(random) : random_point(box, random);
+        if (is_inside(prepared.outline, site)) {
+            sites.push_back(site);
         }
     }
     return sites;
 }
 
 ClippedCells cells_of(const PreparedOutline& prepared, const std::vector<Vec2>& sites) {
-    return clip_cells(prepared.outline, voronoi_cells(prepared.domain, sites));
+    return clip_cells(
+        prepared.outline, voronoi_cells(prepared.domain, sites), prepared.areas_or_null());
 }
 
 // Draws random sites and applies Lloyd's algorithm to them. A site is not moved if the center of
@@ -110,7 +125,7 @@ ClippedCells cells_of(const PreparedOutline& prepared, const std::vector<Vec2>& 
 ClippedCells draw_cells(const PreparedOutline& prepared,
                         const PatchOptions& options,
                         Random& random) {
-    std::vector<Vec2> sites = random_sites(prepared.outline, options.bubbles, random);
+    std::vector<Vec2> sites = random_sites(prepared, options.bubbles, random);
     ClippedCells cells = cells_of(prepared, sites);
     for (int k = 0; k < options.lloyd_iterations; ++k) {
         for (std::size_t cell = 0; cell < sites.size(); ++cell) {
@@ -136,27 +151,37 @@ void normalize(PolygonMesh& mesh) {
     }
 }
 
+// Returns the area of the area field at each cell of the mesh; empty if there is no field.
+std::vector<double> field_areas(const PreparedOutline& prepared, const PolygonMesh& mesh) {
+    std::vector<double> areas;
+    for (std::size_t cell = 0; prepared.areas && cell < mesh.cells.size(); ++cell) {
+        areas.push_back(prepared.areas->mean_over(polygon_of(mesh, mesh.cells[cell])));
+    }
+    return areas;
+}
+
+// Sets the target areas of all bubbles except the ghost, which is the last bubble. Their mean is 1.
+// `field` has the area of the area field at each cell, or is empty.
+void set_targets(std::span<const double> field, double ratio, Foam& foam) {
+    const std::span<double> targets(foam.target_areas.begin(), foam.network.bubble_count());
+    set_target_areas(targets, field, ratio);
+    if (!field.empty() || ratio > 0.0) {
+        scale_to_total(targets, static_cast<double>(targets.size()));
+    }
+}
+
 // Merges slivers (clipped_cells.h), normalizes the mesh and returns it as a foam. Throws
 // std::runtime_error if the foam is not valid.
-Foam foam_of(ClippedCells cells) {
-    merge_slivers(cells.mesh);
+Foam foam_of(const PreparedOutline& prepared, ClippedCells cells, double area_ratio) {
+    merge_slivers(cells.mesh, prepared.areas_or_null());
+    const std::vector<double> field = field_areas(prepared, cells.mesh);
     normalize(cells.mesh);
     Foam foam = foam_from_mesh(cells.mesh);
     if (const auto fault = find_fault(foam.network)) {
         throw std::runtime_error(*fault);
     }
+    set_targets(field, area_ratio, foam);
     return foam;
-}
-
-// Replaces the target areas of all bubbles except the ghost, which is the last bubble, by areas
-// whose logarithms are evenly spaced, in the same order of sizes (spread_areas). The largest is
-// `ratio` times the smallest, and their mean is 1. Does nothing if `ratio` is 0.
-void spread_targets(Foam& foam, double ratio) {
-    const std::span<double> targets(foam.target_areas.begin(), foam.network.bubble_count());
-    if (ratio > 0.0) {
-        spread_areas(targets, ratio);
-        scale_to_total(targets, static_cast<double>(targets.size()));
-    }
 }
 
 std::string no_patch_message(int bubbles, const std::string& cause) {
@@ -171,12 +196,12 @@ std::string no_patch_message(int bubbles, const std::string& cause) {
 Foam seed_patch(const Outline& outline, const PatchOptions& options) {
     check(outline, options);
     Random random(options.seed);
-    const PreparedOutline prepared = prepare(outline, options.bubbles);
+    const PreparedOutline prepared = prepare(outline, options);
     for (int draw = 1;; ++draw) {
         try {
-            Foam foam = foam_of(draw_cells(prepared, options, random));
+            Foam foam =
+                foam_of(prepared, draw_cells(prepared, options, random), options.area_ratio);
             foam.film_tension = 2.0 * options.surface_tension;
-            spread_targets(foam, options.area_ratio);
             return foam;
         } catch (const std::runtime_error& error) {
             if (draw == kMaxPatchDraws) {

@@ -2,10 +2,12 @@
 
 #pragma once
 
+#include "core/foam/area_field.h"
 #include "core/foam/foam.h"
 #include "core/foam/outline.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace foam {
 
@@ -17,6 +19,7 @@ struct PatchOptions {
     double area_ratio = 0.0;   // see SeedingOptions (seeding.h)
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma
     std::uint64_t seed = 1;
+    std::optional<AreaField> areas = std::nullopt;  // see SeedingOptions
 };
 
 /// Returns the Voronoi diagram of random sites within an outline as a patch that is not in

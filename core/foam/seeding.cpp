@@ -13,7 +13,8 @@
 
 // Seeds a foam on a torus from the Voronoi diagram of uniformly random sites (paper section 5).
 // Each iteration of Lloyd's algorithm moves every site to the centroid of its cell and takes the
-// diagram of the new sites, which makes the cells more regular.
+// diagram of the new sites, which makes the cells more regular. With an area field, sites are drawn
+// with a density of 1 / area, and the centroids are weighted (area_field.h).
 
 namespace foam {
 
@@ -41,9 +42,15 @@ Domain torus_for(const SeedingOptions& options) {
     return {options.aspect * height, height};
 }
 
-std::vector<Vec2> random_sites(const Domain& domain, int count, Random& random) {
+std::vector<Vec2> random_sites(const Domain& domain,
+                               const SeedingOptions& options,
+                               Random& random) {
     std::vector<Vec2> sites;
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < options.bubbles; ++k) {
+        if (options.areas) {
+            sites.push_back(options.areas->random_point(random));
+            continue;
+        }
         const double x = domain.width * random.uniform();
         const double y = domain.height * random.uniform();
         sites.emplace_back(x, y);
@@ -51,11 +58,15 @@ std::vector<Vec2> random_sites(const Domain& domain, int count, Random& random) 
     return sites;
 }
 
-CellDiagram lloyd_relaxed(const Domain& domain, std::vector<Vec2> sites, int iterations) {
+CellDiagram lloyd_relaxed(const Domain& domain,
+                          const SeedingOptions& options,
+                          std::vector<Vec2> sites) {
     CellDiagram cells = voronoi_cells(domain, sites);
-    for (int k = 0; k < iterations; ++k) {
+    for (int k = 0; k < options.lloyd_iterations; ++k) {
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-            const Vec2 center = cell_centroid(cells[cell]);
+            const Vec2 center = options.areas
+                                    ? options.areas->centroid_of(cell_polygon(cells[cell]))
+                                    : cell_centroid(cells[cell]);
             sites[cell] = center - domain.translation(domain.cell_of(center));
         }
         cells = voronoi_cells(domain, sites);
@@ -63,11 +74,25 @@ CellDiagram lloyd_relaxed(const Domain& domain, std::vector<Vec2> sites, int ite
     return cells;
 }
 
+// Sets the target areas, which are the areas of the cells, to those that the options ask for.
+void set_targets(const SeedingOptions& options, const CellDiagram& cells, Foam& foam) {
+    std::vector<double> field;
+    for (std::size_t cell = 0; options.areas && cell < cells.size(); ++cell) {
+        field.push_back(options.areas->mean_over(cell_polygon(cells[cell])));
+    }
+    const std::span<double> targets(foam.target_areas.begin(), foam.target_areas.end());
+    set_target_areas(targets, field, options.area_ratio);
+    scale_to_total(targets, foam.domain.area());
+}
+
 Foam draw_foam(const SeedingOptions& options, const Domain& domain, Random& random) {
     for (int draw = 1;; ++draw) {
         try {
-            const std::vector<Vec2> sites = random_sites(domain, options.bubbles, random);
-            return foam_from_cells(domain, lloyd_relaxed(domain, sites, options.lloyd_iterations));
+            const CellDiagram cells =
+                lloyd_relaxed(domain, options, random_sites(domain, options, random));
+            Foam foam = foam_from_cells(domain, cells);
+            set_targets(options, cells, foam);
+            return foam;
         } catch (const std::runtime_error&) {
             if (draw == kMaxSeedDraws) {
                 throw;
@@ -78,17 +103,16 @@ Foam draw_foam(const SeedingOptions& options, const Domain& domain, Random& rand
 
 }  // namespace
 
-Foam seed_foam(const SeedingOptions& options) {
-    check(options);
-    Random random(options.seed);
-    const Domain domain = torus_for(options);
+Foam seed_foam(const SeedingOptions& given) {
+    check(given);
+    Random random(given.seed);
+    const Domain domain = torus_for(given);
+    SeedingOptions options = given;
+    if (given.areas) {
+        options.areas = given.areas->stretched_over({0.0, 0.0}, {domain.width, domain.height});
+    }
     Foam foam = draw_foam(options, domain, random);
     foam.film_tension = 2.0 * options.surface_tension;
-    const std::span<double> targets(foam.target_areas.begin(), foam.target_areas.end());
-    if (options.area_ratio > 0.0) {
-        spread_areas(targets, options.area_ratio);
-    }
-    scale_to_total(targets, domain.area());
     return foam;
 }
 

@@ -2,9 +2,11 @@
 
 #pragma once
 
+#include "core/foam/area_field.h"
 #include "core/foam/foam.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace foam {
 
@@ -14,14 +16,22 @@ struct SeedingOptions {
     double aspect = 1.0;           // width of the torus divided by its height
     int lloyd_iterations = 0;      // iterations of Lloyd's algorithm; 0 keeps the random sites
     double area_ratio = 0.0;       // largest divided by smallest target area; the logarithms of the
-                                   // areas are evenly spaced; 0 keeps the areas of the diagram
+                                   // areas are evenly spaced; 0 keeps the areas of the diagram or
+                                   // of the field
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma
     std::uint64_t seed = 1;
+    /// The relative areas of bubbles at every place, stretched over the torus or over the bounding
+    /// box of the outline of a patch. Sites are denser where bubbles are small, and Lloyd's
+    /// algorithm is weighted. Every target area is that of the field at its cell; if `area_ratio`
+    /// is not 0, it is multiplied by a factor, and `area_ratio` is the largest divided by the
+    /// smallest factor. nullopt: bubbles have the same size everywhere.
+    std::optional<AreaField> areas = std::nullopt;
 };
 
 /// Returns the Voronoi diagram of random sites on a torus as a foam that is not yet in equilibrium:
 /// films are straight and every pressure is 0. If `area_ratio` is not 0, the target areas are
-/// assigned by rank: the largest cell gets the largest target area. Throws std::invalid_argument if
+/// assigned by rank: the largest cell gets the largest target area. With a field of areas, the rank
+/// is that of the cell's area divided by the area of the field. Throws std::invalid_argument if
 /// an option is out of range, and std::runtime_error if none of several random draws gives a valid
 /// foam.
 Foam seed_foam(const SeedingOptions& options);

@@ -23,6 +23,18 @@ void spread_areas(std::span<double> areas, double ratio) {
     }
 }
 
+void set_target_areas(std::span<double> areas, std::span<const double> field, double ratio) {
+    for (std::size_t k = 0; k < field.size(); ++k) {
+        areas[k] = ratio > 0.0 ? areas[k] / field[k] : 1.0;
+    }
+    if (ratio > 0.0) {
+        spread_areas(areas, ratio);
+    }
+    for (std::size_t k = 0; k < field.size(); ++k) {
+        areas[k] *= field[k];
+    }
+}
+
 void scale_to_total(std::span<double> areas, double total) {
     const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
     for (double& area : areas) {

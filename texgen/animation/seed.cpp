@@ -3,6 +3,7 @@
 #include "texgen/animation/seed.h"
 
 #include "core/foam/patch.h"
+#include "texgen/preset/preset_remarks.h"
 
 #include <fmt/core.h>
 
@@ -14,7 +15,9 @@ namespace {
 
 SeedingOptions seeding_of(const Preset& preset) {
     SeedingOptions seeding = preset.seeding;
-    seeding.aspect = static_cast<double>(preset.image.width) / preset.image.height;
+    const DensityDomain domain = density_domain(preset);
+    seeding.aspect = domain.aspect;
+    seeding.areas = area_field_of(preset.density, domain);
     return seeding;
 }
 
@@ -23,7 +26,8 @@ PatchOptions patch_options_of(const SeedingOptions& seeding) {
             .lloyd_iterations = seeding.lloyd_iterations,
             .area_ratio = seeding.area_ratio,
             .surface_tension = seeding.surface_tension,
-            .seed = seeding.seed};
+            .seed = seeding.seed,
+            .areas = seeding.areas};
 }
 
 }  // namespace
@@ -31,8 +35,9 @@ PatchOptions patch_options_of(const SeedingOptions& seeding) {
 Foam seeded_foam(const Preset& preset) {
     const bool is_torus = preset.shape.kind == FoamKind::Torus;
     try {
-        return is_torus ? seed_foam(seeding_of(preset))
-                        : seed_patch(outline_of(preset.shape), patch_options_of(preset.seeding));
+        const SeedingOptions seeding = seeding_of(preset);
+        return is_torus ? seed_foam(seeding)
+                        : seed_patch(outline_of(preset.shape), patch_options_of(seeding));
     } catch (const std::runtime_error& error) {
         throw std::invalid_argument(
             fmt::format("{}: cannot seed {} bubbles with foam.seed = {}: {}",

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <string_view>
 
 namespace foam::texgen {
@@ -68,6 +69,8 @@ std::string simulation_hash(const Preset& preset) {
     for (const Key<Preset>& key : preset_keys()) {
         if (affects_simulation(key, preset)) {
             text += fmt::format("{} = {}\n", key.path, to_toml(*key.write(preset)));
+            const std::optional<NamedFile> file = key.file ? key.file(preset) : std::nullopt;
+            text += file ? file->hash + '\n' : "";
         }
     }
     text += events_to_toml(preset);

@@ -7,9 +7,9 @@
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/material/profile.h"
-#include "texgen/preset/conditions.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_io.h"
+#include "texgen/preset/preset_remarks.h"
 #include "texgen/preset/shipped_presets.h"
 
 #include <CLI/CLI.hpp>
@@ -40,8 +40,7 @@ std::vector<Assignment> in_order(std::vector<Assignment> first,
 
 /// Applies the assignments of the profile, of the command line and `more` to a preset. `own` are
 /// the assignments in the file of the preset, which have been applied already. Unless output is
-/// quiet, prints a note for each key that any of these assignments sets without effect
-/// (unused_keys).
+/// quiet, prints the remarks on the preset and these assignments (remarks_on).
 Preset assigned(Preset preset,
                 const std::vector<Assignment>& own,
                 const RunArguments& arguments,
@@ -52,7 +51,7 @@ Preset assigned(Preset preset,
     }
     assign(preset, assignments);
     if (!arguments.quiet) {
-        for (const std::string& line : unused_keys(preset, in_order(own, assignments))) {
+        for (const std::string& line : remarks_on(preset, in_order(own, assignments))) {
             print_stderr("foamtex: note: {}", line);
         }
     }

@@ -10,9 +10,9 @@
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/all_maps.h"
-#include "texgen/preset/conditions.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_extension.h"
+#include "texgen/preset/preset_remarks.h"
 #include "texgen/sheet/contact_sheet.h"
 #include "texgen/variations/drawn_variations.h"
 #include "texgen/variations/sweep.h"
@@ -132,11 +132,10 @@ ExitCode report_failures(const std::vector<Variation>& variations,
 }
 
 /// Prints a note for each key that has no effect in any variation.
-void note_unused_keys(const std::vector<Preset>& presets,
-                      const std::vector<Variation>& variations) {
-    std::vector<std::string> lines = unused_keys(presets.front(), variations.front().assignments);
+void print_remarks(const std::vector<Preset>& presets, const std::vector<Variation>& variations) {
+    std::vector<std::string> lines = remarks_on(presets.front(), variations.front().assignments);
     for (std::size_t k = 1; k < presets.size(); ++k) {
-        const std::vector<std::string> others = unused_keys(presets[k], variations[k].assignments);
+        const std::vector<std::string> others = remarks_on(presets[k], variations[k].assignments);
         std::erase_if(lines, [&](const std::string& line) {
             return std::ranges::find(others, line) == others.end();
         });
@@ -180,7 +179,7 @@ ExitCode run_vary(const VaryArguments& arguments) {
     drawing.threads = arguments.run.threads;
     find_map(drawing.map);
     if (!arguments.run.quiet) {
-        note_unused_keys(presets, variations);
+        print_remarks(presets, variations);
     }
     const std::filesystem::path folder = arguments.out.value_or("out");
     check_writable(folder);

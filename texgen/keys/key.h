@@ -61,6 +61,12 @@ struct KeyInfo {
     std::string_view name() const;
 };
 
+/// A file that an object uses because the value of a key names it.
+struct NamedFile {
+    std::string path;
+    std::string hash;  // of its content, 32 hexadecimal digits
+};
+
 /// Returns the entry of a key in the reference of all keys: name, default, meaning and allowed
 /// values.
 std::string describe(const KeyInfo& key);
@@ -73,6 +79,9 @@ template <class Owner>
 struct Key : KeyInfo {
     std::function<bool(const Value&, Owner&)> read;
     std::function<std::optional<Value>(const Owner&)> write;
+    /// Returns the file that the value in the object names, or nullopt if the value names none.
+    /// This member is empty if no value of the key names a file.
+    std::function<std::optional<NamedFile>(const Owner&)> file{};
 
     /// Returns true if the object holds the default of the key.
     bool is_default(const Owner& owner) const { return write(owner) == default_value; }
@@ -166,6 +175,9 @@ Key<Owner> make_key(std::string_view name,
     key.write = [=](const Owner& owner) -> std::optional<Value> {
         return kind.write(std::invoke(member, owner));
     };
+    if constexpr (requires(const Owner& owner) { kind.file(std::invoke(member, owner)); }) {
+        key.file = [=](const Owner& owner) { return kind.file(std::invoke(member, owner)); };
+    }
     key.default_value = key.write(Owner{});
     return key;
 }
@@ -188,7 +200,7 @@ Keys<Outer> make_nested_keys(std::string_view table, const Part& part, const Key
     Keys<Outer> all;
     all.reserve(keys.size());
     for (const Key<Inner>& inner : keys) {
-        Key<Outer> key{static_cast<const KeyInfo&>(inner), {}, {}};
+        Key<Outer> key{static_cast<const KeyInfo&>(inner), {}, {}, {}};
         key.path = prefix + inner.path;
         key.upper_limit =
             inner.upper_limit ? std::optional(prefix + *inner.upper_limit) : std::nullopt;
@@ -198,6 +210,11 @@ Keys<Outer> make_nested_keys(std::string_view table, const Part& part, const Key
         key.write = [part, write = inner.write](const Outer& outer) {
             return write(std::invoke(part, outer));
         };
+        if (inner.file) {
+            key.file = [part, file = inner.file](const Outer& outer) {
+                return file(std::invoke(part, outer));
+            };
+        }
         all.push_back(std::move(key));
     }
     return all;

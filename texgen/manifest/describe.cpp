@@ -57,12 +57,14 @@ ManifestConventions conventions_of(const MapOptions& maps) {
     };
 }
 
-/// Returns a hash of the version of foamtex, the name of the preset and all its keys except
-/// image.maps and output.scene, so that bakes of different maps belong to one set.
+/// Returns a hash of the version of foamtex, the name of the preset, all its keys except image.maps
+/// and output.scene, and the files that it names, so that bakes of different maps belong to one
+/// set.
 std::string parameters_of(Preset preset) {
     preset.image.maps = Preset().image.maps;
     preset.output.scene.clear();
-    return text_hash(FOAMTEX_VERSION "\n" + preset.name + "\n" + to_toml(preset));
+    return text_hash(FOAMTEX_VERSION "\n" + preset.name + "\n" + to_toml(preset) +
+                     file_hashes(preset));
 }
 
 ManifestMap vector_map(const VectorFormat& format,

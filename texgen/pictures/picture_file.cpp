@@ -5,6 +5,7 @@
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/memory.h"
+#include "texgen/image/pixel_hash.h"
 
 #include <fmt/core.h>
 
@@ -17,7 +18,10 @@ bool is_picture_name(std::string_view text) {
 }
 
 PictureFile read_picture_file(const std::string& path) {
-    return {path, std::make_shared<const SourcePicture>(read_source_picture(path))};
+    const Picture picture = read_picture(path);
+    return {path,
+            std::make_shared<const SourcePicture>(source_picture_of(picture, path)),
+            pixel_hash(picture)};
 }
 
 std::string PictureFiles::allowed() const {
@@ -43,13 +47,17 @@ bool PictureFiles::read(const Value& value, PictureFile& member) const {
     }
 }
 
+std::optional<NamedFile> PictureFiles::file(const PictureFile& member) const {
+    return member.is_set() ? std::optional(NamedFile{member.path, member.hash}) : std::nullopt;
+}
+
 std::string PictureFiles::fault(const Value& value) const {
     const auto* const path = std::get_if<std::string>(&value.data);
     if (path == nullptr || path->empty()) {
         return {};
     }
     try {
-        read_source_picture(*path);
+        read_picture_file(*path);
         return {};
     } catch (const InputError& error) {
         return error.what();

@@ -2,10 +2,12 @@
 
 #pragma once
 
+#include "texgen/keys/key.h"
 #include "texgen/keys/value.h"
 #include "texgen/pictures/source_picture.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,7 @@ namespace foam::texgen {
 struct PictureFile {
     std::string path{};                              // empty if no picture is named
     std::shared_ptr<const SourcePicture> picture{};  // null if no picture is named
+    std::string hash{};                              // pixel_hash of the file
 
     bool is_set() const { return picture != nullptr; }
 };
@@ -34,6 +37,7 @@ struct PictureFiles {
     bool read(const Value& value, PictureFile& member) const;
     Value write(const PictureFile& member) const { return {member.path}; }
     std::string fault(const Value& value) const;
+    std::optional<NamedFile> file(const PictureFile& member) const;
 };
 
 }  // namespace foam::texgen

@@ -3,9 +3,7 @@
 #include "texgen/pictures/source_picture.h"
 
 #include "texgen/image/file_io.h"
-#include "texgen/image/format.h"
 #include "texgen/image/memory.h"
-#include "texgen/image/picture.h"
 
 #include <fmt/core.h>
 
@@ -135,8 +133,7 @@ double lightness_of(const LinearRgb& color) {
         std::clamp(0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b, 0.0, 1.0));
 }
 
-SourcePicture read_source_picture(const std::filesystem::path& path) {
-    const Picture picture = read_picture(path);
+SourcePicture source_picture_of(const Picture& picture, const std::filesystem::path& path) {
     const LightChannels channels = light_channels(picture, path);
     const auto pixels =
         static_cast<std::uint64_t>(picture.width()) * static_cast<std::uint64_t>(picture.height());

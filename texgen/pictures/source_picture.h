@@ -4,6 +4,7 @@
 
 #include "texgen/image/color.h"
 #include "texgen/image/image.h"
+#include "texgen/image/picture.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -36,11 +37,11 @@ LinearRgb color_on_white(const SourcePixel& pixel);
 /// luminance with the weights of ITU-R BT.709, encoded with the transfer function of sRGB.
 double lightness_of(const LinearRgb& color);
 
-/// Reads a PNG, EXR, DDS or KTX2 as a source picture. Codes count as sRGB, numbers as linear light
-/// that is premultiplied by the opacity. One or two channels are gray; a picture without a channel
-/// of opacity is opaque. Light outside [0, 1] is clamped. Throws InputError, whose message names
-/// the file, if the file cannot be read or has no channels of gray or RGB. Throws OutOfMemory if
-/// the machine has too little memory for the picture.
-SourcePicture read_source_picture(const std::filesystem::path& path);
+/// Converts a picture to a source picture. Codes count as sRGB, numbers as linear light that is
+/// premultiplied by the opacity. One or two channels are gray; a picture without a channel of
+/// opacity is opaque. Light outside [0, 1] is clamped. `path` is the name of the file in messages.
+/// Throws InputError if the picture has no channels of gray or RGB, and OutOfMemory if the machine
+/// has too little memory for the copy.
+SourcePicture source_picture_of(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace foam::texgen

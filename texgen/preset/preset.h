@@ -7,6 +7,7 @@
 #include "core/foam/seeding.h"
 #include "texgen/events/all_events.h"
 #include "texgen/maps/all_maps.h"
+#include "texgen/pictures/density.h"
 #include "texgen/preset/camera_options.h"
 #include "texgen/preset/foam_shape.h"
 #include "texgen/preset/frames_options.h"
@@ -37,7 +38,8 @@ struct Preset {
     std::string name;
     std::string description;
     FoamShape shape;
-    SeedingOptions seeding;
+    SeedingOptions seeding;  // `areas` is empty: it follows from `density`
+    DensityOptions density;
     SolverOptions equilibrium;
     CoarseningOptions coarsening;
     TopologyThresholds thresholds;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -93,6 +95,7 @@ Keys<Preset> all_keys() {
                         &P::description)},
                    nested_keys("foam", &P::shape, shape_keys()),
                    nested_keys("foam", &P::seeding, seeding_keys()),
+                   nested_keys("foam", &P::density, density_keys()),
                    nested_keys("foam", &P::equilibrium, solver_keys()),
                    nested_keys("dynamics", &P::coarsening, coarsening_keys()),
                    nested_keys("dynamics", &P::thresholds, threshold_keys()),
@@ -114,6 +117,24 @@ std::span<const Key<Preset>> preset_keys() {
 
 const Key<Preset>* find_key(std::string_view path) {
     return find_key(preset_keys(), path);
+}
+
+std::vector<NamedFile> files_of(const Preset& preset) {
+    std::vector<NamedFile> files;
+    for (const Key<Preset>& key : preset_keys()) {
+        if (std::optional<NamedFile> file = key.file ? key.file(preset) : std::nullopt) {
+            files.push_back(*std::move(file));
+        }
+    }
+    return files;
+}
+
+std::string file_hashes(const Preset& preset) {
+    std::string text;
+    for (const NamedFile& file : files_of(preset)) {
+        text += file.hash + '\n';
+    }
+    return text;
 }
 
 bool is_table(std::string_view name) {

@@ -6,7 +6,9 @@
 #include "texgen/preset/preset.h"
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -16,6 +18,14 @@ std::span<const Key<Preset>> preset_keys();
 
 /// Returns the key with the given path, such as "foam.seed", or nullptr if there is none.
 const Key<Preset>* find_key(std::string_view path);
+
+/// Returns the files that the values of a preset name, such as the picture of foam.density, in the
+/// order of the keys.
+std::vector<NamedFile> files_of(const Preset& preset);
+
+/// Returns a text that changes if the content of any of these files changes; empty if there is no
+/// such file.
+std::string file_hashes(const Preset& preset);
 
 /// Returns true if `name` is the name of a table that contains keys of a preset.
 bool is_table(std::string_view name);

@@ -12,6 +12,7 @@
 #include "texgen/maps/number_extent.h"
 #include "texgen/maps/quantize.h"
 #include "texgen/preset/preset_io.h"
+#include "texgen/preset/preset_keys.h"
 #include "texgen/studio/samples.h"
 
 #include <fmt/core.h>
@@ -156,7 +157,8 @@ bool Painter::fit_range(const Preset& preset, const PictureRequest& request, Map
     Preset measured = preset;
     measured.image.maps = {request.map};
     measured.output = {};
-    const std::string key = simulation_hash(preset) + request.map + text_hash(to_toml(measured));
+    const std::string key = simulation_hash(preset) + request.map +
+                            text_hash(to_toml(measured) + file_hashes(measured));
     {
         const std::scoped_lock lock(mutex_);
         if (const auto found = ranges_.find(key); found != ranges_.end()) {

@@ -5,13 +5,13 @@
 #include "texgen/cache/simulation_keys.h"
 #include "texgen/image/shell_word.h"
 #include "texgen/material/profile.h"
-#include "texgen/preset/conditions.h"
 #include "texgen/preset/drawn_images.h"
 #include "texgen/preset/event_io.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_extension.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_keys.h"
+#include "texgen/preset/preset_remarks.h"
 #include "texgen/preset/preset_schema.h"
 
 #include <fmt/format.h>
@@ -170,7 +170,7 @@ Json describe_settings(const PageSettings& settings, const StudioFolder& folder)
             {"values", values_json(preset)},
             {"events", events_json(preset)},
             {"events_toml", events_to_toml(preset)},
-            {"notes", unused_keys(preset, loaded.assignments)},
+            {"notes", remarks_on(preset, loaded.assignments)},
             {"command", command ? Json(*command) : Json(nullptr)},
             {"toml", preset_file(settings, loaded)},
             {"simulation", simulation_hash(preset)}};

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/area_field.h"
+#include "texgen/keys/key.h"
+#include "texgen/pictures/picture_file.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The source of the density: "even", "gradient", "radial", "noise", or the path of a picture.
+struct DensitySource {
+    std::string name = "even";
+    PictureFile picture{};  // the picture, if `name` is a path
+};
+
+/// The treatment of the edges of a picture on a torus, where each edge meets the opposite one.
+enum class PictureEdges {
+    Keep,    // the picture as it is
+    Mirror,  // the picture, and mirror images of it beside and above it, each half as large
+    Blend,   // opposite edges are adjusted to their mean, which fades out towards the inside
+};
+
+/// The density of bubbles: how the sizes of the seeded bubbles depend on their place. A picture is
+/// stretched over the torus, or over the bounding box of the outline of a patch.
+struct DensityOptions {
+    DensitySource source{};
+    double ratio = 30.0;       // largest divided by smallest bubble area
+    bool is_inverted = false;  // false: bubbles are small where it is dark; true: where it is light
+    PictureEdges edges = PictureEdges::Keep;
+    double noise_scale = 3.0;  // features of the noise along the shorter side
+    std::int64_t noise_seed = 1;
+};
+
+Keys<DensityOptions> density_keys();
+
+/// The rectangle of a foam, over which a density is stretched.
+struct DensityDomain {
+    bool is_torus = true;
+    double aspect = 1.0;  // width / height
+};
+
+/// Returns the field of bubble areas of a density, or nullopt if all bubbles have the same size.
+/// The darkness of every place is first stretched to the range from 0 to 1. The area a then follows
+/// from 1 / sqrt(a), which is linear in the darkness. Lines of a constant width along the films
+/// cover a part of each place that is proportional to 1 / sqrt(a), so that a foam of dark films on
+/// a light ground has the tones of the picture. The darkness is 1 - lightness_of the color on
+/// white.
+std::optional<AreaField> area_field_of(const DensityOptions& options, const DensityDomain& domain);
+
+/// Returns remarks on a picture: that it is stretched by more than 2 % in one direction, or that it
+/// does not tile and its edges are kept as they are on a torus.
+std::vector<std::string> density_remarks(const DensityOptions& options,
+                                         const DensityDomain& domain);
+
+}  // namespace foam::texgen

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/pictures/tone_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace foam::texgen {
+
+namespace {
+
+// The mean differences of tones above which edges count as visible.
+constexpr double kVisibleStep = 0.02;
+constexpr double kVisibleRatio = 3.0;
+// The part of a grid over which an adjustment of its edges fades out.
+constexpr double kBlendedPart = 0.125;
+
+// Returns the first pixel of a cell of a grid; the first pixel of the cell after the last one is
+// the number of pixels.
+int first_pixel(int cell, int cells, int pixels) {
+    return static_cast<int>(static_cast<std::int64_t>(cell) * pixels / cells);
+}
+
+double mean_darkness(const SourcePicture& picture, int x_begin, int x_end, int y_begin, int y_end) {
+    LinearRgb sum;
+    for (int y = y_begin; y < y_end; ++y) {
+        for (int x = x_begin; x < x_end; ++x) {
+            const LinearRgb color = color_on_white(pixel_of(picture, x, y));
+            sum = {sum.r + color.r, sum.g + color.g, sum.b + color.b};
+        }
+    }
+    const double pixels = static_cast<double>(x_end - x_begin) * (y_end - y_begin);
+    return 1.0 - lightness_of({sum.r / pixels, sum.g / pixels, sum.b / pixels});
+}
+
+// A line of tones: a row or a column of a grid.
+using Line = std::function<double&(int)>;
+
+void blend_ends(const Line& line, int length) {
+    const double half = 0.5 * (line(length - 1) - line(0));
+    const int band = std::max(1, static_cast<int>(std::lround(kBlendedPart * length)));
+    for (int k = 0; k < std::min(band, length / 2); ++k) {
+        const double t = 1.0 - static_cast<double>(k) / band;
+        const double change = half * t * t * (3.0 - 2.0 * t);
+        line(k) = std::clamp(line(k) + change, 0.0, 1.0);
+        line(length - 1 - k) = std::clamp(line(length - 1 - k) - change, 0.0, 1.0);
+    }
+}
+
+// The differences of the tones of a grid in one direction.
+struct Differences {
+    double ends = 0.0;      // sum of the differences of opposite edges
+    double adjacent = 0.0;  // sum of the differences of adjacent tones, divided by their number per
+                            // line
+    int lines = 0;
+
+    void add_line(const std::function<double(int)>& line, int length) {
+        ends += std::abs(line(length - 1) - line(0));
+        double sum = 0.0;
+        for (int k = 0; k + 1 < length; ++k) {
+            sum += std::abs(line(k + 1) - line(k));
+        }
+        adjacent += sum / std::max(length - 1, 1);
+        ++lines;
+    }
+    bool are_visible() const {
+        return ends > kVisibleStep * lines && ends > kVisibleRatio * adjacent;
+    }
+};
+
+}  // namespace
+
+ToneGrid darkness_of(const SourcePicture& picture, int most_cells) {
+    const int longest = std::max(picture.width(), picture.height());
+    const double scale = std::min(1.0, static_cast<double>(most_cells) / longest);
+    const auto cells = [scale](int pixels) {
+        return std::max(1, static_cast<int>(std::lround(scale * pixels)));
+    };
+    ToneGrid grid(cells(picture.width()), cells(picture.height()));
+    for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            grid.at(column, row) =
+                mean_darkness(picture,
+                              first_pixel(column, grid.columns, picture.width()),
+                              first_pixel(column + 1, grid.columns, picture.width()),
+                              first_pixel(row, grid.rows, picture.height()),
+                              first_pixel(row + 1, grid.rows, picture.height()));
+        }
+    }
+    return grid;
+}
+
+void stretch_tones(ToneGrid& grid) {
+    const auto [least, most] = std::minmax_element(grid.tones.begin(), grid.tones.end());
+    const double low = *least;
+    const double range = *most - *least;
+    for (double& tone : grid.tones) {
+        tone = range > 0.0 ? (tone - low) / range : 0.0;
+    }
+}
+
+ToneGrid mirrored(const ToneGrid& grid) {
+    ToneGrid tiled(2 * grid.columns, 2 * grid.rows);
+    for (int row = 0; row < tiled.rows; ++row) {
+        for (int column = 0; column < tiled.columns; ++column) {
+            tiled.at(column, row) = grid.at(std::min(column, tiled.columns - 1 - column),
+                                            std::min(row, tiled.rows - 1 - row));
+        }
+    }
+    return tiled;
+}
+
+void blend_edges(ToneGrid& grid) {
+    for (int row = 0; row < grid.rows; ++row) {
+        blend_ends([&grid, row](int k) -> double& { return grid.at(k, row); }, grid.columns);
+    }
+    for (int column = 0; column < grid.columns; ++column) {
+        blend_ends([&grid, column](int k) -> double& { return grid.at(column, k); }, grid.rows);
+    }
+}
+
+bool has_visible_edges(const ToneGrid& grid) {
+    Differences along_rows;
+    for (int row = 0; row < grid.rows; ++row) {
+        along_rows.add_line([&grid, row](int k) { return grid.at(k, row); }, grid.columns);
+    }
+    Differences along_columns;
+    for (int column = 0; column < grid.columns; ++column) {
+        along_columns.add_line([&grid, column](int k) { return grid.at(column, k); }, grid.rows);
+    }
+    return along_rows.are_visible() || along_columns.are_visible();
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/preset/assignment.h"
+#include "texgen/preset/preset.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns the rectangle over which the density of a preset is stretched: the torus, whose aspect
+/// ratio is that of the image, or the bounding box of the outline of a patch.
+DensityDomain density_domain(const Preset& preset);
+
+/// Returns remarks on a preset that users should see, one line each: on keys that the assignments
+/// set without effect (unused_keys), and on the picture of foam.density (density_remarks).
+/// Precondition: the assignments have been stored in the preset.
+std::vector<std::string> remarks_on(const Preset& preset, std::span<const Assignment> assignments);
+
+}  // namespace foam::texgen
