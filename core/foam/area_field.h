@@ -32,7 +32,8 @@ class AreaField {
     Vec2 random_point(Random& random) const;
 
     /// Returns the area that a bubble should have which covers a polygon: the harmonic mean of the
-    /// field over the polygon. Precondition: the polygon is counter-clockwise.
+    /// field over the polygon, measured at points that are at most a cell of the grid apart, or
+    /// 1/32 of the polygon if it is large. Precondition: the polygon is counter-clockwise.
     double mean_over(std::span<const Vec2> polygon) const;
 
     /// Returns the point to which Lloyd's algorithm moves the site of a cell: the centroid of the
@@ -43,8 +44,7 @@ class AreaField {
     Vec2 centroid_of(std::span<const Vec2> polygon) const;
 
   private:
-    template <class Visit>
-    void visit_samples(std::span<const Vec2> polygon, const Visit& visit) const;
+    double cell_size() const;  // the shorter side of a cell
 
     int columns_;
     int rows_;

@@ -68,6 +68,7 @@ FrameAssembly::FrameAssembly(const Preset& preset,
     : includes_next_(next_frames == NextFrames::Included),
       loop_(preset.loop),
       count_(preset.frames.count),
+      first_state_(shown_states(1, loop_, count_).state),
       on_frame_(std::move(on_frame)) {
     if (loop_.current > 0.0) {
         current_.emplace(loop_, aspect_of(preset.image), preset.seeding.seed);
@@ -78,6 +79,7 @@ FrameAssembly::FrameAssembly(const Preset& preset,
     if (preset.shape.kind == FoamKind::Patch) {
         uses_[1];  // makes states() include state 1
     }
+    uses_[first_state_];
     for (const int number : numbers) {
         requests_.push_back(request_of(number, preset));
         for (const int state : requests_.back().states) {
@@ -120,6 +122,9 @@ void FrameAssembly::add(const SimulatedFrame& state) {
     total_.area_error = state.effort.area_error;
     total_.angle_error = state.effort.angle_error;
     const int number = state.frame->number;
+    if (number == first_state_) {
+        first_ = prepared(state).frame;
+    }
     if (uses_.at(number) > 0) {
         kept_.emplace(number, prepared(state)).first->second.effort = total_;
     }
@@ -181,6 +186,7 @@ void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame
 
 DrawnState FrameAssembly::drawn(int state, int next) const {
     DrawnState drawn = kept_.at(state);
+    drawn.first = first_;
     if (includes_next_) {
         drawn.next = kept_.at(next).frame;
     }

@@ -33,8 +33,9 @@ class FrameAssembly {
                   NextFrames next_frames,
                   FrameVisitor on_frame);
 
-    /// Returns the numbers of the states that the frames need, in increasing order. For a patch,
-    /// state 1 is included, because it determines the view of all frames.
+    /// Returns the numbers of the states that the frames need, in increasing order. The state of
+    /// frame 1 is included, because some maps show colors of frame 1. For a patch, state 1 is
+    /// included, because it determines the view of all frames.
     std::vector<int> states() const;
 
     /// Adds a state and emits the frames that are complete with it. Preconditions: states are added
@@ -59,7 +60,9 @@ class FrameAssembly {
 
     bool includes_next_;
     LoopOptions loop_;
-    int count_;  // frames of the loop
+    int count_;                           // frames of the loop
+    int first_state_;                     // the state that frame 1 shows
+    std::shared_ptr<const Frame> first_;  // frame 1, after its state was added
     std::optional<Current> current_;
     std::optional<FadeOrder> fade_order_;
     FrameVisitor on_frame_;

@@ -30,12 +30,13 @@ struct DrawnState {
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const FoamRecord> record;
     std::shared_ptr<const Frame> next;    // the frame after `frame`; null if not requested
+    std::shared_ptr<const Frame> first;   // frame 1 of the animation
     std::vector<double> fade_ranks = {};  // FadeOrder::ranks; empty unless loop.kind is "flow"
 
     /// Returns the input of FrameLayers, which borrows this state and the cross-fade. `distance`
     /// lists the images of the distance field that the maps need.
     FrameInput input(const DistanceNeeds& distance, const CrossFade* fade = nullptr) const {
-        return {*frame, *record, next.get(), distance, fade};
+        return {*frame, *record, next.get(), distance, fade, first.get()};
     }
 };
 

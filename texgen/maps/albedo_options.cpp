@@ -30,10 +30,13 @@ Key<AlbedoOptions> colormap_key() {
     return colormap;
 }
 
-constexpr Choices<ColorBy, 4> kColorBys = {{{{"pressure", ColorBy::Pressure},
+constexpr Choices<ColorBy, 5> kColorBys = {{{{"pressure", ColorBy::Pressure},
                                              {"area", ColorBy::Area},
                                              {"sides", ColorBy::Sides},
-                                             {"random", ColorBy::Random}}}};
+                                             {"random", ColorBy::Random},
+                                             {"picture", ColorBy::Picture}}}};
+constexpr Choices<PictureSampling> kPictureSamplings = {
+    {{{"first_frame", PictureSampling::FirstFrame}, {"every_frame", PictureSampling::EveryFrame}}}};
 constexpr Choices<ColorMix> kColorMixes = {
     {{{"blend", ColorMix::Blend}, {"pick", ColorMix::Pick}}}};
 
@@ -43,8 +46,23 @@ Keys<AlbedoOptions> bubble_keys() {
         key("color_by",
             kColorBys,
             "what determines the color of a bubble: its pressure, its area (the mean area has the "
-            "middle color), its number of sides (3 to 9), or a random value that it keeps for life",
+            "middle color), its number of sides (3 to 9), a random value that it keeps for life, "
+            "or the "
+            "mean color of albedo.picture under it",
             &Options::color_by),
+        key("picture",
+            PictureFiles{},
+            "picture that colors bubbles; it is stretched over the torus, or over the bounding box "
+            "of a patch in frame 1",
+            &Options::picture)
+            .with_files(is_picture_name)
+            .used_with("albedo.color_by", {"picture"}),
+        key("picture_sampling",
+            kPictureSamplings,
+            "first_frame: a bubble keeps for life the color under it in frame 1; every_frame: it "
+            "takes the color under it in each frame",
+            &Options::picture_sampling)
+            .used_with("albedo.color_by", {"picture"}),
         colormap_key(),
         key("colors",
             ColorLists{},

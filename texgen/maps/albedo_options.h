@@ -5,6 +5,7 @@
 #include "core/geometry/domain.h"
 #include "texgen/keys/key.h"
 #include "texgen/maps/bubble_pressure.h"
+#include "texgen/pictures/picture_file.h"
 #include "texgen/raster/coords/raster_grid.h"
 
 #include <string>
@@ -20,6 +21,15 @@ enum class ColorBy {
     Area,
     Sides,   // the scale goes from three sides to nine sides
     Random,  // a pseudo-random position on the scale, which a bubble keeps for life
+    // Not a position on the scale: the mean color of a picture under the bubble.
+    Picture,
+};
+
+/// The frame in which a bubble takes its color from a picture.
+enum class PictureSampling {
+    FirstFrame,  // frame 1; a bubble keeps the color for life. Bubbles that are born later take
+                 // the color under them in each frame.
+    EveryFrame,  // each frame: bubbles change their colors when they move
 };
 
 /// The construction of a scale of colors from the list AlbedoOptions::colors.
@@ -50,6 +60,8 @@ struct AlbedoOptions {
     // The largest random change of a bubble's brightness, as a fraction; a bubble keeps its change
     // for life.
     double variation = 0.0;
+    PictureFile picture{};  // the picture of ColorBy::Picture
+    PictureSampling picture_sampling = PictureSampling::FirstFrame;
     double pressure_low = -0.5;  // pressure at the start of the scale, the same in all frames
     double pressure_high = 0.5;  // pressure at the end of the scale, the same in all frames
     PressureUnit pressure_unit = PressureUnit::Current;  // unit of both pressures

@@ -6,6 +6,7 @@
 #include "texgen/maps/bubble_pressure.h"
 #include "texgen/maps/color_scale.h"
 #include "texgen/maps/identity_number.h"
+#include "texgen/maps/picture_color.h"
 
 #include <fmt/core.h>
 
@@ -76,6 +77,18 @@ ColorScale color_scale(const AlbedoOptions& options) {
     };
 }
 
+// Returns the color at the position of every bubble on the scale.
+PerBubble<LinearRgb> scale_colors(const Frame& frame,
+                                  const FoamRecord& record,
+                                  const AlbedoOptions& options) {
+    const ColorScale scale = color_scale(options);
+    PerBubble<LinearRgb> colors;
+    for (const double position : scale_positions(frame, record, options)) {
+        colors.push_back(scale(position));
+    }
+    return colors;
+}
+
 }  // namespace
 
 PerBubble<double> scale_positions(const Frame& frame,
@@ -95,16 +108,18 @@ PerBubble<double> scale_positions(const Frame& frame,
 
 PerBubble<LinearRgb> cell_colors(const Frame& frame,
                                  const FoamRecord& record,
-                                 const AlbedoOptions& options) {
-    const ColorScale scale = color_scale(options);
-    const PerBubble<double> positions = scale_positions(frame, record, options);
+                                 const AlbedoOptions& options,
+                                 const Frame* first) {
+    PerBubble<LinearRgb> colors =
+        options.color_by == ColorBy::Picture
+            ? picture_colors(frame, first != nullptr ? *first : frame, options)
+            : scale_colors(frame, record, options);
     const PerBubble<double> numbers = numbers_of(frame, IdentityStream::Second);
-    PerBubble<LinearRgb> colors;
-    for (std::size_t k = 0; k < positions.size(); ++k) {
-        const LinearRgb color = scale(positions[k]);
+    for (std::size_t k = 0; k < colors.size(); ++k) {
+        const LinearRgb color = colors[k];
         const double light = 1.0 + options.variation * (2.0 * numbers[k] - 1.0);
         const auto lit = [light](double part) { return std::clamp(light * part, 0.0, 1.0); };
-        colors.push_back({lit(color.r), lit(color.g), lit(color.b)});
+        colors[k] = {lit(color.r), lit(color.g), lit(color.b)};
     }
     return colors;
 }

@@ -13,18 +13,23 @@ namespace foam::texgen {
 /// Returns the position of every bubble on the scale of options.color_by: 0 is the start of the
 /// scale, 1 its end. Pressures, areas and numbers of sides are averages over recent frames if the
 /// record has them (shown_values). Pressures and numbers of sides beyond the scale have positions
-/// outside [0, 1]. Throws std::invalid_argument if options.color_by is Pressure and pressure_low is
-/// not below pressure_high.
+/// outside [0, 1]. With ColorBy::Picture, positions are those of ColorBy::Random. Throws
+/// std::invalid_argument if options.color_by is Pressure and pressure_low is not below
+/// pressure_high.
 PerBubble<double> scale_positions(const Frame& frame,
                                   const FoamRecord& record,
                                   const AlbedoOptions& options);
 
-/// Returns the color of every bubble: the color at its position on the scale, times a factor.
-/// Positions are clamped to [0, 1]. The factor differs from 1 by at most options.variation, and a
-/// bubble keeps it for life. Throws std::invalid_argument if a color of options.colors is invalid,
-/// or if that list is empty and the color map is unknown. Also throws as scale_positions does.
+/// Returns the color of every bubble: the color at its position on the scale, or that of a picture
+/// under it (picture_colors), times a factor. Positions are clamped to [0, 1]. The factor differs
+/// from 1 by at most options.variation, and a bubble keeps it for life. Throws
+/// std::invalid_argument if a color of options.colors is invalid, if that list is empty and the
+/// color map is unknown, or if there is no picture although options.color_by is Picture. Also
+/// throws as scale_positions does. `first` is frame 1, which only ColorBy::Picture uses; if it is
+/// null, the frame itself takes its place.
 PerBubble<LinearRgb> cell_colors(const Frame& frame,
                                  const FoamRecord& record,
-                                 const AlbedoOptions& options);
+                                 const AlbedoOptions& options,
+                                 const Frame* first = nullptr);
 
 }  // namespace foam::texgen

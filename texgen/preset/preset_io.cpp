@@ -149,6 +149,16 @@ void check_aspect(const Preset& preset, std::span<const Assignment> assignments)
     }
 }
 
+// Checks that there is a picture if bubbles take their colors from one.
+void check_picture(const Preset& preset, std::span<const Assignment> assignments) {
+    const AlbedoOptions& albedo = preset.maps.albedo;
+    if (albedo.color_by == ColorBy::Picture && !albedo.picture.is_set()) {
+        reject_last(assignments,
+                    {"albedo.picture", "albedo.color_by"},
+                    "albedo.color_by = \"picture\" needs albedo.picture, the path of a picture");
+    }
+}
+
 }  // namespace
 
 void assign(Preset& preset, std::span<const Assignment> assignments) {
@@ -158,6 +168,7 @@ void assign(Preset& preset, std::span<const Assignment> assignments) {
     check_conditions(preset, assignments);
     check_upper_limits(preset, assignments);
     check_aspect(preset, assignments);
+    check_picture(preset, assignments);
     check_events(preset, assignments);
     check_loop(preset, assignments);
 }

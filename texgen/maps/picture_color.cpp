@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/maps/picture_color.h"
+
+#include "core/foam/polygon_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <unordered_map>
+#include <vector>
+
+// A bubble is sampled as a polygon: each arc is replaced by kChordsPerArc chords.
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr int kChordsPerArc = 4;
+constexpr int kCircleCorners = 24;              // of the polygon of a lone bubble
+constexpr double kFinestSpacing = 1.0 / 512.0;  // of samples, relative to the longer side
+
+using Polygon = std::vector<Vec2>;
+
+// Returns the polygon of a bubble of the network. On a torus it is in the plane, not wrapped.
+Polygon polygon_of(const Frame& frame, BubbleId bubble) {
+    Polygon polygon;
+    const HalfEdgeId first = frame.network.first(bubble);
+    Vec2 corner = frame.positions[frame.network.tail(first)];
+    HalfEdgeId h = first;
+    do {
+        const FilmArc arc = frame.arc(h);
+        for (int k = 0; k < kChordsPerArc; ++k) {
+            polygon.push_back(corner + point_at(arc, static_cast<double>(k) / kChordsPerArc));
+        }
+        corner += arc.chord;
+        h = frame.network.next(h);
+    } while (h != first);
+    return polygon;
+}
+
+Polygon polygon_of(const LoneBubble& bubble) {
+    Polygon polygon;
+    const double radius = std::sqrt(bubble.target_area / std::numbers::pi);
+    for (int k = 0; k < kCircleCorners; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / kCircleCorners;
+        polygon.push_back(bubble.center + radius * unit_vector(angle));
+    }
+    return polygon;
+}
+
+PerBubble<Polygon> polygons_of(const Frame& frame) {
+    return per_bubble<Polygon>(
+        frame,
+        [&](BubbleId bubble) { return polygon_of(frame, bubble); },
+        [](const LoneBubble& bubble) { return polygon_of(bubble); });
+}
+
+// A picture, stretched over a rectangle of the plane and repeated periodically.
+class PlacedPicture {
+  public:
+    PlacedPicture(const SourcePicture& picture, const Vec2& low, const Vec2& size)
+        : picture_(picture), low_(low), size_(size) {
+        const double pixel = std::min(size.x() / picture.width(), size.y() / picture.height());
+        spacing_ = std::max(pixel, kFinestSpacing * size.maxCoeff());
+    }
+
+    // Returns the mean color over a polygon.
+    LinearRgb mean_over(const Polygon& polygon) const {
+        LinearRgb sum;
+        double total = 0.0;
+        visit_polygon_samples(polygon, spacing_, [&](const Vec2& point, double weight) {
+            const LinearRgb color = at(point);
+            sum = {sum.r + weight * color.r, sum.g + weight * color.g, sum.b + weight * color.b};
+            total += weight;
+        });
+        return total > 0.0 ? LinearRgb{sum.r / total, sum.g / total, sum.b / total}
+                           : at(polygon.front());
+    }
+
+  private:
+    LinearRgb at(const Vec2& point) const {
+        const Vec2 place = (point - low_).cwiseQuotient(size_);
+        return color_on_white(pixel_of(
+            picture_, pixel(place.x(), picture_.width()), pixel(place.y(), picture_.height())));
+    }
+    // Returns the pixel at a place, which counts in widths or heights of the picture.
+    static int pixel(double place, int pixels) {
+        return std::min(static_cast<int>((place - std::floor(place)) * pixels), pixels - 1);
+    }
+
+    const SourcePicture& picture_;
+    Vec2 low_;
+    Vec2 size_;
+    double spacing_ = 0.0;
+};
+
+// Places a picture on the torus, or on the bounding box of the patch.
+PlacedPicture placed(const SourcePicture& picture, const Frame& frame) {
+    if (!frame.domain.is_plane()) {
+        return {picture, {0.0, 0.0}, {frame.domain.width, frame.domain.height}};
+    }
+    std::optional<Vec2> low;
+    Vec2 high{0.0, 0.0};
+    for (const Polygon& polygon : polygons_of(frame)) {
+        for (const Vec2& corner : polygon) {
+            high = low ? high.cwiseMax(corner).eval() : corner;
+            low = low ? low->cwiseMin(corner).eval() : corner;
+        }
+    }
+    const Vec2 origin = low.value_or(Vec2(0.0, 0.0));
+    const Vec2 size = low ? Vec2(high - origin) : Vec2(1.0, 1.0);
+    return {picture, origin, size};
+}
+
+}  // namespace
+
+PerBubble<LinearRgb> picture_colors(const Frame& frame,
+                                    const Frame& first,
+                                    const AlbedoOptions& options) {
+    if (!options.picture.is_set()) {
+        throw std::invalid_argument("albedo.color_by = \"picture\" needs albedo.picture");
+    }
+    const PlacedPicture picture = placed(*options.picture.picture, first);
+    std::unordered_map<BubbleIdentity, LinearRgb> known;
+    if (options.picture_sampling == PictureSampling::FirstFrame) {
+        const PerBubble<Polygon> polygons = polygons_of(first);
+        const PerBubble<BubbleIdentity> identities = identities_of(first);
+        for (std::size_t k = 0; k < polygons.size(); ++k) {
+            known.emplace(identities[k], picture.mean_over(polygons[k]));
+        }
+    }
+    const PerBubble<Polygon> polygons = polygons_of(frame);
+    const PerBubble<BubbleIdentity> identities = identities_of(frame);
+    PerBubble<LinearRgb> colors;
+    colors.reserve(polygons.size());
+    for (std::size_t k = 0; k < polygons.size(); ++k) {
+        const auto found = known.find(identities[k]);
+        colors.push_back(found != known.end() ? found->second : picture.mean_over(polygons[k]));
+    }
+    return colors;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/frame.h"
+#include "texgen/image/color.h"
+#include "texgen/maps/albedo_options.h"
+#include "texgen/maps/per_bubble.h"
+
+namespace foam::texgen {
+
+/// Returns the mean color of options.picture under every bubble, in the frame that
+/// options.picture_sampling selects. The picture is stretched over the torus, or over the bounding
+/// box of the patch in frame 1. The color of a bubble is the mean of samples in linear light, at
+/// most a pixel of the picture or 1/512 of its longer side apart, so that colors do not depend on
+/// the size of the image. `first` is frame 1. Transparent parts of the picture are white. Throws
+/// std::invalid_argument if there is no picture.
+PerBubble<LinearRgb> picture_colors(const Frame& frame,
+                                    const Frame& first,
+                                    const AlbedoOptions& options);
+
+}  // namespace foam::texgen
