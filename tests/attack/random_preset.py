@@ -21,7 +21,7 @@ POLYGONS = ["disc", "rectangle", "POLYGON((0 0, 4 0, 4 3, 0 3))", "POLYGON((0 0,
 PATTERNS = ["out/{map}.####.png", "out/{map}.####.png", "out/{map}.%04d.exr", "out/{preset}_layers.@@@.exr", "out/{map}.png",
             "out/{map}.####.svg", "out/x.####.dxf", "out/x.####.pdf", "out/x.####.csv", "out/x.json"]
 PACKINGS = ["ORM=occlusion,roughness,metallic", "P:16=height,1-roughness,normal.X,0.25", "C=albedo.R,albedo.G,albedo.B,opacity"]
-TEXTS = {"foam.outline": POLYGONS, "output.pattern": PATTERNS, "preset.description": ["", "foam of the caf\u00e9"],
+TEXTS = {"foam.outline": POLYGONS, "foam.density": ["even", "gradient", "radial", "noise"], "albedo.picture": [""], "output.pattern": PATTERNS, "preset.description": ["", "foam of the caf\u00e9"],
          "output.pack": PACKINGS, "output.names": ["albedo=BaseColor", "height=H"],
          "output.sheet_pattern": ["out/{preset}_sheet_{map}", "sheets/{map}"]}
 # Values that these keys get in 70 % of all cases, because their other values exclude many values of other keys.

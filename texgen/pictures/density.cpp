@@ -185,14 +185,6 @@ ToneGrid picture_tones(const DensityOptions& options, bool is_torus) {
     return grid;
 }
 
-std::vector<std::string> picture_endings() {
-    std::vector<std::string> endings;
-    for (const ImageFormat& format : image_formats()) {
-        endings.push_back(fmt::format("*{}", format.suffix));
-    }
-    return endings;
-}
-
 }  // namespace
 
 Keys<DensityOptions> density_keys() {
@@ -227,11 +219,12 @@ Keys<DensityOptions> density_keys() {
             "mirror adds mirror images, so that it appears four times; blend adjusts the tones "
             "near the edges",
             &Options::edges)
-            .used_with("foam.density", picture_endings()),
+            .unused_with("foam.density", {"even", "gradient", "radial", "noise"}),
         key("density_scale",
             Reals{0.5, 100.0},
             "number of features of the noise along the shorter side",
             &Options::noise_scale)
+            .in("features along the shorter side")
             .used_with("foam.density", {"noise"}),
         key("density_seed", Integers{0, kLargestSeed}, "seed of the noise", &Options::noise_seed)
             .used_with("foam.density", {"noise"})};

@@ -65,13 +65,9 @@ Document find_document(const std::string& name_or_path) {
 // document become paths that the program can open.
 std::vector<Assignment> assignments_of(const Document& document) {
     std::vector<Assignment> assignments = read_assignments(document.toml, document.source);
-    for (Assignment& assignment : assignments) {
-        const Key<Preset>* const key = find_key(assignment.key);
-        if (key != nullptr && key->names_file && key->names_file(assignment.value)) {
-            auto& path = std::get<std::string>(assignment.value.data);
-            path = (document.folder / path).lexically_normal().string();
-        }
-    }
+    locate_files(assignments, [&](const std::string& path) {
+        return (document.folder / path).lexically_normal().string();
+    });
     return assignments;
 }
 

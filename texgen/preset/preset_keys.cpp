@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace foam::texgen {
 
@@ -135,6 +136,17 @@ std::string file_hashes(const Preset& preset) {
         text += file.hash + '\n';
     }
     return text;
+}
+
+void locate_files(std::span<Assignment> assignments,
+                  const std::function<std::string(const std::string& path)>& located) {
+    for (Assignment& assignment : assignments) {
+        const Key<Preset>* const key = find_key(assignment.key);
+        if (key != nullptr && key->names_file && key->names_file(assignment.value)) {
+            auto& path = std::get<std::string>(assignment.value.data);
+            path = located(path);
+        }
+    }
 }
 
 bool is_table(std::string_view name) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "texgen/keys/key.h"
+#include "texgen/preset/assignment.h"
 #include "texgen/preset/preset.h"
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +28,11 @@ std::vector<NamedFile> files_of(const Preset& preset);
 /// Returns a text that changes if the content of any of these files changes; empty if there is no
 /// such file.
 std::string file_hashes(const Preset& preset);
+
+/// Replaces the paths of files that assignments name, such as the picture of foam.density, by
+/// located(path). Paths in a preset are relative to the folder of its file.
+void locate_files(std::span<Assignment> assignments,
+                  const std::function<std::string(const std::string& path)>& located);
 
 /// Returns true if `name` is the name of a table that contains keys of a preset.
 bool is_table(std::string_view name);

@@ -109,7 +109,9 @@ PagePreset load_settings(const PageSettings& settings, const StudioFolder& folde
             const std::vector<Assignment> events = read_events(*settings.events);
             assignments.insert(assignments.end(), events.begin(), events.end());
         }
-        assign(loaded.preset, assignments);
+        std::vector<Assignment> located = assignments;
+        locate_files(located, [&](const std::string& path) { return folder.below(path).string(); });
+        assign(loaded.preset, located);
     } catch (const PresetError& error) {
         throw SettingsRejected(error.what(), key_of(error.what(), assignments));
     }

@@ -67,5 +67,10 @@ TEST(Outline, ClipsPolygons) {
     EXPECT_TRUE(clipped(frame, strip(5.0, 6.0)).empty());
 }
 
+TEST(Outline, HasTheAspectOfItsBoundingBox) {
+    EXPECT_DOUBLE_EQ(bounding_aspect(rectangle_outline(3.0)), 3.0);
+    EXPECT_DOUBLE_EQ(bounding_aspect(outline_from_wkt("POLYGON((1 1, 5 1, 1 3))")), 2.0);
+}
+
 }  // namespace
 }  // namespace foam

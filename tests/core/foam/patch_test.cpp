@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
+#include <vector>
 
 namespace foam {
 namespace {
@@ -134,6 +136,25 @@ TEST(SeedPatch, RejectsAnOutlineThatIsTooNarrow) {
                      "has parts too small for a bubble; use more bubbles or a wider outline (two "
                      "random sites are at the same point of the grid; try another seed)");
     }
+}
+
+// A rectangle whose left half has bubbles of a ninth of the area of those on its right: nine of ten
+// bubbles are on the left. Small bubbles are no slivers.
+TEST(Patch, AFieldDecidesTheNumberOfBubblesAndTheirAreas) {
+    PatchOptions options;
+    options.bubbles = 300;
+    options.lloyd_iterations = 3;
+    options.areas = AreaField(2, 1, {1.0, 9.0});
+    const Foam foam = seed_patch(rectangle_outline(2.0), options);
+    EXPECT_TRUE(test::is_valid(foam.network));
+    const std::size_t bubbles = foam.network.bubble_count();
+    EXPECT_NEAR(static_cast<double>(bubbles), 300.0, 30.0);
+    std::vector<double> targets(foam.target_areas.begin(),
+                                foam.target_areas.begin() + static_cast<std::ptrdiff_t>(bubbles));
+    std::ranges::sort(targets);
+    EXPECT_NEAR(targets[bubbles / 10] * 9.0, targets[bubbles - 5], 0.5);
+    const auto small = std::ranges::count_if(targets, [](double area) { return area < 1.5; });
+    EXPECT_NEAR(static_cast<double>(small), 0.9 * static_cast<double>(bubbles), 15.0);
 }
 
 }  // namespace

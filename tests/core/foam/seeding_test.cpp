@@ -190,5 +190,79 @@ TEST(Seeding, OneBubbleMakesNoFoam) {
     EXPECT_THROW(seed_foam(options_for(1, 1)), std::runtime_error);
 }
 
+// The field of a torus whose left half has bubbles a quarter as large as its right half.
+SeedingOptions half_fine(double area_ratio) {
+    SeedingOptions options = options_for(1000, 3);
+    options.aspect = 2.0;
+    options.lloyd_iterations = 4;
+    options.area_ratio = area_ratio;
+    options.areas = AreaField(2, 1, {1.0, 4.0});
+    return options;
+}
+
+double center_of(const Foam& foam, BubbleId bubble) {
+    const Vec2 corner = foam.positions[foam.network.tail(foam.network.first(bubble))];
+    return corner.x();
+}
+
+// With a density of 1 / area, four of five bubbles are on the left. The targets of all bubbles
+// within one half are equal; those on the right are four times as large.
+TEST(Seeding, AFieldDecidesTheNumberOfBubblesAndTheirAreas) {
+    const Foam foam = seed_foam(half_fine(0.0));
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_NEAR(test::total_target(foam), foam.domain.area(), 1e-9);
+    const double small = *std::min_element(foam.target_areas.begin(), foam.target_areas.end());
+    EXPECT_NEAR(small, 0.625, 0.05);
+    int left = 0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const double x = center_of(foam, bubble) / foam.domain.width;
+        left += x < 0.5 ? 1 : 0;
+        if (x > 0.1 && x < 0.4) {
+            EXPECT_NEAR(foam.target_areas[bubble], small, 1e-9);
+        }
+        if (x > 0.6 && x < 0.9) {
+            EXPECT_NEAR(foam.target_areas[bubble], 4.0 * small, 1e-9);
+        }
+    }
+    EXPECT_NEAR(left, 800, 40);
+}
+
+// Targets relative to the field span the ratio. Bubbles across the border have areas between.
+TEST(Seeding, AreasSpreadAroundTheField) {
+    const Foam foam = seed_foam(half_fine(9.0));
+    double smallest = 1e9;
+    double largest = 0.0;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const double x = center_of(foam, bubble) / foam.domain.width;
+        if (x > 0.1 && x < 0.4) {
+            smallest = std::min(smallest, foam.target_areas[bubble]);
+            largest = std::max(largest, foam.target_areas[bubble]);
+        }
+    }
+    EXPECT_NEAR(largest / smallest, 9.0, 0.3);
+}
+
+// Lloyd's algorithm makes the areas of cells follow the field more closely than random sites do.
+TEST(Seeding, WeightedLloydIterationsKeepTheDensity) {
+    SeedingOptions options = half_fine(0.0);
+    options.lloyd_iterations = 30;
+    const Foam foam = seed_foam(options);
+    std::vector<double> relative;
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const double x = center_of(foam, bubble) / foam.domain.width;
+        if ((x > 0.1 && x < 0.4) || (x > 0.6 && x < 0.9)) {
+            relative.push_back(bubble_area(foam, bubble) / foam.target_areas[bubble]);
+        }
+    }
+    EXPECT_LT(variance(relative), 0.02);
+    options.lloyd_iterations = 0;
+    const Foam random = seed_foam(options);
+    relative.clear();
+    for (const BubbleId bubble : random.network.bubbles()) {
+        relative.push_back(bubble_area(random, bubble) / random.target_areas[bubble]);
+    }
+    EXPECT_GT(variance(relative), 0.15);
+}
+
 }  // namespace
 }  // namespace foam

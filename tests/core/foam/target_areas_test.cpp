@@ -45,5 +45,28 @@ TEST(ScaleToTotal, ScalesAllAreasAlike) {
     EXPECT_EQ(areas, (std::vector<double>{2.0, 6.0}));
 }
 
+TEST(SetTargetAreas, KeepsTheAreasWithoutAFieldOrARatio) {
+    std::vector<double> areas{5.0, 1.0, 3.0};
+    set_target_areas(areas, {}, 0.0);
+    EXPECT_EQ(areas, (std::vector<double>{5.0, 1.0, 3.0}));
+}
+
+TEST(SetTargetAreas, TakesTheAreasOfTheField) {
+    std::vector<double> areas{5.0, 1.0, 3.0};
+    const std::vector<double> field{2.0, 4.0, 8.0};
+    set_target_areas(areas, field, 0.0);
+    EXPECT_EQ(areas, field);
+}
+
+// Relative to the field, the areas are 2.5, 0.25 and 1: their ranks are last, first and second.
+TEST(SetTargetAreas, SpreadsAreasRelativeToTheField) {
+    std::vector<double> areas{5.0, 1.0, 8.0};
+    const std::vector<double> field{2.0, 4.0, 8.0};
+    set_target_areas(areas, field, 100.0);
+    EXPECT_DOUBLE_EQ(areas[0], 200.0);
+    EXPECT_DOUBLE_EQ(areas[1], 4.0);
+    EXPECT_DOUBLE_EQ(areas[2], 80.0);
+}
+
 }  // namespace
 }  // namespace foam

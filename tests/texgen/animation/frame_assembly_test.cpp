@@ -49,13 +49,13 @@ std::vector<Shown> assembled(const Preset& preset,
 
 // The effort of state k is k T1s. The effort of a frame is the sum since the frame before it.
 TEST(FrameAssembly, HandsOutFramesWithTheEffortSinceTheLast) {
-    EXPECT_EQ(assembled({}, {2, 5}, NextFrames::Omitted, {2, 5}),
-              (std::vector<Shown>{{2, 0, 2}, {5, 0, 5}}));
+    EXPECT_EQ(assembled({}, {2, 5}, NextFrames::Omitted, {1, 2, 5}),
+              (std::vector<Shown>{{2, 0, 3}, {5, 0, 5}}));
 }
 
 TEST(FrameAssembly, TheNextFrameNeedsAStateMore) {
-    EXPECT_EQ(assembled({}, {2, 4}, NextFrames::Included, {2, 3, 4, 5}),
-              (std::vector<Shown>{{2, 3, 2}, {4, 5, 7}}));
+    EXPECT_EQ(assembled({}, {2, 4}, NextFrames::Included, {1, 2, 3, 4, 5}),
+              (std::vector<Shown>{{2, 3, 3}, {4, 5, 7}}));
 }
 
 TEST(FrameAssembly, APatchNeedsItsFirstState) {
@@ -72,6 +72,18 @@ TEST(FrameAssembly, APingPongShowsStatesAgain) {
     EXPECT_EQ(
         assembled(preset, {1, 2, 3, 4, 5, 6}, NextFrames::Omitted, {1, 2, 3, 4}),
         (std::vector<Shown>{{1, 0, 1}, {2, 0, 2}, {6, 0, 0}, {3, 0, 3}, {5, 0, 0}, {4, 0, 4}}));
+}
+
+// Some maps show colors of frame 1, so that every frame has it.
+TEST(FrameAssembly, EveryFrameHasFrameOne) {
+    std::vector<int> firsts;
+    FrameAssembly assembly({}, {2, 3}, NextFrames::Omitted, [&](const SimulatedFrame& frame) {
+        firsts.push_back(frame.first->number);
+    });
+    for (const int state : assembly.states()) {
+        assembly.add(state_of(state));
+    }
+    EXPECT_EQ(firsts, (std::vector<int>{1, 1}));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -71,6 +73,41 @@ TEST(Seed, ATorusThatHoldsNoFoamIsABadRequest) {
     } catch (const std::invalid_argument& error) {
         EXPECT_EQ(std::string(error.what()).find("foam.bubbles: cannot seed 1 bubbles"), 0U);
     }
+}
+
+// The density `gradient` is dark in the middle of the height of a torus, and at the bottom of a
+// patch. Areas differ by the ratio of the density.
+TEST(Seed, ADensityMakesBubblesSmallWhereItIsDark) {
+    Preset preset = preset_of(FoamKind::Torus);
+    preset.seeding.bubbles = 400;
+    preset.density.source.name = "gradient";
+    preset.density.ratio = 16.0;
+    const Foam foam = seeded_foam(preset);
+    const auto [smallest, largest] =
+        std::minmax_element(foam.target_areas.begin(), foam.target_areas.end());
+    EXPECT_GT(*largest / *smallest, 8.0);
+    EXPECT_LT(*largest / *smallest, 16.1);
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        const JunctionId corner = foam.network.tail(foam.network.first(bubble));
+        const double height = foam.positions[corner].y() / foam.domain.height;
+        if (std::abs(height - 0.5) < 0.1) {
+            EXPECT_LT(foam.target_areas[bubble], 1.0);
+        }
+    }
+    preset.shape.kind = FoamKind::Patch;
+    preset.shape.outline = "rectangle";
+    const Foam patch = seeded_foam(preset);
+    double low = 0.0;
+    double high = 0.0;
+    for (const JunctionId junction : patch.network.junctions()) {
+        const double y = patch.positions[junction].y();
+        low += y < 0.0 ? 1.0 : 0.0;
+        high += y < 0.0 ? 0.0 : 1.0;
+    }
+    EXPECT_GT(high, 0.0);
+    // The mean of the junctions is at y = 0; below it, where bubbles are small, there is less
+    // space.
+    EXPECT_GT(low, high);
 }
 
 }  // namespace

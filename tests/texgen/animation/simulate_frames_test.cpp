@@ -115,9 +115,9 @@ TEST(SimulateFrames, APingpongReversesAtItsMiddle) {
 TEST(FrameAssembly, NeedsTheStatesOfItsFramesAndThoseAfterThem) {
     Preset preset;
     EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::Omitted, {}).states(),
-              (std::vector<int>{2, 3, 5}));
+              (std::vector<int>{1, 2, 3, 5}));
     EXPECT_EQ(FrameAssembly(preset, {5, 2, 3}, NextFrames::Included, {}).states(),
-              (std::vector<int>{2, 3, 4, 5, 6}));
+              (std::vector<int>{1, 2, 3, 4, 5, 6}));
     preset.loop.kind = LoopKind::PingPong;
     preset.frames.count = 6;
     EXPECT_EQ(FrameAssembly(preset, {5, 6}, NextFrames::Included, {}).states(),

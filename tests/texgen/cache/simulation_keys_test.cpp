@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,18 @@ TEST(SimulationKeys, AChangedPresetNamesTheKey) {
     with_event.events.push_back({});
     EXPECT_EQ(rejection(preset, with_event).find("key 'event': must be the same as in the cache"),
               0U);
+}
+
+// A cache made with another picture under the same name belongs to another simulation.
+TEST(SimulationKeys, TheHashDependsOnTheContentOfThePictureOfTheDensity) {
+    Preset preset;
+    preset.density.source = {"x.png", {"x.png", std::make_shared<const SourcePicture>(), "1"}};
+    const std::string before = simulation_hash(preset);
+    preset.density.source.picture.hash = "2";
+    EXPECT_NE(simulation_hash(preset), before);
+    preset.density.source.picture.hash = "1";
+    preset.maps.albedo.picture = {"y.png", std::make_shared<const SourcePicture>(), "3"};
+    EXPECT_EQ(simulation_hash(preset), before);
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include "tests/texgen/preset/rejection.h"
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
 #include "texgen/preset/assignment.h"
+#include "texgen/preset/preset_keys.h"
 #include "texgen/preset/shipped_presets.h"
 
 #include <gtest/gtest.h>
@@ -119,6 +121,24 @@ TEST(LoadPreset, AMissingOrBadFileIsNamed) {
     const auto bad = folder.path() / "bad.toml";
     write_text(bad, "[foam]\nbubbles = 1\n");
     EXPECT_EQ(failure(bad.string()).find(bad.string() + ":2: key 'foam.bubbles' = 1: "), 0U);
+}
+
+// A path of a picture is relative to the folder of the preset that names it, also if another preset
+// extends this one.
+TEST(LoadPreset, PicturesAreRelativeToTheFolderOfTheirPreset) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() / "a/pictures");
+    const Image<std::uint8_t> gray(4, 2, 1);
+    write_png(folder.path() / "a/pictures/x.png", gray.view());
+    write_text(folder.path() / "a/base.toml", "[foam]\ndensity = \"pictures/x.png\"\n");
+    write_text(folder.path() / "more.toml", "extends = \"a/base.toml\"\n");
+    const Preset preset = load_preset((folder.path() / "more.toml").string());
+    EXPECT_EQ(preset.density.source.name, (folder.path() / "a/pictures/x.png").string());
+    EXPECT_EQ(preset.density.source.picture.picture->width(), 4);
+    ASSERT_EQ(files_of(preset).size(), 1U);
+    EXPECT_EQ(files_of(preset).front().path, preset.density.source.name);
+    EXPECT_FALSE(file_hashes(preset).empty());
+    EXPECT_EQ(file_hashes(Preset()), "");
 }
 
 }  // namespace

@@ -182,5 +182,12 @@ TEST(PresetIo, TheReferenceHasDefaultMeaningAndLimitsOfEveryKey) {
     EXPECT_NE(reference.find("    only with foam.domain = \"patch\"\n"), std::string::npos);
 }
 
+TEST(PresetIo, ColorsByAPictureNeedAPicture) {
+    EXPECT_EQ(test::rejection_of(
+                  [] { parse_preset("[albedo]\ncolor_by = \"picture\"\n", "x", "x.toml"); }),
+              "x.toml:2: key 'albedo.color_by' = \"picture\": albedo.color_by = \"picture\" needs "
+              "albedo.picture, the path of a picture");
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -2,12 +2,15 @@
 
 #include "texgen/studio/settings.h"
 
+#include "texgen/image/png.h"
 #include "texgen/image/scratch_folder.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/shipped_presets.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 
 namespace foam::texgen {
@@ -122,6 +125,28 @@ TEST(Settings, NotesNameChangesWithoutEffect) {
                           any_folder());
     ASSERT_EQ(described["notes"].size(), 1U);
     EXPECT_NE(std::string(described["notes"][0]).find("loop.amplitude"), std::string::npos);
+}
+
+// Pictures are read only below the folder of the studio.
+TEST(Settings, PicturesAreBelowTheFolder) {
+    const ScratchFolder place;
+    std::filesystem::create_directory(place.path() / "inside");
+    const Image<std::uint8_t> pixel(1, 1, 1);
+    write_png(place.path() / "inside/x.png", pixel.view());
+    write_png(place.path() / "outside.png", pixel.view());
+    const StudioFolder folder(place.path() / "inside");
+    const PageSettings settings{.preset = "sea_foam", .set = {"foam.density=x.png"}};
+    EXPECT_TRUE(load_settings(settings, folder).preset.density.source.picture.is_set());
+    EXPECT_EQ(load_settings(settings, folder).assignments.front().value,
+              Value{std::string("x.png")});
+    EXPECT_THROW(
+        load_settings({.preset = "sea_foam", .set = {"foam.density=../outside.png"}}, folder),
+        PathRejected);
+    EXPECT_THROW(
+        load_settings({.preset = "sea_foam",
+                       .set = {"albedo.picture=" + (place.path() / "outside.png").string()}},
+                      folder),
+        PathRejected);
 }
 
 }  // namespace
