@@ -49,7 +49,7 @@ struct DensityDomain {
 /// The darkness of every place is first stretched to the range from 0 to 1. The area a then follows
 /// from 1 / sqrt(a), which is linear in the darkness. Lines of a constant width along the films
 /// cover a part of each place that is proportional to 1 / sqrt(a), so that a foam of dark films on
-/// a light ground has the tones of the picture. The darkness is 1 - lightness_of the color on
+/// a light ground has the tones of the picture. The darkness is 1 - luminance_of the color on
 /// white.
 std::optional<AreaField> area_field_of(const DensityOptions& options, const DensityDomain& domain);
 

@@ -128,9 +128,8 @@ LinearRgb color_on_white(const SourcePixel& pixel) {
     return mixed({1.0, 1.0, 1.0}, pixel.color, pixel.opacity);
 }
 
-double lightness_of(const LinearRgb& color) {
-    return linear_to_srgb(
-        std::clamp(0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b, 0.0, 1.0));
+double luminance_of(const LinearRgb& color) {
+    return std::clamp(0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b, 0.0, 1.0);
 }
 
 SourcePicture source_picture_of(const Picture& picture, const std::filesystem::path& path) {

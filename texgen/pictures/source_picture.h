@@ -33,9 +33,9 @@ SourcePixel pixel_of(const SourcePicture& picture, int x, int y);
 /// Returns the color of a pixel on white paper: transparent parts show the paper.
 LinearRgb color_on_white(const SourcePixel& pixel);
 
-/// Returns the lightness of a color as people see it, from 0 (black) to 1 (white): the relative
-/// luminance with the weights of ITU-R BT.709, encoded with the transfer function of sRGB.
-double lightness_of(const LinearRgb& color);
+/// Returns the relative luminance of a color, from 0 (black) to 1 (white), with the weights of
+/// ITU-R BT.709.
+double luminance_of(const LinearRgb& color);
 
 /// Converts a picture to a source picture. Codes count as sRGB, numbers as linear light that is
 /// premultiplied by the opacity. One or two channels are gray; a picture without a channel of

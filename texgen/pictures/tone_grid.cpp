@@ -31,7 +31,7 @@ double mean_darkness(const SourcePicture& picture, int x_begin, int x_end, int y
         }
     }
     const double pixels = static_cast<double>(x_end - x_begin) * (y_end - y_begin);
-    return 1.0 - lightness_of({sum.r / pixels, sum.g / pixels, sum.b / pixels});
+    return 1.0 - luminance_of({sum.r / pixels, sum.g / pixels, sum.b / pixels});
 }
 
 // A line of tones: a row or a column of a grid.

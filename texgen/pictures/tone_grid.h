@@ -30,7 +30,7 @@ struct ToneGrid {
     }
 };
 
-/// Returns the darkness of a picture: 1 - lightness_of its colors on white. Light is averaged over
+/// Returns the darkness of a picture: 1 - luminance_of its colors on white. Light is averaged over
 /// the pixels of each cell, if the picture has more than `most_cells` columns or rows.
 ToneGrid darkness_of(const SourcePicture& picture, int most_cells);
 

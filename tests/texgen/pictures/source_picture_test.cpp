@@ -65,11 +65,10 @@ TEST(SourcePicture, RejectsPicturesWithoutColors) {
     }
 }
 
-// 0.2126 + 0.7152 + 0.0722 = 1; the luminance of green is 0.7152, whose sRGB encoding is 0.8625.
-TEST(SourcePicture, LightnessIsTheEncodedLuminance) {
-    EXPECT_NEAR(lightness_of({1.0, 1.0, 1.0}), 1.0, 1e-12);
-    EXPECT_NEAR(lightness_of({0.0, 1.0, 0.0}), 0.8625, 1e-4);
-    EXPECT_EQ(lightness_of({0.0, 0.0, 0.0}), 0.0);
+TEST(SourcePicture, LuminanceHasTheWeightsOfBt709) {
+    EXPECT_NEAR(luminance_of({1.0, 1.0, 1.0}), 1.0, 1e-12);
+    EXPECT_NEAR(luminance_of({0.0, 1.0, 0.0}), 0.7152, 1e-12);
+    EXPECT_EQ(luminance_of({0.0, 0.0, 0.0}), 0.0);
 }
 
 }  // namespace
