@@ -2,11 +2,13 @@
 
 #include "texgen/preset/preset_keys.h"
 
+#include "texgen/keys/nearest.h"
 #include "texgen/keys/value_kinds.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -114,6 +116,18 @@ std::span<const Key<Preset>> preset_keys() {
 
 const Key<Preset>* find_key(std::string_view path) {
     return find_key(preset_keys(), path);
+}
+
+std::string_view nearest_key(std::string_view path) {
+    const std::string_view name = path.substr(path.rfind('.') + 1);
+    std::vector<std::string_view> paths;
+    for (const KeyInfo& key : preset_keys()) {
+        if (key.name() == name) {
+            return key.path;
+        }
+        paths.push_back(key.path);
+    }
+    return nearest(path, paths);
 }
 
 bool is_table(std::string_view name) {
