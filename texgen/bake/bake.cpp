@@ -150,7 +150,7 @@ void check_bake(const Preset& preset, const BakeOptions& options) {
         throw std::invalid_argument(
             "at least one frame is needed, and frame numbers must be at least 1");
     }
-    const FilePattern pattern(preset.output.pattern);
+    const FilePattern pattern(preset);
     pattern.check_distinct(options.frames.size(), file_words(preset).size());
     check_vector_files(preset);
     if (!pattern.is_vector()) {

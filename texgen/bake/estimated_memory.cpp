@@ -128,7 +128,7 @@ std::uint64_t estimated_foam_memory(const Preset& preset) {
 }
 
 std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads) {
-    const FilePattern pattern(preset.output.pattern);
+    const FilePattern pattern(preset);
     if (pattern.is_vector()) {
         const auto drawn = std::min(frames, static_cast<std::size_t>(thread_count(threads)));
         return estimated_foam_memory(preset) +

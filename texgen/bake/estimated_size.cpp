@@ -74,10 +74,10 @@ double texture_bytes_per_pixel(const MapTraits& map, const OutputOptions& output
 
 double map_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
     const OutputOptions& output = preset.output;
-    if (FilePattern(output.pattern).format().is_lossy) {
+    if (FilePattern(preset).format().is_lossy) {
         return texture_bytes_per_pixel(map, output);
     }
-    const bool stores_codes = FilePattern(output.pattern).format().samples == FormatSamples::Codes;
+    const bool stores_codes = FilePattern(preset).format().samples == FormatSamples::Codes;
     const double levels =
         !stores_codes && output.exr_layout == ExrLayout::MipLevels ? kMipLevels : 1.0;
     const bool is_raw = stores_codes ? output.png_compression == Compression::None
@@ -102,7 +102,7 @@ double bytes_per_pixel(const DrawnImage& image, const Preset& preset) {
 
 // Returns the sizes of the files of a frame.
 std::vector<std::uint64_t> file_sizes(const Preset& preset) {
-    const FilePattern pattern(preset.output.pattern);
+    const FilePattern pattern(preset);
     if (pattern.is_vector()) {
         return std::vector<std::uint64_t>(
             file_words(preset).size(),

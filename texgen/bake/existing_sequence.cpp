@@ -18,7 +18,7 @@ bool is_digit(char c) {
 }
 
 std::filesystem::path file_of_frame(const FilePattern& pattern, int frame) {
-    return pattern.path({}, {}, frame);
+    return pattern.path({}, frame);
 }
 
 /// Returns the number of the frame whose file has the given path, or nullopt if the pattern gives
@@ -43,14 +43,10 @@ std::optional<int> frame_of(const FilePattern& pattern, const std::filesystem::p
 
 }  // namespace
 
-bool names_presets_or_maps(const FilePattern& pattern) {
-    return pattern.path("a", "a", 1) != pattern.path({}, {}, 1);
-}
-
 std::map<int, std::filesystem::path> existing_sequence(const FilePattern& pattern) {
     namespace fs = std::filesystem;
     std::map<int, fs::path> files;
-    const fs::path folder = pattern.folder({});
+    const fs::path folder = pattern.folder();
     // If the name of a folder contains the frame number, the files are in subfolders of `folder`.
     const bool is_flat = file_of_frame(pattern, 1).parent_path() == folder;
     std::error_code missing;

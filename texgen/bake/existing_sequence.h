@@ -8,13 +8,10 @@
 
 namespace foam::texgen {
 
-/// Returns true if the pattern contains {preset} or {map}.
-bool names_presets_or_maps(const FilePattern& pattern);
-
 /// Returns the existing files of a pattern by frame number. Returns no files if the folder of the
 /// pattern does not exist or cannot be read. Throws std::filesystem::filesystem_error if a
-/// subfolder cannot be read. Precondition: the pattern contains a frame number, but neither
-/// {preset} nor {map}.
+/// subfolder cannot be read. Precondition: the pattern contains a frame number, but not
+/// {map}.
 std::map<int, std::filesystem::path> existing_sequence(const FilePattern& pattern);
 
 }  // namespace foam::texgen

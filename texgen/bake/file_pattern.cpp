@@ -3,6 +3,7 @@
 #include "texgen/bake/file_pattern.h"
 
 #include "texgen/image/format.h"
+#include "texgen/preset/placeholder.h"
 #include "texgen/vector/format.h"
 
 #include <fmt/core.h>
@@ -28,12 +29,25 @@ std::string_view take_run(std::string_view& rest) {
     return take(rest, rest.find_first_not_of(rest.front()));
 }
 
+// Returns the position of the first period of the file name after its first character and outside
+// of braces. Precondition: the file name has a suffix.
+std::size_t first_period(std::string_view pattern) {
+    std::size_t position = pattern.find_last_of('/') + 1;
+    if (pattern[position] != '{') {
+        ++position;
+    }
+    while (pattern[position] != '.') {
+        position = pattern[position] == '{' ? pattern.find('}', position) : position + 1;
+        position = std::min(position, pattern.rfind('.'));
+    }
+    return position;
+}
+
 // Returns the pattern of a format with several tables with {map} in it.
 std::string with_table(std::string_view pattern) {
     std::string complete(pattern);
     if (pattern.ends_with(".csv") && pattern.find("{map}") == std::string_view::npos) {
-        const std::size_t name = complete.find_last_of('/') + 1;
-        complete.insert(complete.find('.', name + 1), "_{map}");
+        complete.insert(first_period(pattern), "_{map}");
     }
     return complete;
 }
@@ -44,21 +58,32 @@ std::string padded(int number, int digits) {
 
 }  // namespace
 
+FilePattern::FilePattern(const Preset& preset)
+    : FilePattern(preset.output.pattern,
+                  [&](std::string_view name) { return placeholder_text(preset, name); }) {}
+
 FilePattern::FilePattern(std::string_view pattern)
+    : FilePattern(pattern, [](std::string_view name) -> std::string {
+          throw std::invalid_argument(
+              fmt::format("unknown placeholder '{{{}}}'; must be {{map}}", name));
+      }) {}
+
+FilePattern::FilePattern(std::string_view pattern, const Placeholders& placeholders)
     : pattern_(pattern), format_(find_format(pattern)) {
     if (format_ == nullptr && find_vector_format(pattern) == nullptr) {
         reject(fmt::format("must end in {}, or in {}", format_suffixes(), vector_suffixes()));
     }
     const std::string complete = with_table(pattern);
     for (std::string_view rest = complete; !rest.empty();) {
-        pieces_.push_back(take_piece(rest));
+        pieces_.push_back(take_piece(rest, placeholders));
     }
 }
 
-FilePattern::Piece FilePattern::take_piece(std::string_view& rest) const {
+FilePattern::Piece FilePattern::take_piece(std::string_view& rest,
+                                           const Placeholders& placeholders) const {
     switch (rest.front()) {
         case '{':
-            return take_word(rest);
+            return take_word(rest, placeholders);
         case '%':
             return take_format(rest);
         case '#': {
@@ -75,16 +100,21 @@ FilePattern::Piece FilePattern::take_piece(std::string_view& rest) const {
     }
 }
 
-FilePattern::Piece FilePattern::take_word(std::string_view& rest) const {
+FilePattern::Piece FilePattern::take_word(std::string_view& rest,
+                                          const Placeholders& placeholders) const {
     const std::size_t brace = rest.find('}');
-    const std::string_view word = take(rest, brace == std::string_view::npos ? brace : brace + 1);
-    if (word == "{preset}") {
-        return PresetName{};
+    if (brace == std::string_view::npos) {
+        reject(fmt::format("'{}' has no closing brace", rest));
     }
+    const std::string_view word = take(rest, brace + 1);
     if (word == "{map}") {
         return MapName{};
     }
-    reject(fmt::format("unknown placeholder '{}'; must be {{preset}} or {{map}}", word));
+    try {
+        return placeholders(word.substr(1, word.size() - 2));
+    } catch (const std::invalid_argument& error) {
+        reject(error.what());
+    }
 }
 
 FilePattern::Piece FilePattern::take_format(std::string_view& rest) const {
@@ -125,19 +155,15 @@ void FilePattern::check_distinct(std::size_t frames, std::size_t maps) const {
     }
 }
 
-std::filesystem::path FilePattern::path(std::string_view preset,
-                                        std::string_view map,
-                                        int frame) const {
-    return fill(preset, map, frame);
+std::filesystem::path FilePattern::path(std::string_view map, int frame) const {
+    return fill(map, frame);
 }
 
-std::filesystem::path FilePattern::folder(std::string_view preset) const {
+std::filesystem::path FilePattern::folder() const {
     std::string filled;
     for (const Piece& piece : pieces_) {
         if (const auto* text = std::get_if<std::string>(&piece)) {
             filled += *text;
-        } else if (std::holds_alternative<PresetName>(piece)) {
-            filled += preset;
         } else {
             filled += '_';  // represents any map name or frame number
             break;
@@ -146,13 +172,11 @@ std::filesystem::path FilePattern::folder(std::string_view preset) const {
     return std::filesystem::path(filled).parent_path();
 }
 
-std::string FilePattern::path_pattern(std::string_view preset, std::string_view map) const {
-    return fill(preset, map, std::nullopt);
+std::string FilePattern::path_pattern(std::string_view map) const {
+    return fill(map, std::nullopt);
 }
 
-std::string FilePattern::fill(std::string_view preset,
-                              std::string_view map,
-                              std::optional<int> frame) const {
+std::string FilePattern::fill(std::string_view map, std::optional<int> frame) const {
     std::string filled;
     for (const Piece& piece : pieces_) {
         if (const auto* text = std::get_if<std::string>(&piece)) {
@@ -160,7 +184,7 @@ std::string FilePattern::fill(std::string_view preset,
         } else if (const auto* number = std::get_if<FrameNumber>(&piece)) {
             filled += frame ? padded(*frame, number->digits) : number->written;
         } else {
-            filled += std::holds_alternative<PresetName>(piece) ? preset : map;
+            filled += map;
         }
     }
     return filled;

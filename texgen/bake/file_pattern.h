@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,24 +14,32 @@
 namespace foam::texgen {
 
 struct ImageFormat;
+struct Preset;
 struct VectorFormat;
 
 /// Names the files of a bake. A pattern may contain these placeholders:
 ///
-///     {preset}  the name of the preset
-///     {map}     the name of the map, or of the table or drawing in a vector file
-///     #         the frame number in four digits
-///     ## ###    the frame number in as many digits as there are characters
-///     @ @@      the frame number in as many digits as there are characters
-///     %04d %d   the frame number as in C's printf, with a width of at most 9
+///     {map}             the name of the map, or of the table or drawing in a vector file
+///     {preset} {seed}   values of the preset; its other placeholders are {size} and the keys, such
+///                       as {foam.bubbles} (placeholder_text in preset/placeholder.h)
+///     #                 the frame number in four digits
+///     ## ###            the frame number in as many digits as there are characters
+///     @ @@              the frame number in as many digits as there are characters
+///     %04d %d           the frame number as in C's printf, with a width of at most 9
 ///
 /// Shorter numbers get leading zeros; longer numbers are written in full. If the pattern of a
 /// format with several tables (CSV) has no {map}, "_{map}" is inserted before the first period of
-/// the file name.
+/// the file name, outside of braces.
 class FilePattern {
   public:
-    /// Parses a pattern. Throws std::invalid_argument for any other placeholder, or if the pattern
-    /// does not end in the suffix of an image format or of a vector format.
+    /// Parses the pattern of a preset, output.pattern, and replaces the placeholders of the preset
+    /// by its values. Throws std::invalid_argument for an unknown placeholder, for a placeholder
+    /// whose value cannot be a part of a file name, or if the pattern does not end in the suffix of
+    /// an image format or of a vector format.
+    explicit FilePattern(const Preset& preset);
+
+    /// Parses the pattern of files that may be of any preset: {map} is the only placeholder in
+    /// braces. Throws std::invalid_argument as above.
     explicit FilePattern(std::string_view pattern);
 
     /// Returns true if the files are vector files (vector/format.h).
@@ -48,33 +57,37 @@ class FilePattern {
     /// frames and maps.
     void check_distinct(std::size_t frames, std::size_t maps) const;
 
-    /// Returns the path of the file that stores a map of a frame. `preset` and `map` are names.
-    std::filesystem::path path(std::string_view preset, std::string_view map, int frame) const;
+    /// Returns the path of the file that stores a map of a frame. `map` replaces {map}.
+    std::filesystem::path path(std::string_view map, int frame) const;
 
     /// Returns the deepest folder that contains the files of all maps and frames; empty for the
     /// working directory.
-    std::filesystem::path folder(std::string_view preset) const;
+    std::filesystem::path folder() const;
 
     /// Returns the path of a map in which the placeholder of the frame number is not replaced, such
     /// as "out/foam_albedo.####.png".
-    std::string path_pattern(std::string_view preset, std::string_view map) const;
+    std::string path_pattern(std::string_view map) const;
 
   private:
-    struct PresetName {};
+    // Returns the text that replaces a placeholder other than {map}, given without its braces.
+    using Placeholders = std::function<std::string(std::string_view name)>;
+
     struct MapName {};
     struct FrameNumber {
         int digits;
         std::string written;  // the placeholder as it is in the pattern
     };
-    using Piece = std::variant<std::string, PresetName, MapName, FrameNumber>;
+    using Piece = std::variant<std::string, MapName, FrameNumber>;
 
-    Piece take_piece(std::string_view& rest) const;
-    Piece take_word(std::string_view& rest) const;
+    FilePattern(std::string_view pattern, const Placeholders& placeholders);
+
+    Piece take_piece(std::string_view& rest, const Placeholders& placeholders) const;
+    Piece take_word(std::string_view& rest, const Placeholders& placeholders) const;
     Piece take_format(std::string_view& rest) const;
     [[noreturn]] void reject(std::string_view reason) const;
     template <class Alternative>
     bool has() const;
-    std::string fill(std::string_view preset, std::string_view map, std::optional<int> frame) const;
+    std::string fill(std::string_view map, std::optional<int> frame) const;
 
     std::string pattern_;
     const ImageFormat* format_;  // null for vector files

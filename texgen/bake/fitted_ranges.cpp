@@ -38,7 +38,7 @@ struct MeasuredMap {
 // Returns the maps whose automatic ranges a bake needs: the maps that are stored as codes. Packings
 // store codes, or fractions of a range, in every format.
 std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
-    const FilePattern pattern(preset.output.pattern);
+    const FilePattern pattern(preset);
     std::vector<MeasuredMap> measured;
     if (pattern.is_vector()) {
         return measured;

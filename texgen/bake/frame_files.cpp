@@ -79,14 +79,14 @@ bool tiles(const Domain& domain) {
 
 FrameFiles::FrameFiles(const Preset& preset)
     : preset_(preset),
-      pattern_(preset.output.pattern),
+      pattern_(preset),
       images_(pattern_.is_vector() ? std::vector<DrawnImage>() : drawn_images(preset)),
       map_names_(pattern_.is_vector() ? std::vector<std::string>() : source_map_names(preset)),
       metadata_{.frame_rate = FrameRate{preset.output.frames_per_second, 1},
                 .text = texts_of(preset)} {}
 
 std::filesystem::path FrameFiles::path(std::string_view word, int frame) const {
-    return pattern_.path(preset_.name, word, frame);
+    return pattern_.path(word, frame);
 }
 
 std::vector<std::filesystem::path> FrameFiles::paths(int frame) const {

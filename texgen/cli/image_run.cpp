@@ -49,10 +49,9 @@ void print_images(const Preset& preset,
                   const std::vector<int>& frames) {
     for (const std::string& word : file_words(preset)) {
         if (frames.size() == 1) {
-            print_stdout("{}\n", pattern.path(preset.name, word, frames.front()).string());
+            print_stdout("{}\n", pattern.path(word, frames.front()).string());
         } else {
-            print_stdout(
-                "{} {}\n", pattern.path_pattern(preset.name, word), format_frame_range(frames));
+            print_stdout("{} {}\n", pattern.path_pattern(word), format_frame_range(frames));
         }
         if (pattern.stores_all_maps_in_one_file()) {
             return;
@@ -123,7 +122,7 @@ void print_report(const Preset& preset,
 }
 
 std::filesystem::path statistics_folder(const Preset& preset, const FilePattern& pattern) {
-    const std::filesystem::path image = pattern.path(preset.name, file_words(preset).front(), 1);
+    const std::filesystem::path image = pattern.path(file_words(preset).front(), 1);
     return image.parent_path() / (preset.name + "_stats");
 }
 
@@ -146,9 +145,7 @@ BakeSummary bake_images(const Preset& preset,
                         Recorder& recorder) {
     std::function<void(const std::vector<ReplacedFiles>&)> on_replace;
     if (progress.verbosity != Verbosity::Quiet) {
-        on_replace = [&](const std::vector<ReplacedFiles>& replaced) {
-            warn_of_replaced_files(replaced, preset);
-        };
+        on_replace = warn_of_replaced_files;
     }
     try {
         ProgressReporter reporter(progress);
@@ -196,10 +193,10 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
             "--normal-y", arguments.normal_y, "Direction of green in normals: gl (up) or dx (down)")
         ->option_text("gl|dx");
     command
-        .add_option(
-            "--out",
-            arguments.out,
-            "File names: .png .exr .dds .ktx2, .svg .dxf .pdf, .csv .json; {preset}, {map}, ####")
+        .add_option("--out",
+                    arguments.out,
+                    "File names: .png .exr .dds .ktx2, .svg .dxf .pdf, .csv .json; {map}, {seed}, "
+                    "{KEY}, ####")
         ->option_text("PATTERN");
     command
         .add_option(
@@ -256,6 +253,7 @@ ExitCode run_images(const Preset& preset,
                     const ProgressOptions& progress) {
     const Verbosity verbosity = progress.verbosity;
     check_scenes(preset);
+    check_sheets(preset);
     if (verbosity != Verbosity::Quiet) {
         note_unused_normal_y(arguments, preset);
         warn_of_full_disk(estimated_size(preset, options.frames), manifest_folder(preset));
@@ -271,8 +269,8 @@ ExitCode run_images(const Preset& preset,
         written = write_sheets_and_scenes(preset, options, progress);
     }
     if (arguments.stats) {
-        written.statistics = write_statistics(
-            recorder.run(), statistics_folder(preset, FilePattern(preset.output.pattern)));
+        written.statistics =
+            write_statistics(recorder.run(), statistics_folder(preset, FilePattern(preset)));
     }
     if (verbosity != Verbosity::Quiet) {
         note_clipped(summary, preset);
@@ -285,7 +283,7 @@ ExitCode run_images(const Preset& preset,
         return report_failure(summary.outcome);
     }
     if (verbosity != Verbosity::Quiet && !arguments.json) {
-        print_images(preset, FilePattern(preset.output.pattern), options.frames);
+        print_images(preset, FilePattern(preset), options.frames);
         print_files(written.sheets);
         print_files(written.scenes);
         print_files(written.statistics.paths);

@@ -127,18 +127,15 @@ void warn_of_little_memory(std::uint64_t bytes) {
     }
 }
 
-void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced, const Preset& preset) {
+void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced) {
     for (const ReplacedFiles& files : replaced) {
         print_stderr(
             "foamtex: warning: this replaces {} {} of another bake, {}; to keep both, give this "
-            "bake a folder of its own, such as --out '{}_{}x{}_{}/{{map}}.####.png'",
+            "bake a folder of its own, such as --out "
+            "'{{preset}}_{{size}}_{{seed}}/{{map}}.####.png'",
             files.count,
             files.count == 1 ? "image" : "images",
-            name_of(*files.set),
-            preset.name,
-            preset.image.width,
-            preset.image.height,
-            preset.seeding.seed);
+            name_of(*files.set));
     }
 }
 

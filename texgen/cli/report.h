@@ -53,9 +53,9 @@ std::string memory_needed(std::uint64_t bytes);
 void warn_of_little_memory(std::uint64_t bytes);
 
 /// Each element of `replaced` is a set of images of an earlier bake. For each of them, prints a
-/// warning on stderr: the bake of the preset replaces files of this set, and the images of both
+/// warning on stderr: the bake replaces files of this set, and the images of both
 /// bakes can be kept by writing to another folder.
-void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced, const Preset& preset);
+void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the
 /// run failed.

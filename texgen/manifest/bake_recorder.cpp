@@ -20,7 +20,7 @@ constexpr double kMaxSaveFraction = 0.05;
 }  // namespace
 
 std::filesystem::path manifest_folder(const Preset& preset) {
-    return FilePattern(preset.output.pattern).folder(preset.name);
+    return FilePattern(preset).folder();
 }
 
 std::vector<std::string> written_paths(const Preset& preset,

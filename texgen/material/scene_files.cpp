@@ -63,7 +63,7 @@ void check_scenes(const Preset& preset) {
             "output.scene to [] for no scene",
             fmt::join(preset.image.maps, ", ")));
     }
-    const bool can_refer = has_single_images(FilePattern(preset.output.pattern));
+    const bool can_refer = has_single_images(FilePattern(preset));
     for (const std::string& format : preset.output.scene) {
         if (format != kGltf && !can_refer) {
             throw std::invalid_argument(fmt::format(

@@ -90,8 +90,9 @@ Keys<OutputOptions> file_keys() {
                                                          {"none", Compression::None}}}};
     return {key("pattern",
                 Text{},
-                "file names: {preset} and {map} are replaced, #### is the frame number, and the "
-                "suffix decides the format; an EXR without {map} has all maps as layers; .svg, "
+                "file names: {preset}, {map}, {seed}, {size} and keys such as {foam.bubbles} are "
+                "replaced, #### is the frame number, and the suffix decides the format; an EXR "
+                "without {map} has all maps as layers; .svg, "
                 ".dxf and "
                 ".pdf are drawings (table vector), .csv and .json tables of the foam",
                 &OutputOptions::pattern),
@@ -175,7 +176,7 @@ Keys<OutputOptions> sheet_keys() {
                 &OutputOptions::sheets),
             key("sheet_pattern",
                 SheetPatterns{},
-                "paths of these sheets, without suffix: {preset} and {map} are replaced",
+                "paths of these sheets, without suffix, with the placeholders of output.pattern",
                 &OutputOptions::sheet_pattern)
                 .unused_with("output.sheets", {"none"})};
 }

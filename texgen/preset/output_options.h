@@ -49,7 +49,7 @@ struct OutputOptions {
     std::vector<std::string> pack = {};   // packed images (parse_packing in maps/packing.h)
     std::vector<std::string> names = {};  // words for maps in file names (parse_named_map)
     SheetKind sheets = SheetKind::None;
-    // The paths of sheets without a suffix. {preset} and {map} are replaced.
+    // The paths of sheets without a suffix. {map}, {preset} and so on are replaced as in `pattern`.
     std::string sheet_pattern = "out/{preset}_sheet_{map}";
     std::vector<std::string> scene = {};  // the scene files to write; words of scene_formats()
     FileTexts texts = FileTexts::Written;

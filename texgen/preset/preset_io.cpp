@@ -27,21 +27,6 @@ namespace {
 constexpr int kLargestAspect = 16;  // longer side of an image divided by the shorter side
 constexpr std::string_view kEventTable = "event";
 
-// Returns the path that was probably meant by an unknown path. This is the path of a key with the
-// same name in another table or, if there is none, the most similar path. Returns an empty view if
-// no path is similar.
-std::string_view suggestion(std::string_view path) {
-    const std::string_view name = path.substr(path.rfind('.') + 1);
-    std::vector<std::string_view> paths;
-    for (const KeyInfo& key : preset_keys()) {
-        if (key.name() == name) {
-            return key.path;
-        }
-        paths.push_back(key.path);
-    }
-    return nearest(path, paths);
-}
-
 // Checks the value of one assignment and stores it in the preset.
 void assign_one(Preset& preset, const Assignment& assignment) {
     if (is_event_key(assignment.key)) {
@@ -56,7 +41,7 @@ void assign_one(Preset& preset, const Assignment& assignment) {
     if (key == nullptr) {
         reject_unknown(
             assignment,
-            table ? nearest(assignment.key, preset_tables()) : suggestion(assignment.key));
+            table ? nearest(assignment.key, preset_tables()) : nearest_key(assignment.key));
     }
     if (!key->read(assignment.value, preset)) {
         reject_value(assignment, *key);

@@ -2,6 +2,7 @@
 
 #include "texgen/preset/preset_keys.h"
 
+#include "texgen/keys/nearest.h"
 #include "texgen/keys/value_kinds.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -147,6 +149,18 @@ void locate_files(std::span<Assignment> assignments,
             path = located(path);
         }
     }
+}
+
+std::string_view nearest_key(std::string_view path) {
+    const std::string_view name = path.substr(path.rfind('.') + 1);
+    std::vector<std::string_view> paths;
+    for (const KeyInfo& key : preset_keys()) {
+        if (key.name() == name) {
+            return key.path;
+        }
+        paths.push_back(key.path);
+    }
+    return nearest(path, paths);
 }
 
 bool is_table(std::string_view name) {

@@ -8,6 +8,7 @@
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/preset/drawn_images.h"
+#include "texgen/preset/placeholder.h"
 #include "texgen/sheet/array_files.h"
 #include "texgen/sheet/earlier_sheets.h"
 #include "texgen/sheet/flipbook_json.h"
@@ -105,6 +106,17 @@ std::string json_name_of(const std::string& names) {
     return replaced(replaced(names, "_{map}", ""), "{map}", "sheets") + ".json";
 }
 
+// Returns the path of every sheet without suffix, in which {map} stands for the map.
+std::string sheet_pattern(const Preset& preset) {
+    const std::string& pattern = preset.output.sheet_pattern;
+    try {
+        return with_placeholders_filled(preset, pattern);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(
+            fmt::format("output.sheet_pattern = '{}': {}", pattern, error.what()));
+    }
+}
+
 }  // namespace
 
 Flipbook write_flipbook(const BakedSet& set,
@@ -150,11 +162,17 @@ Flipbook write_flipbook(const BakedSet& set,
     return flipbook;
 }
 
+void check_sheets(const Preset& preset) {
+    if (preset.output.sheets != SheetKind::None) {
+        static_cast<void>(sheet_pattern(preset));
+    }
+}
+
 Flipbook write_sheets(const Preset& preset,
                       std::vector<int> frames,
                       const ProgressCallback& on_progress) {
     std::ranges::sort(frames);
-    const std::filesystem::path pattern = preset.output.sheet_pattern;
+    const std::filesystem::path pattern = sheet_pattern(preset);
     FlipbookOptions options{.frames = std::move(frames),
                             .strip = preset.output.sheets == SheetKind::Strip,
                             .array_suffix = array_suffix_of(preset.output.sheets),
@@ -164,8 +182,8 @@ Flipbook write_sheets(const Preset& preset,
         options.words.emplace(image.name(), file_word(preset, image.name()));
     }
     const std::filesystem::path folder = manifest_folder(preset);
-    const std::string to = replaced(pattern.parent_path().string(), "{preset}", preset.name);
-    return write_flipbook(read_manifest(folder).sets.back(), folder, options, to, on_progress);
+    return write_flipbook(
+        read_manifest(folder).sets.back(), folder, options, pattern.parent_path(), on_progress);
 }
 
 }  // namespace foam::texgen

@@ -64,9 +64,14 @@ Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& to,
                         const ProgressCallback& on_progress = {});
 
+/// Checks the names of the sheets before a bake. Throws std::invalid_argument if output.sheets is
+/// not None and a placeholder of output.sheet_pattern is unknown, or has a value that cannot be a
+/// part of a file name (placeholder_text in preset/placeholder.h).
+void check_sheets(const Preset& preset);
+
 /// Joins the frames of a bake of a preset, which has just ended, as output.sheets says. `frames`
 /// are the numbers of the frames. Throws the exceptions of write_flipbook. Precondition:
-/// output.sheets is not None.
+/// output.sheets is not None, and check_sheets does not throw.
 Flipbook write_sheets(const Preset& preset,
                       std::vector<int> frames,
                       const ProgressCallback& on_progress = {});

@@ -86,14 +86,13 @@ Kind common_kind(const std::string& a, const std::string& b) {
 }
 
 FilePattern parse_pattern(const std::string& text) {
-    FilePattern pattern(text);
-    if (names_presets_or_maps(pattern)) {
+    if (text.find('{') != std::string::npos) {
         throw std::invalid_argument(fmt::format(
-            "file name pattern '{}': must contain a frame number, but not {{preset}} or {{map}}; "
+            "file name pattern '{}': must contain a frame number, but no placeholder in braces; "
             "compare folders to compare several maps",
             text));
     }
-    return pattern;
+    return FilePattern(text);
 }
 
 std::vector<ImagePair> pairs_of_range(const std::string& a,
@@ -107,7 +106,7 @@ std::vector<ImagePair> pairs_of_range(const std::string& a,
     std::vector<ImagePair> pairs;
     pairs.reserve(frames.size());
     for (const int frame : frames) {
-        pairs.push_back({left.path({}, {}, frame), right.path({}, {}, frame)});
+        pairs.push_back({left.path({}, frame), right.path({}, frame)});
         pairs.back().frame = frame;
     }
     return pairs;
@@ -135,8 +134,7 @@ std::vector<ImagePair> pairs_of_patterns(const std::string& a, const std::string
     std::vector<ImagePair> pairs;
     visit_keys(
         existing_sequence(left), existing_sequence(right), [&](int frame, Presence presence) {
-            pairs.push_back(
-                {left.path({}, {}, frame), right.path({}, {}, frame), presence, "", frame});
+            pairs.push_back({left.path({}, frame), right.path({}, frame), presence, "", frame});
         });
     return pairs;
 }

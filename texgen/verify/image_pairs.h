@@ -28,7 +28,7 @@ struct ImagePair {
 /// Returns the pairs of images to compare. `a` and `b` are of the same kind:
 ///
 ///     image files      one pair
-///     file patterns    one pair per frame number (FilePattern, without {preset} and {map}); the
+///     file patterns    one pair per frame number (FilePattern, without braces); the
 ///                      name of an existing file is not a pattern
 ///     folders          one pair per path of an image relative to the folder, in all subfolders;
 ///                      if a folder has a manifest, it determines the map and frame of an image

@@ -4,6 +4,7 @@
 
 #include "tests/fuzz/fuzz_target.h"
 #include "texgen/image/format.h"
+#include "texgen/preset/preset.h"
 
 #include <filesystem>
 #include <stdexcept>
@@ -11,23 +12,26 @@
 namespace foam::fuzz {
 
 void fuzz_file_pattern(std::string_view input) {
+    texgen::Preset preset;
+    preset.name = "foam";
+    preset.output.pattern = input;
     const auto pattern =
-        unless_rejected<std::invalid_argument>([&] { return texgen::FilePattern(input); });
+        unless_rejected<std::invalid_argument>([&] { return texgen::FilePattern(preset); });
     if (!pattern) {
         return;
     }
-    const std::filesystem::path first = pattern->path("foam", "albedo", 1);
-    const std::filesystem::path second = pattern->path("foam", "albedo", 23456);
-    require(texgen::find_format(first.native()) == &pattern->format(),
+    const std::filesystem::path first = pattern->path("albedo", 1);
+    const std::filesystem::path second = pattern->path("albedo", 23456);
+    require(pattern->is_vector() || texgen::find_format(first.native()) == &pattern->format(),
             "a file name has the suffix of its format");
-    require(first.native().starts_with(pattern->folder("foam").native()),
+    require(first.native().starts_with(pattern->folder().native()),
             "the folder of the pattern contains each file");
     const bool distinct = unless_rejected<std::invalid_argument>([&] {
                               pattern->check_distinct(2, 1);
                               return true;
                           }).value_or(false);
     require(distinct == (first != second), "check_distinct finds equal names of two frames");
-    pattern->path_pattern("foam", "albedo");
+    pattern->path_pattern("albedo");
 }
 
 }  // namespace foam::fuzz

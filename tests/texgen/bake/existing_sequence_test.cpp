@@ -69,11 +69,5 @@ TEST_F(ExistingSequence, IsEmptyWithoutFiles) {
     EXPECT_EQ(frames({}, "a.####.png"), Frames{});
 }
 
-TEST(NamesPresetsOrMaps, FindsThePlaceholders) {
-    EXPECT_TRUE(names_presets_or_maps(FilePattern("{map}.####.png")));
-    EXPECT_TRUE(names_presets_or_maps(FilePattern("{preset}/####.png")));
-    EXPECT_FALSE(names_presets_or_maps(FilePattern("a.####.png")));
-}
-
 }  // namespace
 }  // namespace foam::texgen

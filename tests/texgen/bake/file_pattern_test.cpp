@@ -3,6 +3,7 @@
 #include "texgen/bake/file_pattern.h"
 
 #include "texgen/image/format.h"
+#include "texgen/preset/preset.h"
 #include "texgen/vector/format.h"
 
 #include <gtest/gtest.h>
@@ -13,13 +14,20 @@
 namespace foam::texgen {
 namespace {
 
+Preset preset_with(const std::string& pattern, const std::string& name = "sea") {
+    Preset preset;
+    preset.name = name;
+    preset.output.pattern = pattern;
+    return preset;
+}
+
 std::string filled(const std::string& pattern, int frame) {
-    return FilePattern(pattern).path("sea", "albedo", frame).string();
+    return FilePattern(preset_with(pattern)).path("albedo", frame).string();
 }
 
 std::string failure(const std::string& pattern, std::size_t frames = 1, std::size_t maps = 1) {
     try {
-        FilePattern(pattern).check_distinct(frames, maps);
+        FilePattern(preset_with(pattern)).check_distinct(frames, maps);
     } catch (const std::invalid_argument& error) {
         return error.what();
     }
@@ -49,19 +57,21 @@ TEST(FilePattern, WiderNumbersAreWrittenInFull) {
 }
 
 TEST(FilePattern, ASequenceKeepsThePlaceholder) {
-    EXPECT_EQ(FilePattern("{preset}/%04d_{map}.@@.png").path_pattern("sea", "height"),
+    EXPECT_EQ(FilePattern(preset_with("{preset}/%04d_{map}.@@.png")).path_pattern("height"),
               "sea/%04d_height.@@.png");
 }
 
 TEST(FilePattern, NamesThatContainPlaceholdersAreNotExpanded) {
-    EXPECT_EQ(FilePattern("{preset}.#.png").path("a{map}#", "m", 1).string(), "a{map}#.0001.png");
+    EXPECT_EQ(FilePattern(preset_with("{preset}.#.png", "a{map}#")).path("m", 1).string(),
+              "a{map}#.0001.png");
+    EXPECT_EQ(filled("{preset}_{map}.#.png", 1), "sea_albedo.0001.png");
 }
 
 TEST(FilePattern, RejectsUnknownPlaceholdersAndOtherFormats) {
-    EXPECT_EQ(
-        failure("{mpa}.#.png"),
-        "file name pattern '{mpa}.#.png': unknown placeholder '{mpa}'; must be {preset} or {map}");
-    EXPECT_NE(failure("{map.png"), "no failure");
+    EXPECT_EQ(failure("{mpa}.#.png"),
+              "file name pattern '{mpa}.#.png': unknown placeholder '{mpa}'; did you mean {map}?");
+    EXPECT_EQ(failure("a{map.png"),
+              "file name pattern 'a{map.png': '{map.png' has no closing brace");
     for (const char* pattern : {"%s.png", "%4d.png", "%.png", "%012d.png", "a%.png", "%0xd.png"}) {
         EXPECT_NE(failure(pattern), "no failure") << pattern;
     }
@@ -96,7 +106,7 @@ TEST(FilePattern, OnlyAnExrHoldsSeveralMaps) {
 // The result does not depend on which maps and frames are baked.
 TEST(FilePattern, FilesLieInTheDeepestFolderThatHoldsThemAll) {
     const auto folder = [](const char* pattern) {
-        return FilePattern(pattern).folder("foam").string();
+        return FilePattern(preset_with(pattern, "foam")).folder().string();
     };
     EXPECT_EQ(folder("out/{preset}_{map}.####.png"), "out");
     EXPECT_EQ(folder("out/{preset}/{map}/####.png"), "out/foam");
@@ -104,6 +114,46 @@ TEST(FilePattern, FilesLieInTheDeepestFolderThatHoldsThemAll) {
     EXPECT_EQ(folder("/####.png"), "/");
     EXPECT_EQ(folder("####.png"), "");
     EXPECT_EQ(folder("deep/a.png"), "deep");
+    EXPECT_EQ(folder("out/{size}/{seed}_{map}.png"), "out/1024");
+}
+
+// The values of a preset are known before the bake, so a pattern replaces them at once.
+TEST(FilePattern, FillsInValuesOfThePreset) {
+    Preset preset = preset_with("out/{seed}/{size}_{foam.bubbles}_{map}.####.png");
+    preset.seeding.seed = 7;
+    preset.seeding.bubbles = 150;
+    preset.image.width = 64;
+    preset.image.height = 32;
+    const FilePattern pattern(preset);
+    EXPECT_EQ(pattern.path("lit", 3), "out/7/64x32_150_lit.0003.png");
+    EXPECT_EQ(pattern.path_pattern("lit"), "out/7/64x32_150_lit.####.png");
+    EXPECT_EQ(pattern.folder(), "out/7");
+}
+
+TEST(FilePattern, ValuesDoNotTellFramesOrMapsApart) {
+    EXPECT_NE(failure("{seed}.png", 2), "no failure");
+    EXPECT_NE(failure("{size}.####.png", 2, 2), "no failure");
+}
+
+// The period in a placeholder or in its value does not begin the suffix.
+TEST(FilePattern, TablesAddTheirNameBeforeTheFirstPeriodOutsideOfBraces) {
+    EXPECT_EQ(filled("a.####.csv", 1), "a_albedo.0001.csv");
+    EXPECT_EQ(filled("{loop.amplitude}.####.csv", 1), "0.3_albedo.0001.csv");
+    EXPECT_EQ(filled("x{loop.amplitude}.csv", 1), "x0.3_albedo.csv");
+    EXPECT_EQ(filled(".hidden.csv", 1), ".hidden_albedo.csv");
+    EXPECT_NE(failure("a{loop.csv"), "no failure");
+}
+
+TEST(FilePattern, WithoutAPresetOnlyTheMapIsAPlaceholder) {
+    EXPECT_EQ(FilePattern("{map}.####.png").path("id", 2), "id.0002.png");
+    try {
+        FilePattern("{preset}.####.png");
+        FAIL() << "accepted";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(),
+                     "file name pattern '{preset}.####.png': unknown placeholder '{preset}'; must "
+                     "be {map}");
+    }
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(ImageFolder, ABakeThatReplacesImagesOfAnotherWarns) {
     EXPECT_EQ(bake(folder, "--size 48 --frames 1"),
               "foamtex: warning: this replaces 1 image of another bake, sea_foam (seed 1, 64 x "
               "64); to keep both, give this bake a folder of its own, such as --out "
-              "'sea_foam_48x48_1/{map}.####.png'\n");
+              "'{preset}_{size}_{seed}/{map}.####.png'\n");
     EXPECT_EQ(bake(folder, "--size 32 --frames 1 -q"), "");
 }
 
