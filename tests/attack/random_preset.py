@@ -23,6 +23,7 @@ POLYGONS = ["disc", "rectangle", "POLYGON((0 0, 4 0, 4 3, 0 3))", "POLYGON((0 0,
 PACKINGS = ["ORM=occlusion,roughness,metallic", "P:16=height,1-roughness,normal.X,0.25", "C=albedo.R,albedo.G,albedo.B,opacity"]
 TEXTS = {"foam.outline": POLYGONS, "foam.density": ["even", "gradient", "radial", "noise"], "albedo.picture": [""], "output.pattern": PATTERNS, "preset.description": ["", "foam of the caf\u00e9"],
          "output.pack": PACKINGS, "output.names": ["albedo=BaseColor", "height=H"],
+         "preset.vary": ["foam.lloyd=0,1,4", "loop.amplitude=0.1..0.4", "dynamics.kappa=0..1:3"],
          "output.sheet_pattern": ["out/{preset}_sheet_{map}", "sheets/{map}"]}
 # Values that these keys get in 70 % of all cases, because their other values exclude many values of other keys.
 USUAL = {"loop.kind": '"none"', "frames.first": '"equilibrium"', "output.pattern": '"out/{map}.####.png"'}

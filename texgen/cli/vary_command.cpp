@@ -8,29 +8,29 @@
 #include "texgen/cli/run_arguments.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/image/file_io.h"
-#include "texgen/image/png.h"
 #include "texgen/maps/all_maps.h"
-#include "texgen/preset/load_preset.h"
-#include "texgen/preset/preset_extension.h"
 #include "texgen/preset/preset_remarks.h"
-#include "texgen/sheet/contact_sheet.h"
+#include "texgen/preset/preset_schema.h"
 #include "texgen/variations/drawn_variations.h"
+#include "texgen/variations/random_variations.h"
 #include "texgen/variations/sweep.h"
 #include "texgen/variations/variation.h"
 #include "texgen/variations/variation_files.h"
+#include "texgen/variations/variation_labels.h"
+#include "texgen/variations/written_variations.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -40,19 +40,23 @@ namespace {
 constexpr const char* kVaryExamples = R"(Examples:
   foamtex vary sea_foam --seeds 1-12
   foamtex vary lava --sweep foam.lloyd=0,1,2,4 --sweep loop.current=0..0.6:4
+  foamtex vary pebbles --random 12 --set foam.bubbles=150
   foamtex vary mine.toml --sweep albedo.colormap=magma,viridis --map albedo --width 400
   foamtex bake out/lava_07.toml                bakes the seventh variation
 0..0.6:4 stands for 4 evenly spaced numbers from 0 to 0.6. In a grid of two sweeps, rows have the
-values of the first one; --seeds is a sweep, too, and comes first. Every variation becomes a preset
-file beside the sheet, which replaces the preset files of an earlier run.)";
+values of the first one; --seeds is a sweep, too, and comes first. --random draws a seed of the foam
+and values of the keys that the preset lists in preset.vary, except those that --set gives. Every
+variation becomes a preset file beside the sheet, which replaces the preset files of an earlier run.)";
 
 constexpr int kLargestWidth = 2048;
-constexpr int kMagnification = 2;  // of labels
+constexpr int kMostVariations = 400;  // of --random
 
 struct VaryArguments {
     RunArguments run;
     std::optional<std::string> seeds;
     std::vector<std::string> sweeps;
+    std::optional<int> random;  // the number of random variations
+    std::optional<std::uint64_t> random_seed;
     std::string map;
     VariationDrawing drawing;
     std::optional<std::filesystem::path> out;
@@ -70,65 +74,36 @@ std::vector<Sweep> sweeps_of(const VaryArguments& arguments) {
     constexpr std::size_t kLargestCount = 2;
     if (sweeps.empty() || sweeps.size() > kLargestCount) {
         throw std::invalid_argument(
-            fmt::format("vary needs one or two sweeps, not {}: --seeds RANGE, --sweep KEY=VALUES",
+            fmt::format("vary needs one or two sweeps, not {}: --seeds RANGE, --sweep KEY=VALUES; "
+                        "or --random COUNT",
                         sweeps.size()));
     }
     return sweeps;
 }
 
-/// Returns the path of a preset as a preset file in a folder names it.
-std::string base_of(const std::string& preset, const std::filesystem::path& folder) {
-    if (!is_preset_path(preset)) {
-        return preset;
+/// Returns the random variations of a preset. The keys that the command line sets do not vary.
+std::vector<Variation> drawn_at_random(const VaryArguments& arguments, const Preset& preset) {
+    RandomDraw draw{.count = *arguments.random};
+    draw.seed = arguments.random_seed.value_or(draw.seed);
+    for (const Assignment& one : assignments_of(arguments.run)) {
+        draw.fixed.insert(one.key);
     }
-    const std::filesystem::path path = std::filesystem::absolute(preset);
-    const std::filesystem::path relative = path.lexically_normal().lexically_relative(
-        std::filesystem::absolute(folder).lexically_normal());
-    return relative.empty() ? path.string() : relative.string();
+    return random_variations(preset, draw);
 }
 
-void write_sheet(const std::vector<Variation>& variations,
-                 const std::vector<DrawnVariation>& drawn,
-                 int columns,
-                 const std::filesystem::path& path) {
-    std::vector<Thumbnail> thumbnails;
-    for (std::size_t k = 0; k < variations.size(); ++k) {
-        Thumbnail& thumbnail = thumbnails.emplace_back();
-        thumbnail.pixels = drawn[k].pixels;
-        thumbnail.labels = variations[k].labels;
-        thumbnail.labels.front() = fmt::format("{}: {}", k + 1, thumbnail.labels.front());
+/// Returns what to draw, and the number of columns of the sheet.
+VariationSet variations_of(const VaryArguments& arguments, const Preset& preset) {
+    VariationSet set{.preset = arguments.run.preset,
+                     .assignments = assignments_of(arguments.run),
+                     .variations = {}};
+    if (arguments.random) {
+        set.variations = drawn_at_random(arguments, preset);
+        return set;
     }
-    const Image<std::uint8_t> sheet =
-        contact_sheet(thumbnails, {.columns = columns, .magnification = kMagnification});
-    write_file(
-        path,
-        encode_png(sheet.view(), {.color = true, .text = {}}, {.compression = Compression::Small}));
-}
-
-/// Returns the text of the preset file of a variation in a folder.
-std::string preset_file(const VaryArguments& arguments,
-                        const Variation& variation,
-                        const std::filesystem::path& folder) {
-    std::vector<Assignment> assignments = assignments_of(arguments.run);
-    assignments.insert(
-        assignments.end(), variation.assignments.begin(), variation.assignments.end());
-    return extending_preset(base_of(arguments.run.preset, folder), assignments);
-}
-
-/// Prints on stderr which variations have no picture. Returns the exit code.
-ExitCode report_failures(const std::vector<Variation>& variations,
-                         const std::vector<DrawnVariation>& drawn) {
-    ExitCode code = ExitCode::Success;
-    for (std::size_t k = 0; k < variations.size(); ++k) {
-        if (drawn[k].outcome.status != RunStatus::Complete) {
-            print_stderr("foamtex: variation {} ({}): {}",
-                         k + 1,
-                         fmt::join(variations[k].labels, ", "),
-                         failure_of(drawn[k].outcome));
-            code = ExitCode::NoEquilibrium;
-        }
-    }
-    return code;
+    const std::vector<Sweep> sweeps = sweeps_of(arguments);
+    set.variations = variations_of(sweeps);
+    set.columns = sweeps.size() == 2 ? static_cast<int>(sweeps.back().values.size()) : 0;
+    return set;
 }
 
 /// Prints a note for each key that has no effect in any variation.
@@ -145,65 +120,92 @@ void print_remarks(const std::vector<Preset>& presets, const std::vector<Variati
     }
 }
 
-/// Removes the files of an earlier run that this run has not replaced.
-void remove_others(const std::vector<std::filesystem::path>& earlier,
-                   const std::vector<std::filesystem::path>& written) {
-    for (const std::filesystem::path& file : earlier) {
-        if (std::ranges::find(written, file) == written.end()) {
-            std::error_code error;
-            std::filesystem::remove(file, error);
-        }
+Json report_of(const WrittenVariation& written) {
+    Json report = json_report(written.outcome);
+    report["number"] = written.number;
+    report["file"] = written.preset ? Json(written.preset->string()) : Json(nullptr);
+    report["assignments"] = Json::object();
+    for (const Assignment& one : written.variation.assignments) {
+        report["assignments"][one.key] = to_json(one.value);
     }
+    return report;
 }
 
 void print(const VaryArguments& arguments,
            const std::string& preset,
-           const std::vector<std::filesystem::path>& files) {
+           const WrittenVariations& written) {
     if (arguments.json) {
         Json report = json_report();
         report["preset"] = preset;
-        report["files"] = path_list(files);
+        report["files"] = path_list(written.files());
+        report["variations"] = Json::array();
+        for (const WrittenVariation& one : written.variations) {
+            report["variations"].push_back(report_of(one));
+        }
         print_json(report);
     } else if (!arguments.run.quiet) {
-        print_files(files);
+        print_files(written.files());
     }
 }
 
-ExitCode run_vary(const VaryArguments& arguments) {
-    const std::vector<Sweep> sweeps = sweeps_of(arguments);
-    const std::vector<Variation> variations = variations_of(sweeps);
-    const Preset base = preset_of(arguments.run);
-    const std::vector<Preset> presets = presets_of(base, variations);
+/// Prints on stderr which variations have no picture. Returns the exit code.
+ExitCode report_failures(const WrittenVariations& written) {
+    ExitCode code = ExitCode::Success;
+    for (const WrittenVariation& one : written.variations) {
+        if (!one.preset) {
+            print_stderr("foamtex: variation {} ({}): {}",
+                         one.number,
+                         label_text(one.variation),
+                         failure_of(one.outcome));
+            code = ExitCode::NoEquilibrium;
+        }
+    }
+    return code;
+}
+
+std::vector<DrawnVariation> draw(const std::vector<Preset>& presets,
+                                 const Preset& base,
+                                 const VaryArguments& arguments) {
     VariationDrawing drawing = arguments.drawing;
     drawing.map = arguments.map.empty() ? base.image.maps.front() : arguments.map;
     drawing.threads = arguments.run.threads;
     find_map(drawing.map);
+    ProgressReporter reporter(progress_options(arguments.run, presets.size()));
+    return draw_variations(presets, drawing, reporter.callback());
+}
+
+ExitCode run_vary(const VaryArguments& arguments) {
+    const Preset base = preset_of(arguments.run);
+    const VariationSet set = variations_of(arguments, base);
+    const std::vector<Preset> presets = presets_of(base, set.variations);
     if (!arguments.run.quiet) {
-        print_remarks(presets, variations);
+        print_remarks(presets, set.variations);
     }
     const std::filesystem::path folder = arguments.out.value_or("out");
     check_writable(folder);
-    const VariationFiles names(folder, base.name, variations.size());
+    const VariationFiles names(folder, base.name, presets.size());
     const std::vector<std::filesystem::path> earlier = names.earlier();
+    const WrittenVariations written =
+        write_variations(set, draw(presets, base, arguments), names, earlier);
+    print(arguments, base.name, written);
+    return report_failures(written);
+}
 
-    const std::vector<DrawnVariation> drawn = [&] {
-        ProgressReporter reporter(progress_options(arguments.run, variations.size()));
-        return draw_variations(presets, drawing, reporter.callback());
-    }();
-    std::vector<std::filesystem::path> files = {names.sheet()};
-    const int columns = sweeps.size() == 2 ? static_cast<int>(sweeps.back().values.size()) : 0;
-    make_folders(folder);
-    write_sheet(variations, drawn, columns, files.front());
-    for (std::size_t k = 0; k < variations.size(); ++k) {
-        if (drawn[k].outcome.status == RunStatus::Complete) {
-            const std::string toml = preset_file(arguments, variations[k], folder);
-            files.push_back(names.preset(k + 1));
-            write_variation(files.back(), toml);
-        }
-    }
-    remove_others(earlier, files);
-    print(arguments, base.name, files);
-    return report_failures(variations, drawn);
+void add_random_options(CLI::App& command, VaryArguments& arguments) {
+    CLI::Option* const random =
+        command
+            .add_option("--random",
+                        arguments.random,
+                        "Number of variations with random values of the keys in preset.vary")
+            ->check(CLI::Range(1, kMostVariations))
+            ->option_text("COUNT");
+    random->excludes("--seeds")->excludes("--sweep");
+    command
+        .add_option("--random-seed",
+                    arguments.random_seed,
+                    "Seed of these random values; another seed gives other values (default: 1)")
+        ->needs(random)
+        ->option_text("N");
 }
 
 void add_vary_options(CLI::App& command, VaryArguments& arguments) {
@@ -216,6 +218,7 @@ void add_vary_options(CLI::App& command, VaryArguments& arguments) {
                     "Values of a key: A,B,C or LOW..HIGH:COUNT; two sweeps make a grid")
         ->allow_extra_args(false)
         ->option_text("KEY=VALUES");
+    add_random_options(command, arguments);
     add_set_option(command, arguments.run);
     command.add_option("--frame", arguments.drawing.frame, "The frame to draw (default: 1)")
         ->check(CLI::Range(1, kLastFrame))

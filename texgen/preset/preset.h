@@ -37,6 +37,8 @@ struct Preset {
     /// in the names of image files.
     std::string name;
     std::string description;
+    // The keys that random variations vary, and their values (parse_varied_key).
+    std::vector<std::string> vary;
     FoamShape shape;
     SeedingOptions seeding;  // `areas` is empty: it follows from `density`
     DensityOptions density;

@@ -9,6 +9,7 @@
 #include "texgen/preset/loop_check.h"
 #include "texgen/preset/preset_keys.h"
 #include "texgen/preset/rejection.h"
+#include "texgen/preset/varied_keys.h"
 
 #include <fmt/format.h>
 
@@ -154,6 +155,7 @@ void assign(Preset& preset, std::span<const Assignment> assignments) {
     check_upper_limits(preset, assignments);
     check_aspect(preset, assignments);
     check_picture(preset, assignments);
+    check_varied_keys(assignments, preset);
     check_events(preset, assignments);
     check_loop(preset, assignments);
 }

@@ -3,12 +3,17 @@
 #include "texgen/preset/preset_keys.h"
 
 #include "texgen/keys/nearest.h"
+#include "texgen/keys/parsed_texts.h"
 #include "texgen/keys/value_kinds.h"
+#include "texgen/preset/key_values.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -90,12 +95,33 @@ Keys<TopologyThresholds> threshold_keys() {
                 .in("square foam units")};
 }
 
+// Parses an item of preset.vary. Throws std::invalid_argument with a message that begins with the
+// item. Whether the key allows the values is checked by check_varied_keys.
+KeyValues parse_item(std::string_view text) {
+    try {
+        return parse_key_values(text);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("'{}': {}", text, error.what()));
+    }
+}
+
+// The keys about the preset itself.
+Keys<Preset> own_keys() {
+    return {key("preset.description",
+                Text{.or_empty = true},
+                "what the preset shows, in one line",
+                &Preset::description),
+            key("preset.vary",
+                ParsedTexts<parse_item>{"a list of texts KEY=VALUES, such as "
+                                        "\"foam.lloyd=0,1,4\" or \"loop.amplitude=0.1..0.4\""},
+                "keys that are worth varying, and good values of them: foamtex vary --random draws "
+                "values from these lists and ranges",
+                &Preset::vary)};
+}
+
 Keys<Preset> all_keys() {
     using P = Preset;
-    return joined({{key("preset.description",
-                        Text{.or_empty = true},
-                        "what the preset shows, in one line",
-                        &P::description)},
+    return joined({own_keys(),
                    nested_keys("foam", &P::shape, shape_keys()),
                    nested_keys("foam", &P::seeding, seeding_keys()),
                    nested_keys("foam", &P::density, density_keys()),

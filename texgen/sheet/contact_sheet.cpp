@@ -6,8 +6,11 @@
 #include "texgen/sheet/label.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -31,6 +34,74 @@ void copy(const Image<std::uint8_t>& from, ImageView<std::uint8_t> to, int left,
     }
 }
 
+// A line below a thumbnail: a part of a label. Its width is that of the text and the colors.
+struct Line {
+    std::string text;
+    std::vector<Srgb8> colors;
+};
+
+// Arranges labels in lines that are not wider than `width`, and draws these lines.
+class LabelWriter {
+  public:
+    LabelWriter(int width, int magnification) : width_(width), magnification_(magnification) {}
+
+    int line_height() const { return kLabelGap + letter_height(); }
+
+    std::vector<Line> lines_of(const std::vector<ThumbnailLabel>& labels) const {
+        std::vector<Line> lines;
+        for (const ThumbnailLabel& label : labels) {
+            for (std::string& text : wrapped_label(label.text, width_, magnification_)) {
+                lines.push_back({std::move(text), {}});
+            }
+            if (width_of({lines.back().text, label.colors}) > width_) {
+                lines.emplace_back();
+            }
+            lines.back().colors = label.colors;
+        }
+        return lines;
+    }
+
+    // Draws a line whose lower left corner is the pixel (left, bottom). Lines are centered.
+    void draw(ImageView<std::uint8_t> sheet, int left, int bottom, const Line& line) const {
+        left += (width_ - width_of(line)) / 2;
+        draw_label(sheet, left, bottom, line.text, kInk, magnification_);
+        left += width_of({line.text, {}}) + gap_of(line);
+        for (const Srgb8 color : line.colors) {
+            fill(sheet, left, bottom, color_width(line.colors.size()), color);
+            left += color_width(line.colors.size());
+        }
+    }
+
+  private:
+    int letter_height() const { return kLetterHeight * magnification_; }
+
+    // Returns the width of each of some colors: that of a square, unless they do not fit.
+    int color_width(std::size_t count) const {
+        return std::clamp(width_ / std::max(static_cast<int>(count), 1), 1, letter_height());
+    }
+
+    // Returns the space between the text and the colors of a line.
+    int gap_of(const Line& line) const {
+        return line.text.empty() || line.colors.empty() ? 0 : kLetterWidth * magnification_;
+    }
+
+    int width_of(const Line& line) const {
+        return label_width(line.text, magnification_) + gap_of(line) +
+               static_cast<int>(line.colors.size()) * color_width(line.colors.size());
+    }
+
+    void fill(ImageView<std::uint8_t> sheet, int left, int bottom, int width, Srgb8 color) const {
+        for (int y = bottom; y < bottom + letter_height(); ++y) {
+            for (int x = left; x < left + width; ++x) {
+                std::ranges::copy(std::array{color.r, color.g, color.b}, sheet.pixel(x, y).data());
+            }
+        }
+    }
+
+    int width_;
+    int magnification_;
+};
+
 }  // namespace
 
 Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails,
@@ -43,22 +114,24 @@ Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails,
     const int columns = layout.columns > 0 ? std::min(layout.columns, count)
                                            : columns_for(thumbnails.size(), first);
     const int rows = (count + columns - 1) / columns;
-    const int line = kLabelGap + kLetterHeight * layout.magnification;
+    const LabelWriter writer(first.width(), layout.magnification);
+    std::vector<std::vector<Line>> lines;
+    std::size_t most_lines = 0;
+    for (const Thumbnail& thumbnail : thumbnails) {
+        lines.push_back(writer.lines_of(thumbnail.labels));
+        most_lines = std::max(most_lines, lines.back().size());
+    }
     const int across = first.width() + kGap;
-    const int down =
-        first.height() + static_cast<int>(thumbnails.front().labels.size()) * line + kGap;
+    const int down = first.height() + static_cast<int>(most_lines) * writer.line_height() + kGap;
     Image<std::uint8_t> sheet(columns * across + kGap, rows * down + kGap, first.channels());
     std::ranges::fill(sheet.samples(), kBackgroundGray);
     for (int k = 0; k < count; ++k) {
-        const Thumbnail& thumbnail = thumbnails[static_cast<std::size_t>(k)];
         const int left = kGap + k % columns * across;
         int bottom = sheet.height() - kGap - k / columns * down - first.height();
-        copy(thumbnail.pixels, sheet.view(), left, bottom);
-        for (const std::string& label : thumbnail.labels) {
-            const std::string text = fitted_label(label, first.width(), layout.magnification);
-            const int gap = (first.width() - label_width(text, layout.magnification)) / 2;
-            bottom -= line;
-            draw_label(sheet.view(), left + gap, bottom, text, kInk, layout.magnification);
+        copy(thumbnails[static_cast<std::size_t>(k)].pixels, sheet.view(), left, bottom);
+        for (const Line& line : lines[static_cast<std::size_t>(k)]) {
+            bottom -= writer.line_height();
+            writer.draw(sheet.view(), left, bottom, line);
         }
     }
     return sheet;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "texgen/image/color.h"
 #include "texgen/image/image.h"
 
 #include <cstdint>
@@ -11,10 +12,16 @@
 
 namespace foam::texgen {
 
+/// A line of text below a picture.
+struct ThumbnailLabel {
+    std::string text;
+    std::vector<Srgb8> colors{};  // drawn as squares after the text
+};
+
 /// A reduced picture of a frame, with three channels.
 struct Thumbnail {
     Image<std::uint8_t> pixels;
-    std::vector<std::string> labels;  // lines below the picture
+    std::vector<ThumbnailLabel> labels;
 };
 
 /// The layout of a contact sheet.
@@ -24,9 +31,9 @@ struct ContactSheetLayout {
 };
 
 /// Returns an image of thumbnails on a gray background, from left to right and from top to bottom,
-/// each with its labels below it. Labels that are wider than the thumbnail are cut. Precondition:
-/// all thumbnails have the same size and the same number of labels. Throws std::invalid_argument if
-/// there are no thumbnails.
+/// each with its labels below it. A label that is wider than the thumbnail takes several lines, and
+/// its colors become narrow enough to fit on one line. Precondition: all thumbnails have the same
+/// size. Throws std::invalid_argument if there are no thumbnails.
 Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails,
                                   const ContactSheetLayout& layout = {});
 

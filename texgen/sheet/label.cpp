@@ -142,22 +142,34 @@ void draw_letter(ImageView<std::uint8_t> image,
     }
 }
 
+/// Returns the length of the first line of a text that is longer than `longest` characters. The
+/// line ends after a separator, if there is one.
+std::size_t end_of_line(std::string_view text, std::size_t longest) {
+    const std::size_t separator = text.substr(0, longest).find_last_of(" =,:_");
+    return separator == std::string_view::npos ? longest : separator + 1;
+}
+
+std::string_view without_end_spaces(std::string_view text) {
+    return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
 }  // namespace
 
 int label_width(std::string_view text, int magnification) {
     return text.empty() ? 0 : (static_cast<int>(text.size()) * kAdvance - 1) * magnification;
 }
 
-std::string fitted_label(std::string_view text, int width, int magnification) {
-    constexpr std::string_view kRest = "..";
-    if (label_width(text, magnification) <= width) {
-        return std::string(text);
+std::vector<std::string> wrapped_label(std::string_view text, int width, int magnification) {
+    const auto longest =
+        static_cast<std::size_t>(std::max(1, (width + magnification) / (kAdvance * magnification)));
+    std::vector<std::string> lines;
+    while (text.size() > longest) {
+        const std::size_t end = end_of_line(text, longest);
+        lines.emplace_back(without_end_spaces(text.substr(0, end)));
+        text.remove_prefix(end);
     }
-    std::string fitted(text);
-    do {
-        fitted.pop_back();
-    } while (!fitted.empty() && label_width(fitted + std::string(kRest), magnification) > width);
-    return fitted.empty() ? "" : fitted + std::string(kRest);
+    lines.emplace_back(text);
+    return lines;
 }
 
 void draw_label(ImageView<std::uint8_t> image,

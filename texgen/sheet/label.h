@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -18,8 +19,9 @@ inline constexpr int kLetterHeight = 7;
 /// `magnification` pixels per side.
 int label_width(std::string_view text, int magnification = 1);
 
-/// Returns the text or, if it is wider than `width` pixels, its beginning and "..".
-std::string fitted_label(std::string_view text, int width, int magnification = 1);
+/// Returns the lines of a text, none of which is wider than `width` pixels, unless `width` is less
+/// than the width of a character. Lines end after a space or one of "=,:_" if possible.
+std::vector<std::string> wrapped_label(std::string_view text, int width, int magnification = 1);
 
 /// Draws a text in a shade of gray. The pixel (left, bottom) is its lower left corner. Characters
 /// that are not printable ASCII are drawn as question marks. Precondition: the text fits into the

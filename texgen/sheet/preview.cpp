@@ -194,7 +194,7 @@ class Previews {
         std::vector<Codes> codes = frames_within(shown, kThumbnailSize, options_.threads, progress);
         std::vector<Thumbnail> thumbnails;
         for (std::size_t k = 0; k < codes.size(); ++k) {
-            thumbnails.push_back({std::move(codes[k]), {std::to_string(shown.files[k].frame)}});
+            thumbnails.push_back({std::move(codes[k]), {{std::to_string(shown.files[k].frame)}}});
         }
         return encoded(contact_sheet(thumbnails));
     }

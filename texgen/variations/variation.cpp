@@ -12,12 +12,6 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns "lloyd=2" for the assignment of 2 to foam.lloyd.
-std::string label_of(const Assignment& assignment) {
-    const std::string& key = assignment.key;
-    return key.substr(key.find('.') + 1) + '=' + to_toml(assignment.value);
-}
-
 void check(std::span<const Sweep> sweeps) {
     std::size_t count = 1;
     for (std::size_t k = 0; k < sweeps.size(); ++k) {
@@ -30,9 +24,9 @@ void check(std::span<const Sweep> sweeps) {
             }
         }
     }
-    if (count > kLargestSweep) {
+    if (count > kMostValues) {
         throw PresetError(fmt::format(
-            "the sweeps have {} combinations; at most {} are allowed", count, kLargestSweep));
+            "the sweeps have {} combinations; at most {} are allowed", count, kMostValues));
     }
 }
 
@@ -47,7 +41,6 @@ std::vector<Variation> variations_of(std::span<const Sweep> sweeps) {
             for (const Assignment& value : sweep.values) {
                 Variation& one = extended.emplace_back(variation);
                 one.assignments.push_back(value);
-                one.labels.push_back(label_of(value));
             }
         }
         variations = std::move(extended);

@@ -6,19 +6,17 @@
 #include "texgen/variations/sweep.h"
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace foam::texgen {
 
-/// A preset with one combination of the values of sweeps.
+/// The values of some keys, each key at most once, that differ from those of a preset.
 struct Variation {
-    std::vector<Assignment> assignments;  // one per sweep
-    std::vector<std::string> labels;      // one per sweep: "lloyd=2"
+    std::vector<Assignment> assignments;
 };
 
 /// Returns all combinations of the values of sweeps. The values of the last sweep vary fastest.
-/// Throws PresetError if two sweeps have the same key, or if there are more than kLargestSweep
+/// Throws PresetError if two sweeps have the same key, or if there are more than kMostValues
 /// combinations. Precondition: there is a sweep.
 std::vector<Variation> variations_of(std::span<const Sweep> sweeps);
 

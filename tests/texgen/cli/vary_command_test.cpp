@@ -5,10 +5,12 @@
 #include "texgen/cli/exit_code.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -74,7 +76,8 @@ TEST(VaryCommand, ABadRequestIsOneLineAndWritesNothing) {
     const Outcome none = run_program("vary sea_foam", folder);
     EXPECT_EQ(none.code, static_cast<int>(ExitCode::BadRequest));
     EXPECT_EQ(none.err,
-              "foamtex: vary needs one or two sweeps, not 0: --seeds RANGE, --sweep KEY=VALUES\n");
+              "foamtex: vary needs one or two sweeps, not 0: --seeds RANGE, --sweep KEY=VALUES; "
+              "or --random COUNT\n");
     const Outcome value = run_program("vary sea_foam --sweep foam.bubbles=9,2", folder);
     EXPECT_EQ(value.code, static_cast<int>(ExitCode::BadRequest));
     EXPECT_NE(value.err.find("--sweep foam.bubbles=9,2: key 'foam.bubbles' = 2"), std::string::npos)
@@ -82,6 +85,58 @@ TEST(VaryCommand, ABadRequestIsOneLineAndWritesNothing) {
     EXPECT_EQ(run_program("vary sea_foam --seeds 1 --map nothing", folder).code,
               static_cast<int>(ExitCode::BadRequest));
     EXPECT_TRUE(value.written.empty());
+}
+
+TEST(VaryCommand, RandomVariationsAreReproducible) {
+    const std::string command = std::string("vary pebbles -q --random 3") + kSmall;
+    const auto content = [](const TemporaryFolder& folder, const std::string& name) {
+        return file_content(folder.path() / "out" / name);
+    };
+    const TemporaryFolder one;
+    const TemporaryFolder same;
+    const TemporaryFolder other;
+    ASSERT_EQ(run_program(command, one).code, 0);
+    ASSERT_EQ(run_program(command + " --random-seed 1", same).code, 0);
+    ASSERT_EQ(run_program(command + " --random-seed 2", other).code, 0);
+    for (const char* name : {"pebbles_1.toml", "pebbles_3.toml", "pebbles_variations.png"}) {
+        EXPECT_EQ(content(one, name), content(same, name)) << name;
+        EXPECT_NE(content(one, name), content(other, name)) << name;
+    }
+    EXPECT_NE(content(one, "pebbles_2.toml").find("bubbles = 12\n"), std::string::npos);
+    EXPECT_NE(content(one, "pebbles_2.toml").find("\n[albedo]\n"), std::string::npos);
+}
+
+TEST(VaryCommand, RandomVariationsNeedAList) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "mine.toml") << "[foam]\nbubbles = 20\n";
+    const Outcome outcome = run_program("vary mine.toml --random 3", folder);
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(outcome.err,
+              "foamtex: preset 'mine' has no list of keys for --random; its key preset.vary is "
+              "empty, and may be a list such as [\"foam.lloyd=0,1,4\", "
+              "\"loop.amplitude=0.1..0.4\"]\n");
+    EXPECT_EQ(run_program("vary mine.toml --random 3 --seeds 1-3", folder).code,
+              static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(run_program("vary mine.toml --seeds 1-3 --random-seed 3", folder).code,
+              static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(outcome.written, std::vector<std::string>{"mine.toml"});
+}
+
+TEST(VaryCommand, TheReportListsTheValuesOfEveryVariation) {
+    const Outcome outcome =
+        run_program(std::string("vary sea_foam --json --seeds 4 --sweep 'albedo.colors=#102030,"
+                                "[\"#000000\", \"#ffffff\"]'") +
+                    kSmall);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto report = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(report["variations"].size(), 2U);
+    const auto& second = report["variations"][1];
+    EXPECT_EQ(second["number"], 2);
+    EXPECT_EQ(second["status"], "complete");
+    EXPECT_EQ(second["file"], "out/sea_foam_2.toml");
+    EXPECT_EQ(
+        second["assignments"],
+        nlohmann::json::parse(R"({"foam.seed": 4, "albedo.colors": ["#000000", "#ffffff"]})"));
 }
 
 TEST(VaryCommand, AFoamWithoutEquilibriumLeavesTheOthers) {

@@ -28,7 +28,7 @@ int count(const Image<std::uint8_t>& image, std::uint8_t code) {
 
 // Twelve squares are arranged in 4 columns and 3 rows.
 TEST(ContactSheet, ShowsEveryThumbnailWhole) {
-    std::vector<Thumbnail> thumbnails(12, {filled(40, 40), {"8"}});
+    std::vector<Thumbnail> thumbnails(12, {filled(40, 40), {{"8"}}});
     const Image<std::uint8_t> sheet = contact_sheet(thumbnails);
     EXPECT_EQ(count(sheet, kFilled), 12 * 3 * 40 * 40);
     EXPECT_GT(sheet.width(), 4 * 40);
@@ -42,18 +42,41 @@ TEST(ContactSheet, ShowsEveryThumbnailWhole) {
 // The digit 8 has 17 pixels with three samples each. All other samples belong to thumbnails or to
 // the ground.
 TEST(ContactSheet, LabelsEveryThumbnail) {
-    std::vector<Thumbnail> thumbnails(3, {filled(20, 10), {"8"}});
+    std::vector<Thumbnail> thumbnails(3, {filled(20, 10), {{"8"}}});
     const Image<std::uint8_t> sheet = contact_sheet(thumbnails);
     const auto all = static_cast<int>(sheet.samples().size());
     EXPECT_EQ(all - count(sheet, kBackgroundGray) - count(sheet, kFilled), 3 * 3 * 17);
 }
 
 TEST(ContactSheet, HasTheGivenColumns) {
-    std::vector<Thumbnail> thumbnails(6, {filled(40, 40), {"a", "b"}});
+    std::vector<Thumbnail> thumbnails(6, {filled(40, 40), {{"a"}, {"b"}}});
     const Image<std::uint8_t> sheet = contact_sheet(thumbnails, {.columns = 2, .magnification = 2});
     EXPECT_GT(sheet.width(), 2 * 40);
     EXPECT_LT(sheet.width(), 3 * 40);
     EXPECT_GT(sheet.height(), 3 * (40 + 2 * 14));
+}
+
+// "size=0.25" has 9 characters and is 53 pixels wide: it needs two lines under 40 pixels. Each line
+// is 12 pixels high.
+TEST(ContactSheet, WrapsLongLabels) {
+    const auto height_with = [](const std::string& second) {
+        return contact_sheet(
+                   std::vector<Thumbnail>{{filled(40, 40), {{"8"}}}, {filled(40, 40), {{second}}}})
+            .height();
+    };
+    EXPECT_EQ(height_with("size=0.25"), height_with("8") + 12);
+}
+
+// Two squares of 7 x 7 pixels fit after a letter; 20 colors share the width of 40 pixels.
+TEST(ContactSheet, ShowsColors) {
+    const Srgb8 blue{0, 0, 200};
+    const auto drawn = [&](std::size_t colors) {
+        const ThumbnailLabel label{"c", std::vector<Srgb8>(colors, blue)};
+        return contact_sheet(std::vector<Thumbnail>{{filled(40, 40), {label}}});
+    };
+    EXPECT_EQ(count(drawn(2), 200), 2 * 7 * 7);
+    EXPECT_EQ(count(drawn(20), 200), 40 * 7);
+    EXPECT_EQ(drawn(20).height(), drawn(2).height() + 12);
 }
 
 TEST(ContactSheet, NeedsAFrame) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -55,10 +56,18 @@ TEST(Label, HasADifferentPictureForEveryCharacter) {
     EXPECT_EQ(pictures.size(), 95U);
 }
 
-TEST(Label, IsCutToItsWidth) {
-    EXPECT_EQ(fitted_label("foam.seed=1", 65), "foam.seed=1");
-    EXPECT_EQ(fitted_label("foam.seed=1", 64), "foam.see..");
-    EXPECT_EQ(fitted_label("foam.seed=1", 10), "");
+using Lines = std::vector<std::string>;
+
+// A character is 6 pixels wide, the last one 5: eleven characters need 65 pixels, and 60 pixels are
+// enough for ten.
+TEST(Label, IsWrappedAtSeparators) {
+    EXPECT_EQ(wrapped_label("foam.seed=1", 65), Lines{"foam.seed=1"});
+    EXPECT_EQ(wrapped_label("foam.seed=1", 64), (Lines{"foam.seed=", "1"}));
+    EXPECT_EQ(wrapped_label("foam.seed=1", 130, 2), Lines{"foam.seed=1"});
+    EXPECT_EQ(wrapped_label("drift=[0.25, 0.55]", 65), (Lines{"drift=", "[0.25,", "0.55]"}));
+    EXPECT_EQ(wrapped_label("abcdefgh", 17), (Lines{"abc", "def", "gh"}));
+    EXPECT_EQ(wrapped_label("ab", 1), (Lines{"a", "b"}));
+    EXPECT_EQ(wrapped_label("", 60), Lines{""});
 }
 
 TEST(Label, DrawsOtherCharactersAsQuestionMarks) {

@@ -2,7 +2,8 @@
 
 #include "texgen/variations/variation.h"
 
-#include <gmock/gmock.h>
+#include "texgen/variations/variation_labels.h"
+
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -10,15 +11,13 @@
 namespace foam::texgen {
 namespace {
 
-using testing::ElementsAre;
-
 TEST(Variation, CombinesTheValuesOfSweeps) {
     const std::vector<Sweep> sweeps = {read_sweep("foam.lloyd=1,2"), read_seeds("5-7")};
     const std::vector<Variation> variations = variations_of(sweeps);
     ASSERT_EQ(variations.size(), 6U);
-    EXPECT_THAT(variations.front().labels, ElementsAre("lloyd=1", "seed=5"));
-    EXPECT_THAT(variations[1].labels, ElementsAre("lloyd=1", "seed=6"));
-    EXPECT_THAT(variations.back().labels, ElementsAre("lloyd=2", "seed=7"));
+    EXPECT_EQ(label_text(variations.front()), "lloyd=1, seed=5");
+    EXPECT_EQ(label_text(variations[1]), "lloyd=1, seed=6");
+    EXPECT_EQ(label_text(variations.back()), "lloyd=2, seed=7");
     const std::vector<Preset> presets = presets_of(Preset(), variations);
     EXPECT_EQ(presets[3].seeding.lloyd_iterations, 2);
     EXPECT_EQ(presets[3].seeding.seed, 5U);

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/preset/key_values.h"
+
+#include "texgen/preset/assignment.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <system_error>
+
+namespace foam::texgen {
+
+namespace {
+
+/// Splits a text at the commas that are outside of brackets and quotes.
+std::vector<std::string> split(std::string_view text) {
+    std::vector<std::string> parts(1);
+    int depth = 0;
+    char quote = 0;
+    for (const char c : text) {
+        if (quote != 0) {
+            quote = c == quote ? '\0' : quote;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == '[' || c == '{') {
+            ++depth;
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+        if (c == ',' && depth == 0 && quote == 0) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+/// Returns a text without the spaces and line breaks at its beginning and its end.
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kSpaces = " \t\r\n";
+    const std::size_t first = std::min(text.find_first_not_of(kSpaces), text.size());
+    return text.substr(first, text.find_last_not_of(kSpaces) + 1 - first);
+}
+
+/// Returns the number that a whole text represents.
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
+                                                                    : std::nullopt;
+}
+
+/// Parses LOW..HIGH or LOW..HIGH:COUNT. Returns nullopt if the text has no "..".
+std::optional<NumberRange> range_in(std::string_view text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos || text.find_first_of("\"'[{") < dots) {
+        return std::nullopt;
+    }
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const std::size_t colon = std::min(text.find(':', dots), text.size());
+    NumberRange range{
+        .low = number_in<double>(text.substr(0, dots)).value_or(kNone),
+        .high = number_in<double>(text.substr(dots + 2, colon - dots - 2)).value_or(kNone)};
+    if (colon < text.size()) {
+        range.count = number_in<int>(text.substr(colon + 1)).value_or(0);
+    }
+    const int count = range.count.value_or(2);
+    if (!std::isfinite(range.low) || !std::isfinite(range.high) || count < 2 ||
+        count > kMostValues) {
+        throw std::invalid_argument(fmt::format(
+            "'{}' must be LOW..HIGH or LOW..HIGH:COUNT, such as 0.1..0.4:4, with a COUNT from 2 "
+            "to {}",
+            text,
+            kMostValues));
+    }
+    return range;
+}
+
+}  // namespace
+
+KeyValues parse_key_values(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == text.size()) {
+        throw std::invalid_argument(
+            "must be KEY=VALUES, such as foam.lloyd=0,1,2 or loop.current=0..0.6:4");
+    }
+    KeyValues parsed{.key = std::string(text.substr(0, equals)), .values = {}};
+    for (const std::string& spaced : split(text.substr(equals + 1))) {
+        const std::string part(trimmed(spaced));
+        if (part.empty()) {
+            throw std::invalid_argument("has an empty value");
+        }
+        if (const std::optional<NumberRange> range = range_in(part)) {
+            parsed.values.emplace_back(*range);
+        } else {
+            parsed.values.emplace_back(read_value(part));
+        }
+    }
+    return parsed;
+}
+
+Value number_value(double number) {
+    return read_value(fmt::format("{:.12g}", number));
+}
+
+std::vector<Value> numbers_of(const NumberRange& range) {
+    std::vector<Value> numbers;
+    const int count = range.count.value_or(2);
+    for (int k = 0; k < count; ++k) {
+        const double fraction = static_cast<double>(k) / (count - 1);
+        numbers.push_back(number_value(range.low + (range.high - range.low) * fraction));
+    }
+    return numbers;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/preset/preset.h"
+#include "texgen/variations/variation.h"
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// How many variations to draw at random.
+struct RandomDraw {
+    int count = 12;
+    std::uint64_t seed = 1;            // of the random numbers that choose the values
+    std::set<std::string> fixed = {};  // keys that do not vary
+};
+
+/// The largest seed of a foam that a random variation has, unless preset.vary lists foam.seed.
+inline constexpr int kLargestRandomSeed = 999;
+
+/// Returns variations with random values of foam.seed and of the keys in preset.vary, each value
+/// independent of the others. All values of a list, and all numbers of a range, are equally likely
+/// (number_at). The first variations are the same for any `count`, and the values of the other keys
+/// are the same for any `fixed`. Throws PresetError if preset.vary is empty, or if no key varies.
+std::vector<Variation> random_variations(const Preset& preset, const RandomDraw& draw);
+
+}  // namespace foam::texgen

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/variations/written_variations.h"
+
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
+#include "texgen/preset/load_preset.h"
+#include "texgen/preset/preset_extension.h"
+#include "texgen/sheet/contact_sheet.h"
+#include "texgen/variations/variation_labels.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <system_error>
+
+namespace foam::texgen {
+
+namespace {
+
+/// Returns the path of a preset as a preset file in a folder names it.
+std::string base_of(const std::string& preset, const std::filesystem::path& folder) {
+    if (!is_preset_path(preset)) {
+        return preset;
+    }
+    const std::filesystem::path path = std::filesystem::absolute(preset);
+    const std::filesystem::path relative = path.lexically_normal().lexically_relative(
+        std::filesystem::absolute(folder).lexically_normal());
+    return relative.empty() ? path.string() : relative.string();
+}
+
+void write_sheet(const VariationSet& set,
+                 const std::vector<DrawnVariation>& drawn,
+                 const std::filesystem::path& path) {
+    std::vector<Thumbnail> thumbnails;
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+        Thumbnail& thumbnail = thumbnails.emplace_back();
+        thumbnail.pixels = drawn[k].pixels;
+        thumbnail.labels = picture_labels(set.variations[k]);
+        std::string& text = thumbnail.labels.front().text;
+        text = fmt::format("{}: {}", k + 1, text);
+    }
+    constexpr int kWide = 200;  // in such pictures, large labels have 16 letters
+    const int magnification = drawn.front().pixels.width() < kWide ? 1 : 2;
+    const Image<std::uint8_t> sheet =
+        contact_sheet(thumbnails, {.columns = set.columns, .magnification = magnification});
+    write_file(
+        path,
+        encode_png(sheet.view(), {.color = true, .text = {}}, {.compression = Compression::Small}));
+}
+
+/// Returns the text of the preset file of a variation in a folder.
+std::string preset_file(const VariationSet& set,
+                        const Variation& variation,
+                        const std::filesystem::path& folder) {
+    std::vector<Assignment> assignments = set.assignments;
+    assignments.insert(
+        assignments.end(), variation.assignments.begin(), variation.assignments.end());
+    return extending_preset(base_of(set.preset, folder), assignments);
+}
+
+/// Removes the files of an earlier run that this run has not replaced.
+void remove_others(const std::vector<std::filesystem::path>& earlier,
+                   const std::vector<std::filesystem::path>& written) {
+    for (const std::filesystem::path& file : earlier) {
+        if (std::ranges::find(written, file) == written.end()) {
+            std::error_code error;
+            std::filesystem::remove(file, error);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> WrittenVariations::files() const {
+    std::vector<std::filesystem::path> files = {sheet};
+    for (const WrittenVariation& one : variations) {
+        if (one.preset) {
+            files.push_back(*one.preset);
+        }
+    }
+    return files;
+}
+
+WrittenVariations write_variations(const VariationSet& set,
+                                   const std::vector<DrawnVariation>& drawn,
+                                   const VariationFiles& names,
+                                   const std::vector<std::filesystem::path>& earlier) {
+    WrittenVariations written{.sheet = names.sheet(), .variations = {}};
+    const std::filesystem::path folder = written.sheet.parent_path();
+    make_folders(folder);
+    write_sheet(set, drawn, written.sheet);
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+        WrittenVariation one{k + 1, set.variations[k], drawn[k].outcome, {}};
+        if (one.outcome.status == RunStatus::Complete) {
+            one.preset = names.preset(one.number);
+            write_variation(*one.preset, preset_file(set, one.variation, folder));
+        }
+        written.variations.push_back(std::move(one));
+    }
+    remove_others(earlier, written.files());
+    return written;
+}
+
+}  // namespace foam::texgen
