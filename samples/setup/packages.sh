@@ -7,7 +7,7 @@
 foam_build_packages=(
     g++ cmake ninja-build pkg-config
     libeigen3-dev libboost-dev libpng-dev zlib1g-dev libisal-dev libdeflate-dev libopenexr-dev libxxhash-dev
-    libzstd-dev libcairo2-dev
+    libzstd-dev libcairo2-dev libglu1-mesa-dev
     libcli11-dev libtomlplusplus-dev libfmt-dev
     nlohmann-json3-dev
 )
@@ -15,7 +15,7 @@ foam_test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev evolver gnuplot-nox
     pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools python3 python3-jsonschema
     libnvtt-bin python3-numpy python3-pil chromium libxml2-utils
-    librsvg2-bin poppler-utils python3-ezdxf
+    librsvg2-bin poppler-utils python3-ezdxf admesh
 )
 foam_check_packages=(clang libclang-rt-14-dev clang-format clang-tidy ccache python3 reuse)
 

@@ -3,7 +3,6 @@
 #include "texgen/bake/vector_files.h"
 
 #include "texgen/preset/drawn_images.h"
-#include "texgen/vector/appearance.h"
 
 #include <fmt/core.h>
 
@@ -21,12 +20,19 @@ constexpr const char* kCrossFade =
     "cannot show the frames of the loop \"flow\", which fade from one foam into another; set "
     "loop.kind to another loop, or to \"none\"";
 
+VectorSettings settings_of(const Preset& preset) {
+    return {preset.maps,
+            preset.vector,
+            preset.mesh,
+            preset.image.maps,
+            preset.image.width,
+            preset.image.height};
+}
+
 VectorSource source_of(FrameLayers& layers, const SimulatedFrame& shown, const Preset& preset) {
     const bool has_texts = preset.output.texts == FileTexts::Written;
     return {layers,
-            preset.maps,
-            preset.vector,
-            preset.image.maps,
+            settings_of(preset),
             fmt::format("{}, frame {}", preset.name, shown.frame->number),
             has_texts ? fmt::format("{} (foamtex " FOAMTEX_VERSION ", seed {})",
                                     preset.description,
@@ -41,7 +47,7 @@ const VectorFormat* vector_format_of(const Preset& preset) {
 }
 
 std::vector<std::string> vector_parts(const Preset& preset) {
-    return vector_format_of(preset)->parts(preset.vector, preset.image.maps);
+    return vector_format_of(preset)->parts(settings_of(preset));
 }
 
 std::vector<std::string> file_words(const Preset& preset) {
@@ -69,7 +75,7 @@ void check_vector_files(const Preset& preset) {
     if (preset.loop.is_cross_faded()) {
         reject(*format, kCrossFade);
     }
-    check_width(shown_content(preset.vector, preset.image.maps), preset.maps, preset.vector);
+    format->check(settings_of(preset));
 }
 
 std::string encode_vector(const VectorFormat& format,
@@ -86,7 +92,7 @@ std::string encode_vector(const VectorFormat& format,
 
 std::string to_svg(const SimulatedFrame& shown, const Preset& preset) {
     const VectorFormat& svg = *find_vector_format(".svg");
-    return encode_vector(svg, shown, preset, svg.parts(preset.vector, preset.image.maps).front());
+    return encode_vector(svg, shown, preset, svg.parts(settings_of(preset)).front());
 }
 
 }  // namespace foam::texgen

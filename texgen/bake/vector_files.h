@@ -25,7 +25,7 @@ std::vector<std::string> vector_parts(const Preset& preset);
 std::vector<std::string> file_words(const Preset& preset);
 
 /// Throws std::invalid_argument if the files of a preset are vector files, but have packings or
-/// sheets, if frames show two foams (a cross-fade), or if outlines have no width. The message is
+/// sheets, if frames show two foams (a cross-fade), or as VectorFormat::check does. The message is
 /// one line and names the key.
 void check_vector_files(const Preset& preset);
 

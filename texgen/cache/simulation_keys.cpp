@@ -23,8 +23,8 @@ namespace {
 // The tables of presets that influence only how states are drawn, apart from two exceptions: in
 // some presets the camera (needs_camera) and the aspect ratio of the image (needs_aspect) also
 // influence the states. The tables of maps influence only drawing, too, but are not listed here.
-constexpr std::array<std::string_view, 5> kAppearanceTables = {
-    "preset", "image", "camera", "output", "vector"};
+constexpr std::array<std::string_view, 6> kAppearanceTables = {
+    "preset", "image", "camera", "output", "vector", "mesh"};
 
 // Returns true if the camera influences the states. This is the case if events of a patch have
 // positions, because these positions are fractions of the image.

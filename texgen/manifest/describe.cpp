@@ -72,7 +72,7 @@ ManifestMap vector_map(const VectorFormat& format,
                        const std::vector<int>& frames) {
     return {.name = part,
             .meaning = std::string(meaning_of_part(part)),
-            .unit = is_table_part(part) ? "foam units" : "millimeters",
+            .unit = std::string(format.unit),
             .note = "",
             .frames = frames,
             .samples = {},

@@ -14,6 +14,7 @@
 #include "texgen/preset/image_options.h"
 #include "texgen/preset/loop.h"
 #include "texgen/preset/output_options.h"
+#include "texgen/vector/mesh_options.h"
 #include "texgen/vector/vector_options.h"
 
 #include <string>
@@ -53,6 +54,7 @@ struct Preset {
     MapOptions maps;
     OutputOptions output;
     VectorOptions vector;
+    MeshOptions mesh;
 };
 
 }  // namespace foam::texgen

@@ -134,7 +134,8 @@ Keys<Preset> all_keys() {
                    nested_keys("camera", &P::camera, camera_keys()),
                    nested_keys("", &P::maps, map_keys()),
                    nested_keys("output", &P::output, output_keys()),
-                   nested_keys("vector", &P::vector, vector_keys())});
+                   nested_keys("vector", &P::vector, vector_keys()),
+                   nested_keys("mesh", &P::mesh, mesh_keys())});
 }
 
 }  // namespace

@@ -70,32 +70,43 @@ std::string_view name_of(VectorContent content) {
     }
 }
 
-void check_width(VectorContent content, const MapOptions& maps, const VectorOptions& options) {
-    const auto check = [](double width, const char* key, const char* remedy) {
-        if (!(width > 0.0)) {
-            throw std::invalid_argument(fmt::format(
-                "vector.walls = \"outlines\" needs walls with a width, but {} is 0; set {}",
-                key,
-                remedy));
-        }
-    };
-    if (options.walls != VectorWalls::Outlines) {
-        return;
+namespace {
+
+void require_width(double width, const char* key, const char* remedy) {
+    if (!(width > 0.0)) {
+        throw std::invalid_argument(
+            fmt::format("walls need a width, but {} is 0; set {}", key, remedy));
     }
-    if (content == VectorContent::MazeSolution) {
-        check(maps.maze.solution_width, "maze.solution_width", "it");
-    }
+}
+
+}  // namespace
+
+void check_wall_width(VectorContent content, const MapOptions& maps, const VectorOptions& options) {
     if (options.wall_width > 0.0) {
         return;
     }
     constexpr const char* kRemedy = "it or vector.wall_width";
     if (content == VectorContent::Foam) {
-        check(maps.albedo.film_width, "albedo.film_width", kRemedy);
+        require_width(maps.albedo.film_width, "albedo.film_width", kRemedy);
     } else if (content == VectorContent::Contour) {
-        check(maps.contour.width, "contour.width", kRemedy);
+        require_width(maps.contour.width, "contour.width", kRemedy);
     } else {
-        check(maps.maze.wall_width, "maze.wall_width", kRemedy);
+        require_width(maps.maze.wall_width, "maze.wall_width", kRemedy);
     }
+}
+
+void check_width(VectorContent content, const MapOptions& maps, const VectorOptions& options) {
+    if (options.walls != VectorWalls::Outlines) {
+        return;
+    }
+    if (content == VectorContent::MazeSolution) {
+        require_width(maps.maze.solution_width, "maze.solution_width", "it");
+    }
+    check_wall_width(content, maps, options);
+}
+
+double drawn_width(const Appearance& look, const Page& page, const VectorOptions& options) {
+    return options.wall_width > 0.0 ? options.wall_width : look.map_width * page.pixel;
 }
 
 Appearance appearance_of(FrameLayers& layers, VectorContent content, const MapOptions& maps) {

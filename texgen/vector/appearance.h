@@ -23,6 +23,9 @@ std::string_view name_of(VectorContent content);
 /// Throws std::invalid_argument if walls are drawn as outlines, but have no width.
 void check_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 
+/// Throws std::invalid_argument if lines have no width. `content` is not MazeSolution.
+void check_wall_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
+
 /// The appearance of the map that a drawing shows: its lines, their color and their width.
 struct Appearance {
     std::string layer;  // name of the layer of the lines
@@ -36,5 +39,8 @@ struct Appearance {
 /// Returns the appearance of the map. Throws std::invalid_argument if the grid of the layers does
 /// not fit the domain.
 Appearance appearance_of(FrameLayers& layers, VectorContent content, const MapOptions& maps);
+
+/// Returns the full width of lines and walls in millimeters.
+double drawn_width(const Appearance& look, const Page& page, const VectorOptions& options);
 
 }  // namespace foam::texgen

@@ -89,8 +89,7 @@ LineWork films_work(const Appearance& look,
                     const FoamLayout& layout,
                     const Page& page,
                     const VectorOptions& options) {
-    const double width =
-        options.wall_width > 0.0 ? options.wall_width : look.map_width * page.pixel;
+    const double width = drawn_width(look, page, options);
     LineWork work{.layer = look.layer,
                   .kind = look.kind,
                   .color = look.line_color,

@@ -2,9 +2,12 @@
 
 #include "texgen/vector/format.h"
 
+#include "texgen/mesh/glb_mesh.h"
+#include "texgen/mesh/stl.h"
 #include "texgen/vector/appearance.h"
 #include "texgen/vector/draw.h"
 #include "texgen/vector/dxf.h"
+#include "texgen/vector/frame_mesh.h"
 #include "texgen/vector/pdf.h"
 #include "texgen/vector/svg.h"
 #include "texgen/vector/tables.h"
@@ -21,47 +24,65 @@ namespace {
 
 constexpr std::string_view kAllTables = "tables";
 
-std::vector<std::string> drawing_parts(const VectorOptions& options,
-                                       const std::vector<std::string>& map_names) {
-    return {std::string(name_of(shown_content(options, map_names)))};
+std::vector<std::string> drawing_parts(const VectorSettings& settings) {
+    return {std::string(name_of(shown_content(settings.drawing, settings.map_names)))};
 }
 
-std::vector<std::string> csv_parts(const VectorOptions&, const std::vector<std::string>&) {
+std::vector<std::string> csv_parts(const VectorSettings&) {
     return {kTableNames.begin(), kTableNames.end()};
 }
 
-std::vector<std::string> json_parts(const VectorOptions&, const std::vector<std::string>&) {
+std::vector<std::string> json_parts(const VectorSettings&) {
     return {std::string(kAllTables)};
 }
 
+std::vector<std::string> mesh_parts(const VectorSettings& settings) {
+    return {shown_kind(settings) == MeshKind::Relief ? "relief" : "walls"};
+}
+
+void check_drawing(const VectorSettings& settings) {
+    check_width(
+        shown_content(settings.drawing, settings.map_names), settings.maps, settings.drawing);
+}
+
+void check_table(const VectorSettings&) {}
+
 template <std::string (*write)(const Drawing&)>
 std::string encode_drawing(const VectorSource& source, std::string_view) {
+    const VectorSettings& settings = source.settings;
     Drawing drawing = draw(source.layers,
-                           shown_content(source.options, source.map_names),
-                           source.maps,
-                           source.options);
+                           shown_content(settings.drawing, settings.map_names),
+                           settings.maps,
+                           settings.drawing);
     drawing.title = source.title;
     drawing.description = source.description;
     return write(drawing);
 }
 
+template <std::string (*write)(const Mesh&, std::string_view)>
+std::string encode_mesh(const VectorSource& source, std::string_view) {
+    return write(frame_mesh(source), source.title);
+}
+
 std::string encode_csv(const VectorSource& source, std::string_view part) {
-    return to_csv(source.layers, source.maps.albedo, part);
+    return to_csv(source.layers, source.settings.maps.albedo, part);
 }
 
 std::string encode_json(const VectorSource& source, std::string_view) {
-    return to_json(source.layers, source.maps.albedo);
+    return to_json(source.layers, source.settings.maps.albedo);
 }
 
-constexpr std::array<VectorFormat, 5> kFormats = {{
-    {"SVG", ".svg", drawing_parts, encode_drawing<to_svg>},
-    {"DXF", ".dxf", drawing_parts, encode_drawing<to_dxf>},
-    {"PDF", ".pdf", drawing_parts, encode_drawing<to_pdf>},
-    {"CSV", ".csv", csv_parts, encode_csv},
-    {"JSON", ".json", json_parts, encode_json},
+constexpr std::array<VectorFormat, 7> kFormats = {{
+    {"SVG", ".svg", "millimeters", drawing_parts, check_drawing, encode_drawing<to_svg>},
+    {"DXF", ".dxf", "millimeters", drawing_parts, check_drawing, encode_drawing<to_dxf>},
+    {"PDF", ".pdf", "millimeters", drawing_parts, check_drawing, encode_drawing<to_pdf>},
+    {"CSV", ".csv", "foam units", csv_parts, check_table, encode_csv},
+    {"JSON", ".json", "foam units", json_parts, check_table, encode_json},
+    {"STL", ".stl", "millimeters", mesh_parts, check_mesh, encode_mesh<to_stl>},
+    {"GLB", ".glb", "meters", mesh_parts, check_mesh, encode_mesh<to_glb>},
 }};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kMeanings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kMeanings = {{
     {"foam", "bubbles and films as arcs"},
     {"maze", "the walls of the maze as arcs"},
     {"maze_solution", "the walls and the solution of the maze as arcs"},
@@ -69,6 +90,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kMeanings
     {"bubbles", "a table of all bubbles"},
     {"films", "a table of all films"},
     {"junctions", "a table of all junctions"},
+    {"relief", "the relief as a closed mesh"},
+    {"walls", "walls as a closed mesh"},
     {kAllTables, "tables of all bubbles, films and junctions"},
 }};
 
@@ -91,10 +114,6 @@ std::string vector_suffixes() {
         suffixes += fmt::format("{}{}", separator, kFormats[k].suffix);
     }
     return suffixes;
-}
-
-bool is_table_part(std::string_view part) {
-    return part == kAllTables || std::ranges::find(kTableNames, part) != kTableNames.end();
 }
 
 std::string_view meaning_of_part(std::string_view part) {

@@ -19,39 +19,41 @@ Keys<VectorOptions> vector_keys() {
     constexpr Choices<VectorWrap> kWraps = {
         {{{"cut", VectorWrap::Cut}, {"whole", VectorWrap::Whole}}}};
     const std::vector<std::string> drawings = {"*.svg", "*.dxf", "*.pdf"};
-    return {key("content",
-                kContents,
-                "what SVG, DXF and PDF files show: foam has the colors of albedo; auto shows what "
-                "the first of image.maps shows if it is maze, maze_solution or contour, else the "
-                "foam",
-                &Options::content)
-                .used_with("output.pattern", drawings),
-            key("width_mm",
-                Reals{0.1, 100'000.0},
-                "width of a drawing in millimeters; the height follows from image.size",
-                &Options::width_mm)
-                .in("millimeters")
-                .used_with("output.pattern", drawings),
-            key("walls",
-                kWalls,
-                "how films, walls and contours are drawn: lines are center lines, joined into "
-                "chains; outlines are the closed outlines of walls of a width",
-                &Options::walls)
-                .used_with("output.pattern", drawings),
-            key("wall_width",
-                Reals{.low = 0.001, .high = 1000.0, .or_zero = true},
-                "full width of lines and walls in millimeters; 0 takes the width that the map "
-                "draws (albedo.film_width, maze.wall_width or contour.width)",
-                &Options::wall_width)
-                .in("millimeters")
-                .used_with("output.pattern", drawings),
-            key("wrap",
-                kWraps,
-                "border of the tile of a torus: cut cuts all arcs there, so that drawings tile; "
-                "whole shows whole bubbles, which extend beyond the tile",
-                &Options::wrap)
-                .used_with("output.pattern", drawings)
-                .unused_with("foam.domain", {"patch"})};
+    const std::vector<std::string> files = {"*.svg", "*.dxf", "*.pdf", "*.stl", "*.glb"};
+    return {
+        key("content",
+            kContents,
+            "what SVG, DXF and PDF files show, and the walls of STL and GLB files: foam has the "
+            "colors of albedo; auto shows what the first of image.maps shows if it is maze, "
+            "maze_solution or contour, else the foam",
+            &Options::content)
+            .used_with("output.pattern", files),
+        key("width_mm",
+            Reals{0.1, 100'000.0},
+            "width of a drawing or mesh in millimeters; the height follows from image.size",
+            &Options::width_mm)
+            .in("millimeters")
+            .used_with("output.pattern", files),
+        key("walls",
+            kWalls,
+            "how films, walls and contours are drawn: lines are center lines, joined into "
+            "chains; outlines are the closed outlines of walls of a width",
+            &Options::walls)
+            .used_with("output.pattern", drawings),
+        key("wall_width",
+            Reals{.low = 0.001, .high = 1000.0, .or_zero = true},
+            "full width of lines and walls in millimeters; 0 takes the width that the map "
+            "draws (albedo.film_width, maze.wall_width or contour.width)",
+            &Options::wall_width)
+            .in("millimeters")
+            .used_with("output.pattern", files),
+        key("wrap",
+            kWraps,
+            "border of the tile of a torus: cut cuts all arcs there, so that drawings tile; "
+            "whole shows whole bubbles, which extend beyond the tile",
+            &Options::wrap)
+            .used_with("output.pattern", files)
+            .unused_with("foam.domain", {"patch"})};
 }
 
 }  // namespace foam::texgen

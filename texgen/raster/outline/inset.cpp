@@ -32,6 +32,11 @@ bool may_be_within(const OffsetArc& a, const OffsetArc& b, double distance) {
     return (a.middle - b.middle).squaredNorm() <= reach * reach;
 }
 
+// Returns a disc that contains all points within `distance` of an arc.
+Disc disc_around(const OffsetArc& arc, double distance) {
+    return {arc.middle, extent(arc) + distance};
+}
+
 // Returns true if a boundary turns right by exactly 180 degrees: it passes around the end of a line
 // and returns along the other side of the line.
 bool turns_back(const OffsetArc& before, const OffsetArc& after) {
@@ -51,9 +56,13 @@ const ArcLoops& InsetTracer::trace(const ArcLoops& region, double distance) {
     for (std::size_t k = 0; k < region.loop_ends.size(); ++k) {
         add_loop(region.loop(k));
     }
+    side_index_.build(sides_.size(), [&](std::size_t k) { return disc_around(sides_[k], 0.0); });
+    offset_index_.build(offsets_.size(),
+                        [&](std::size_t k) { return disc_around(offsets_[k].arc, 0.0); });
     for (std::size_t k = 0; k < offsets_.size(); ++k) {
         collect_pieces(k);
     }
+    piece_index_.build(pieces_.size(), [&](std::size_t k) { return Disc{pieces_[k].tail, 0.0}; });
     for (Piece& piece : pieces_) {
         if (!piece.linked) {
             link_loop(piece);
@@ -90,7 +99,8 @@ void InsetTracer::add_loop(std::span<const ArcLoops::Side> loop) {
 void InsetTracer::collect_cuts(const Offset& offset) {
     const OffsetArc& arc = offset.arc;
     cuts_ = {-arc.reach, arc.reach};
-    for (const Offset& other : offsets_) {
+    for (const std::size_t k : offset_index_.near(disc_around(arc, kDistanceTolerance))) {
+        const Offset& other = offsets_[k];
         if (&other == &offset || !may_be_within(arc, other.arc, kDistanceTolerance)) {
             continue;
         }
@@ -106,7 +116,7 @@ void InsetTracer::collect_cuts(const Offset& offset) {
 
 void InsetTracer::collect_nearby(const Offset& offset) {
     nearby_.clear();
-    for (std::size_t k = 0; k < sides_.size(); ++k) {
+    for (const std::size_t k : side_index_.near(disc_around(offset.arc, distance_))) {
         if (k != offset.side && may_be_within(offset.arc, sides_[k], distance_)) {
             nearby_.push_back(k);
         }
@@ -147,7 +157,8 @@ void InsetTracer::collect_pieces(std::size_t index) {
 InsetTracer::Piece* InsetTracer::successor(const Piece& piece, const Piece& first) {
     Piece* nearest = nullptr;
     double min_gap = kLargestGap * kLargestGap;
-    for (Piece& candidate : pieces_) {
+    for (const std::size_t k : piece_index_.near({piece.head, kLargestGap})) {
+        Piece& candidate = pieces_[k];
         const double gap = (candidate.tail - piece.head).squaredNorm();
         if (gap < min_gap && (!candidate.linked || &candidate == &first)) {
             min_gap = gap;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/raster/arcs/pixel_arc.h"
+#include "texgen/raster/outline/disc_index.h"
 #include "texgen/raster/outline/offset_arc.h"
 
 #include <span>
@@ -18,7 +19,8 @@ namespace foam::texgen {
 /// crossings with all other offsets. A piece between two cuts belongs to the boundary of the inset
 /// if and only if its middle has at least the given distance from all other sides. FullInset
 /// (full_inset.h) finds the insets of most loops faster; where it finds one, its result has the
-/// same bits as the result of this class. Buffers are reused between regions.
+/// same bits as the result of this class. Buffers are reused between regions. Takes time in proportion
+/// to n log n for n sides, if only a bounded number of them is near each side, and n² otherwise.
 class InsetTracer {
   public:
     /// Returns the boundary loops of the inset of a region. Both the region and the inset are on
@@ -61,6 +63,9 @@ class InsetTracer {
     std::vector<double> cuts_;         // parameters at which the current offset is cut
     std::vector<std::size_t> nearby_;  // indices of sides that may be near the current offset
     std::vector<Piece> pieces_;
+    DiscIndex side_index_;
+    DiscIndex offset_index_;
+    DiscIndex piece_index_;
 };
 
 }  // namespace foam::texgen

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/mesh/flat_region.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace foam::texgen {
+namespace {
+
+Ring square(double low, double high) {
+    return {{low, low}, {high, low}, {high, high}, {low, high}};
+}
+
+std::vector<Edge> edges_of_all(const std::vector<Ring>& rings, PointTable& points) {
+    std::vector<Edge> edges;
+    for (const Ring& ring : rings) {
+        std::ranges::copy(edges_of(ring, points), std::back_inserter(edges));
+    }
+    return without_opposites(edges);
+}
+
+double area_of(const std::vector<Triangle>& triangles, const PointTable& points) {
+    double area = 0.0;
+    for (const auto& [a, b, c] : triangles) {
+        const double part = 0.5 * cross(points[b] - points[a], points[c] - points[a]);
+        EXPECT_GT(part, 0.0);
+        area += part;
+    }
+    return area;
+}
+
+TEST(PrintGrid, SinglePrecisionIsExact) {
+    for (const double extent : {0.003, 1.0, 100.0, 4096.0, 99'999.0}) {
+        const PrintGrid grid(extent);
+        EXPECT_LE(grid.step(), extent / (1 << 21)) << extent;
+        const Vec2 point = grid(Vec2(0.7 * extent, -extent / 3.0));
+        EXPECT_NEAR(point.x(), 0.7 * extent, grid.step());
+        EXPECT_EQ(static_cast<double>(static_cast<float>(point.x())), point.x());
+        EXPECT_EQ(static_cast<double>(static_cast<float>(point.y())), point.y());
+    }
+}
+
+TEST(PointTable, APointHasOneIndex) {
+    PointTable points{PrintGrid(100.0)};
+    const std::uint32_t first = points.index_of({1.5, -2.5});
+    EXPECT_EQ(points.index_of({-1.5, 2.5}), first + 1);
+    EXPECT_EQ(points.index_of({1.5 + 1e-7, -2.5}), first);
+    EXPECT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[first], Vec2(1.5, -2.5));
+}
+
+TEST(FlatRegion, ASquareWithAHoleThatHasAnIsland) {
+    PointTable points{PrintGrid(10.0)};
+    Ring hole = square(1.0, 9.0);
+    std::ranges::reverse(hole);
+    const auto triangles =
+        triangles_of(edges_of_all({square(0.0, 10.0), hole, square(4.0, 5.0)}, points), points);
+    EXPECT_EQ(area_of(triangles, points), 100.0 - 64.0 + 1.0);
+    EXPECT_EQ(points.size(), 12U);
+}
+
+// Two squares that cover each other are one region. Two points are added at the crossings.
+TEST(FlatRegion, CrossingRingsAreJoined) {
+    PointTable points{PrintGrid(10.0)};
+    const auto triangles =
+        triangles_of(edges_of_all({square(0.0, 4.0), square(3.0, 5.0)}, points), points);
+    EXPECT_EQ(area_of(triangles, points), 16.0 + 4.0 - 1.0);
+    EXPECT_EQ(points.size(), 10U);
+}
+
+TEST(FlatRegion, ClockwiseRingsAloneAreEmpty) {
+    PointTable points{PrintGrid(10.0)};
+    Ring ring = square(0.0, 1.0);
+    std::ranges::reverse(ring);
+    EXPECT_TRUE(triangles_of(edges_of_all({ring}, points), points).empty());
+    EXPECT_TRUE(triangles_of({}, points).empty());
+}
+
+// Rings that share an edge in opposite directions are one ring.
+TEST(FlatRegion, OppositeEdgesVanish) {
+    PointTable points{PrintGrid(10.0)};
+    const Ring left = square(0.0, 1.0);
+    const Ring right = {{1.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}};
+    const std::vector<Edge> edges = edges_of_all({left, right}, points);
+    EXPECT_EQ(edges.size(), 6U);
+    EXPECT_EQ(area_of(triangles_of(edges, points), points), 2.0);
+    EXPECT_EQ(without_opposites({edge_between(0, 1), edge_between(1, 0), edge_between(0, 1)}),
+              (std::vector<Edge>{edge_between(0, 1)}));
+}
+
+TEST(FlatRegion, EdgesWithoutLengthAreLeftOut) {
+    PointTable points{PrintGrid(10.0)};
+    EXPECT_EQ(edges_of({{0.0, 0.0}, {1e-9, 0.0}, {1.0, 0.0}, {0.0, 1.0}}, points).size(), 3U);
+}
+
+}  // namespace
+}  // namespace foam::texgen

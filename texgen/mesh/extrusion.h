@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/mesh/flat_region.h"
+#include "texgen/mesh/mesh.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Walls of a constant height, with or without a base plate. Lengths are in millimeters.
+struct Extrusion {
+    std::vector<Ring> walls;    // the region of the walls is on the left of the rings
+    std::vector<Ring> plate{};  // contains the walls
+    // True if walls end on the border of the plate, whose rings then are few.
+    bool reaches_border = false;
+    double base_height = 0.0;  // of the plate, from z = 0; 0 if there is no plate
+    double wall_height = 0.0;  // above the plate
+};
+
+/// The number of triangles of an extrusion is at most this number times the number of corners of
+/// its walls, apart from the plate. Each corner belongs to two triangles of a side, and to about
+/// one triangle of each face: of walls and floors, from above and from below.
+inline constexpr std::size_t kTrianglesPerCorner = 6;
+
+/// Returns the solid as one mesh. Horizontal coordinates are rounded to PrintGrid. Throws
+/// std::invalid_argument if the mesh is not closed because walls touch each other in a point, and
+/// std::bad_alloc if the machine has too little memory. Precondition: the plate contains the walls.
+Mesh extruded(const Extrusion& extrusion);
+
+}  // namespace foam::texgen

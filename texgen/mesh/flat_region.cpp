@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/mesh/flat_region.h"
+
+#include <GL/glu.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <new>
+#include <utility>
+
+namespace foam::texgen {
+
+PrintGrid::PrintGrid(double extent) : step_(1.0) {
+    // Single precision has 24 significant bits.
+    constexpr double kSteps = 1 << 22;
+    while (step_ * kSteps < extent) {
+        step_ *= 2.0;
+    }
+    while (0.5 * step_ * kSteps >= extent && step_ > 1e-12) {
+        step_ *= 0.5;
+    }
+}
+
+Vec2 PrintGrid::operator()(const Vec2& point) const {
+    // Adding 0 turns -0 into 0.
+    return {std::round(point.x() / step_) * step_ + 0.0,
+            std::round(point.y() / step_) * step_ + 0.0};
+}
+
+std::uint32_t PointTable::index_of(const Vec2& point) {
+    const Vec2 snapped = grid_(point);
+    const auto x = static_cast<std::int32_t>(snapped.x() / grid_.step());
+    const auto y = static_cast<std::int32_t>(snapped.y() / grid_.step());
+    const auto key = edge_between(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+    const auto [found, is_new] =
+        indices_.try_emplace(key, static_cast<std::uint32_t>(points_.size()));
+    if (is_new) {
+        points_.push_back(snapped);
+    }
+    return found->second;
+}
+
+std::vector<Edge> edges_of(const Ring& ring, PointTable& points) {
+    std::vector<Edge> edges;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const std::uint32_t from = points.index_of(ring[k]);
+        const std::uint32_t to = points.index_of(ring[(k + 1) % ring.size()]);
+        if (from != to) {
+            edges.push_back(edge_between(from, to));
+        }
+    }
+    return edges;
+}
+
+std::vector<Edge> without_opposites(std::vector<Edge> edges) {
+    std::ranges::sort(edges);
+    const auto count = [&](Edge edge) { return std::ranges::equal_range(edges, edge).size(); };
+    std::vector<Edge> kept;
+    for (auto edge = edges.begin(); edge != edges.end();) {
+        const std::size_t here = count(*edge);
+        const std::size_t there = count(opposite(*edge));
+        kept.insert(kept.end(), here > there ? here - there : 0, *edge);
+        edge += static_cast<std::ptrdiff_t>(here);
+    }
+    return kept;
+}
+
+namespace {
+
+// Calls visit(point) for the points of each loop of edges, and end() after each loop. At a point
+// where several loops meet, they may be joined in any way, because only the number of times that
+// they wind around a region matters.
+template <class Visit, class End>
+void visit_loops(std::span<const Edge> edges, const Visit& visit, const End& end) {
+    std::vector<bool> used(edges.size(), false);
+    const auto unused_from = [&](std::uint32_t start) {
+        auto edge = static_cast<std::size_t>(
+            std::ranges::lower_bound(edges, edge_between(start, 0)) - edges.begin());
+        while (edge < edges.size() && used[edge] && start_of(edges[edge]) == start) {
+            ++edge;
+        }
+        const bool found = edge < edges.size() && start_of(edges[edge]) == start;
+        return found ? edge : edges.size();
+    };
+    for (std::size_t first = 0; first < edges.size(); ++first) {
+        std::size_t edge = first;
+        bool has_points = false;
+        while (edge < edges.size() && !used[edge]) {
+            used[edge] = true;
+            has_points = true;
+            visit(start_of(edges[edge]));
+            edge = unused_from(end_of(edges[edge]));
+        }
+        if (has_points) {
+            end();
+        }
+    }
+}
+
+// Receives the triangles of GLU. An exception must not pass through GLU, which is written in C, so
+// it is kept.
+class Tessellation {
+  public:
+    explicit Tessellation(PointTable& points) : points_(points) {}
+
+    void add_corner(std::uint32_t point) {
+        corners_[count_++] = point;
+        if (count_ == corners_.size()) {
+            triangles.push_back(corners_);
+            count_ = 0;
+        }
+    }
+    std::uint32_t add_point(const Vec2& point) { return points_.index_of(point); }
+
+    template <class Action>
+    void keep_exception(const Action& action) {
+        try {
+            action();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    }
+
+    std::vector<Triangle> triangles;
+    std::exception_ptr failure;
+
+  private:
+    PointTable& points_;
+    Triangle corners_{};
+    std::size_t count_ = 0;
+};
+
+// GLU passes on pointers, which are here indices.
+void* as_pointer(std::uint32_t index) {
+    return reinterpret_cast<void*>(static_cast<std::uintptr_t>(index));
+}
+
+void on_vertex(void* vertex, void* tessellation) {
+    auto& target = *static_cast<Tessellation*>(tessellation);
+    target.keep_exception([&] {
+        target.add_corner(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(vertex)));
+    });
+}
+
+void on_combine(
+    const GLdouble* at, void** /*vertices*/, GLfloat*, void** made, void* tessellation) {
+    auto& target = *static_cast<Tessellation*>(tessellation);
+    target.keep_exception([&] { *made = as_pointer(target.add_point({at[0], at[1]})); });
+}
+
+// With this callback, GLU makes separate triangles instead of fans and strips.
+void on_edge_flag(GLboolean /*is_border*/, void* /*tessellation*/) {}
+
+void on_error(GLenum, void* tessellation) {
+    auto& target = *static_cast<Tessellation*>(tessellation);
+    target.failure = std::make_exception_ptr(std::bad_alloc());
+}
+
+using Callback = void (*)();
+
+template <class Function>
+Callback as_callback(Function* function) {
+    return reinterpret_cast<Callback>(function);
+}
+
+struct DeleteTessellator {
+    void operator()(GLUtesselator* tessellator) const { gluDeleteTess(tessellator); }
+};
+
+std::unique_ptr<GLUtesselator, DeleteTessellator> new_tessellator() {
+    std::unique_ptr<GLUtesselator, DeleteTessellator> tessellator(gluNewTess());
+    if (!tessellator) {
+        throw std::bad_alloc();
+    }
+    gluTessCallback(tessellator.get(), GLU_TESS_VERTEX_DATA, as_callback(on_vertex));
+    gluTessCallback(tessellator.get(), GLU_TESS_COMBINE_DATA, as_callback(on_combine));
+    gluTessCallback(tessellator.get(), GLU_TESS_EDGE_FLAG_DATA, as_callback(on_edge_flag));
+    gluTessCallback(tessellator.get(), GLU_TESS_ERROR_DATA, as_callback(on_error));
+    gluTessProperty(tessellator.get(), GLU_TESS_WINDING_RULE, GLU_TESS_WINDING_POSITIVE);
+    gluTessNormal(tessellator.get(), 0.0, 0.0, 1.0);
+    return tessellator;
+}
+
+}  // namespace
+
+std::vector<Triangle> triangles_of(std::span<const Edge> edges, PointTable& points) {
+    Tessellation result(points);
+    const auto tessellator = new_tessellator();
+    GLUtesselator* const tess = tessellator.get();
+    gluTessBeginPolygon(tess, &result);
+    bool is_open = false;
+    const auto visit = [&](std::uint32_t index) {
+        if (!std::exchange(is_open, true)) {
+            gluTessBeginContour(tess);
+        }
+        std::array<GLdouble, 3> at{points[index].x(), points[index].y(), 0.0};
+        gluTessVertex(tess, at.data(), as_pointer(index));
+    };
+    const auto end = [&] {
+        gluTessEndContour(tess);
+        is_open = false;
+    };
+    visit_loops(edges, visit, end);
+    gluTessEndPolygon(tess);
+    if (result.failure) {
+        std::rethrow_exception(result.failure);
+    }
+    return std::move(result.triangles);
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/geometry/vec2.h"
+#include "texgen/mesh/edges.h"
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A closed polygon, as its corners.
+using Ring = std::vector<Vec2>;
+
+/// A grid of positions that single precision represents exactly. Meshes are stored in single
+/// precision. If points were rounded only then, thin triangles could turn over.
+class PrintGrid {
+  public:
+    /// `extent` is the largest absolute value of a coordinate. The step of the grid is a power of
+    /// two and at most extent / 2^21.
+    explicit PrintGrid(double extent);
+
+    Vec2 operator()(const Vec2& point) const;
+    double step() const { return step_; }
+
+  private:
+    double step_;
+};
+
+/// Points on a grid, each of which has one index.
+class PointTable {
+  public:
+    explicit PointTable(const PrintGrid& grid) : grid_(grid) {}
+
+    /// Returns the index of the point of the grid that is nearest to `point`.
+    std::uint32_t index_of(const Vec2& point);
+    const Vec2& operator[](std::uint32_t index) const { return points_[index]; }
+    std::size_t size() const { return points_.size(); }
+
+  private:
+    PrintGrid grid_;
+    std::vector<Vec2> points_;
+    std::unordered_map<std::uint64_t, std::uint32_t> indices_;
+};
+
+/// Returns the edges of a ring on the grid. Edges between equal points are left out.
+std::vector<Edge> edges_of(const Ring& ring, PointTable& points);
+
+/// Returns the edges in ascending order, without pairs of opposite edges.
+std::vector<Edge> without_opposites(std::vector<Edge> edges);
+
+/// Returns triangles, counter-clockwise, of the region around which edges wind counter-clockwise,
+/// with the tessellator of GLU, which is a sweep (a point is added where edges cross). The points
+/// of the triangles are the points of the edges, unless edges cross. Precondition: at each point,
+/// as many edges end as begin. Throws std::bad_alloc if the machine has too little memory.
+std::vector<Triangle> triangles_of(std::span<const Edge> edges, PointTable& points);
+
+}  // namespace foam::texgen

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/file_io.h"
+#include "texgen/json/json_writer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// Builds a binary glTF 2.0 file (GLB): a JSON text, and the bytes of meshes and images to which it
+/// refers.
+class GlbBuilder {
+  public:
+    /// The parts of the file that have no function below are added to the JSON directly.
+    Json json;
+
+    /// Begins a file with one node that shows mesh 0.
+    explicit GlbBuilder(std::string_view node_name);
+
+    /// Adds bytes, such as an image. Returns the index of the buffer view.
+    std::size_t add_bytes(std::span<const std::byte> content);
+
+    /// Adds vectors of 2, 3 or 4 components as an attribute of vertices. `limits` may have the
+    /// members "min" and "max", which positions must have. Returns the index of the accessor.
+    std::size_t add_vectors(std::span<const float> numbers, int components, const Json& limits);
+
+    /// Adds the corners of triangles as indices of vertices. Returns the index of the accessor.
+    std::size_t add_corners(std::span<const std::uint16_t> corners);
+    std::size_t add_corners(std::span<const std::uint32_t> corners);
+
+    /// Sets the only mesh of the file. `primitive` is its only primitive.
+    void set_mesh(std::string_view name, Json primitive);
+
+    /// Returns the content of the file. May be called only once.
+    Bytes file();
+
+  private:
+    std::size_t add_view(std::span<const std::byte> content, int target);
+    std::size_t add_accessor(Json accessor);
+
+    Bytes binary_;
+};
+
+}  // namespace foam::texgen

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/mesh/normals.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace foam::texgen {
+
+namespace {
+
+using Vector3 = std::array<double, 3>;
+
+constexpr double kSmoothCosine = 0.8660254037844386;  // of 30 degrees
+
+Point3 to_float(const Vector3& vector) {
+    return {static_cast<float>(vector[0]),
+            static_cast<float>(vector[1]),
+            static_cast<float>(vector[2])};
+}
+
+// The corners of all triangles, grouped by their point. Corner 3 t + k is corner k of triangle t.
+struct CornersOfPoints {
+    std::vector<std::uint32_t> begin;  // for each point, an index in `corners`; one more at the end
+    std::vector<std::uint32_t> corners;  // ascending for each point
+};
+
+CornersOfPoints corners_of(const Mesh& mesh) {
+    CornersOfPoints found{std::vector<std::uint32_t>(mesh.positions.size() + 1, 0),
+                          std::vector<std::uint32_t>(3 * mesh.triangles.size())};
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t point : triangle) {
+            ++found.begin[point + 1];
+        }
+    }
+    for (std::size_t point = 0; point < mesh.positions.size(); ++point) {
+        found.begin[point + 1] += found.begin[point];
+    }
+    std::vector<std::uint32_t> next(found.begin.begin(), found.begin.end() - 1);
+    std::uint32_t corner = 0;
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t point : triangle) {
+            found.corners[next[point]++] = corner++;
+        }
+    }
+    return found;
+}
+
+// Computes the normals of the corners at a point, and adds a point for each different normal.
+class NormalsOfPoint {
+  public:
+    explicit NormalsOfPoint(const Mesh& mesh) : mesh_(mesh) {}
+
+    void add(std::uint32_t point, std::span<const std::uint32_t> corners, MeshWithNormals& to) {
+        areas_.clear();
+        directions_.clear();
+        for (const std::uint32_t corner : corners) {
+            areas_.push_back(area_vector(mesh_, mesh_.triangles[corner / 3]));
+            directions_.push_back(normalized(areas_.back()));
+        }
+        const std::size_t first = to.positions.size();
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const Point3 normal = to_float(normalized(sum_of_similar(k)));
+            to.triangles[corners[k] / 3][corners[k] % 3] = index_of(normal, first, to);
+            if (to.positions.size() < to.normals.size()) {
+                to.positions.push_back(mesh_.positions[point]);
+            }
+        }
+    }
+
+  private:
+    Vector3 sum_of_similar(std::size_t k) const {
+        Vector3 sum{0.0, 0.0, 0.0};
+        for (std::size_t m = 0; m < areas_.size(); ++m) {
+            const Vector3& a = directions_[k];
+            const Vector3& b = directions_[m];
+            if (m == k || a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > kSmoothCosine) {
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    sum[axis] += areas_[m][axis];
+                }
+            }
+        }
+        return sum;
+    }
+
+    // Returns the index of a normal among those from `first`, at whose end it is added if it is
+    // new.
+    static std::uint32_t index_of(const Point3& normal, std::size_t first, MeshWithNormals& to) {
+        std::size_t index = first;
+        while (index < to.normals.size() && to.normals[index] != normal) {
+            ++index;
+        }
+        if (index == to.normals.size()) {
+            to.normals.push_back(normal);
+        }
+        return static_cast<std::uint32_t>(index);
+    }
+
+    const Mesh& mesh_;
+    std::vector<Vector3> areas_;
+    std::vector<Vector3> directions_;
+};
+
+}  // namespace
+
+MeshWithNormals with_normals(const Mesh& mesh) {
+    const CornersOfPoints corners = corners_of(mesh);
+    MeshWithNormals result{{}, {}, std::vector<Triangle>(mesh.triangles.size())};
+    result.positions.reserve(mesh.positions.size());
+    result.normals.reserve(mesh.positions.size());
+    NormalsOfPoint normals(mesh);
+    for (std::uint32_t point = 0; point < mesh.positions.size(); ++point) {
+        const std::uint32_t begin = corners.begin[point];
+        normals.add(point,
+                    std::span(corners.corners).subspan(begin, corners.begin[point + 1] - begin),
+                    result);
+    }
+    return result;
+}
+
+}  // namespace foam::texgen

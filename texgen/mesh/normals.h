@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/mesh/mesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A mesh whose points have normals. A point of the original mesh is several points here if the
+/// surface has a crease there.
+struct MeshWithNormals {
+    std::vector<Point3> positions;
+    std::vector<Point3> normals;  // of length 1
+    std::vector<Triangle> triangles;
+};
+
+/// Adds normals. The normal of a corner of a triangle is the mean of the normals of those triangles
+/// at this point that differ by less than 30 degrees, weighted by area. Curved surfaces therefore
+/// look smooth, and edges look sharp.
+MeshWithNormals with_normals(const Mesh& mesh);
+
+}  // namespace foam::texgen

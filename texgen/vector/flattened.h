@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/mesh/flat_region.h"
+#include "texgen/vector/chain.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Returns the number of equal parts into which an arc is divided so that no point of the arc is
+/// farther than `tolerance` from the chord of its part.
+std::size_t parts_of(const DrawnArc& arc, double tolerance);
+
+/// Returns closed chains as polygons whose corners are on the arcs. No point of an arc is farther
+/// than `tolerance` from the polygon.
+std::vector<Ring> flattened(std::span<const Chain> chains, double tolerance);
+
+}  // namespace foam::texgen

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/keys/key.h"
+
+namespace foam::texgen {
+
+/// What a mesh shows.
+enum class MeshKind {
+    Auto,    // walls if drawings show a maze or contours (VectorContent), otherwise the relief
+    Relief,  // the map height on a slab
+    Walls,   // films, walls or contours of a constant height
+};
+
+/// The options of meshes: STL and GLB files. Their width is that of drawings
+/// (VectorOptions::width_mm). Lengths are in millimeters.
+struct MeshOptions {
+    MeshKind kind = MeshKind::Auto;
+    // Thickness of the slab under the lowest point of a relief, or of the plate under walls; 0 for
+    // walls without a plate.
+    double base_mm = 2.0;
+    // Height of the highest point of a relief above the lowest one; 0 for the true scale, at which
+    // heights and widths have the same unit.
+    double relief_mm = 0.0;
+    double wall_mm = 5.0;  // height of walls above the base
+    // The largest distance between an arc and the polygon that replaces it.
+    double tolerance_mm = 0.02;
+};
+
+Keys<MeshOptions> mesh_keys();
+
+}  // namespace foam::texgen
