@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Updates the thumbnails of the README: of all shipped presets, or of the given presets. Uses the program that
-# samples/quickstart.sh builds, or the program given by $FOAMTEX.
+# Updates the thumbnails of the README and the sheet of variations: all of them, or the given ones. Uses the program
+# that samples/quickstart.sh builds, or the program given by $FOAMTEX.
 #
 #     samples/gallery/make.sh
 #     samples/gallery/make.sh lava sea_ice
+#     samples/gallery/make.sh variations
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
@@ -31,9 +32,16 @@ thumbnail() {
         -quality 88 -strip "samples/gallery/$preset.jpg"
 }
 
+# variations: draws a sheet of random variations.
+variations() {
+    "$foamtex" vary dragon_skin --random 12 --width 190 -q --out "$scratch"
+    convert "$scratch/dragon_skin_variations.png" -quality 88 -strip samples/gallery/variations.jpg
+}
+
 ensure_packages imagemagick
 [[ -x $foamtex ]] || build_foamtex
-mapfile -t presets < <("$foamtex" presets list | cut -d ' ' -f 1)
-for preset in "${@:-${presets[@]}}"; do
-    thumbnail "$preset"
+mapfile -t pictures < <("$foamtex" presets list | cut -d ' ' -f 1)
+pictures+=(variations)
+for picture in "${@:-${pictures[@]}}"; do
+    if [[ $picture == variations ]]; then variations; else thumbnail "$picture"; fi
 done
