@@ -32,6 +32,7 @@ READERS = {
     "preset": ["texgen/preset/assignment.cpp", "texgen/preset/preset_io.cpp", "texgen/preset/event_io.cpp",
                "texgen/preset/rejection.cpp"],
     "set_argument": ["texgen/preset/assignment.cpp"],
+    "svg_outline": ["texgen/pictures/svg_drawing.cpp", "texgen/pictures/svg_path.cpp", "texgen/pictures/svg_text.cpp"],
     "tolerances": ["texgen/verify/tolerances.cpp", "texgen/verify/limit_keys.cpp"],
     "wkt_polygon": ["core/foam/outline.cpp"],
 }

@@ -110,6 +110,45 @@ void check_validity(const Polygon& polygon) {
     }
 }
 
+// An axis-parallel box around points.
+struct Bounds {
+    Vec2 low;
+    Vec2 high;
+
+    Bounds(const Vec2& a, const Vec2& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {}
+    void add(const Vec2& point) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    bool meets(const Bounds& other) const {
+        return (low.array() <= other.high.array()).all() &&
+               (other.low.array() <= high.array()).all();
+    }
+};
+
+bool is_apart(const std::vector<Vec2>& ring, const Bounds& bounds) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        if (bounds.meets({ring[k], ring[(k + 1) % ring.size()]})) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Returns true if the bounding box of the polygon touches the bounding box of no side of the
+// outline. The polygon is then entirely inside or entirely outside, which is much faster to find
+// out than an intersection, and most cells are.
+bool is_apart_from_rings(const Outline& outline, const std::vector<Vec2>& polygon) {
+    Bounds bounds(polygon.front(), polygon.front());
+    for (const Vec2& point : polygon) {
+        bounds.add(point);
+    }
+    return is_apart(outline.outer, bounds) &&
+           std::ranges::all_of(outline.holes, [&](const std::vector<Vec2>& hole) {
+               return is_apart(hole, bounds);
+           });
+}
+
 }  // namespace
 
 Outline outline_from_wkt(const std::string& text) {
@@ -142,14 +181,21 @@ double outline_area(const Outline& outline) {
     return bg::area(polygon_of(outline));
 }
 
-double bounding_aspect(const Outline& outline) {
-    Vec2 low = outline.outer.front();
-    Vec2 high = low;
-    for (const Vec2& corner : outline.outer) {
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
+double bounding_aspect(std::span<const Outline> parts) {
+    Bounds bounds(parts.front().outer.front(), parts.front().outer.front());
+    for (const Outline& part : parts) {
+        for (const Vec2& corner : part.outer) {
+            bounds.add(corner);
+        }
     }
-    return (high.x() - low.x()) / (high.y() - low.y());
+    const Vec2 size = bounds.high - bounds.low;
+    return size.x() / size.y();
+}
+
+Vec2 outline_centroid(const Outline& outline) {
+    Point center(0.0, 0.0);
+    bg::centroid(polygon_of(outline), center);
+    return {center.x(), center.y()};
 }
 
 bool is_inside(const Outline& outline, const Vec2& point) {
@@ -157,6 +203,9 @@ bool is_inside(const Outline& outline, const Vec2& point) {
 }
 
 std::vector<std::vector<Vec2>> clipped(const Outline& outline, const std::vector<Vec2>& polygon) {
+    if (is_apart_from_rings(outline, polygon)) {
+        return std::vector<std::vector<Vec2>>(is_inside(outline, polygon.front()) ? 1 : 0, polygon);
+    }
     std::vector<Polygon> parts;
     bg::intersection(polygon_of(outline), polygon_of({polygon, {}}), parts);
     std::vector<std::vector<Vec2>> rings;

@@ -4,6 +4,7 @@
 
 #include "core/geometry/vec2.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,12 @@ Outline rectangle_outline(double aspect);
 /// Returns the area within the outer ring minus the area of the holes.
 double outline_area(const Outline& outline);
 
-/// Returns the width of the bounding box divided by its height.
-double bounding_aspect(const Outline& outline);
+/// Returns the width of the bounding box of an outline of one or several parts divided by its
+/// height.
+double bounding_aspect(std::span<const Outline> parts);
+
+/// Returns the centroid of the region.
+Vec2 outline_centroid(const Outline& outline);
 
 /// Returns true if the point is inside the outer ring and in no hole. Points on the boundary count
 /// as outside.

@@ -3,34 +3,32 @@
 #include "core/foam/patch.h"
 
 #include "core/foam/clipped_cells.h"
+#include "core/foam/patch_part.h"
 #include "core/foam/random.h"
 #include "core/foam/target_areas.h"
-#include "core/foam/voronoi.h"
-#include "core/network/validate.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
+#include <cstddef>
 #include <span>
 #include <stdexcept>
-#include <string>
+#include <utility>
 #include <vector>
 
-// Seeds a patch from the Voronoi diagram of random points (paper section 5). The outline is scaled
-// to an area of 1 per bubble and placed in the middle of a square torus, whose side is twice the
-// longer side of the bounding box of the outline. Random sites are drawn within the outline and, as
-// an option, moved by Lloyd's algorithm (seeding.cpp). Their Voronoi diagram on the torus is
-// clipped to the outline (clipped_cells.h) and converted to a foam (polygon_mesh.h). If a draw
-// gives no valid foam, new sites are drawn.
+// Seeds a patch from the Voronoi diagram of random points (paper section 5). The parts of the
+// outline are scaled to a total area of 1 per bubble. Each part is seeded separately, so that it
+// gets bubbles in proportion to its area. It is placed in the middle of a square torus, whose side
+// is twice the longer side of the bounding box of the part. Random sites are drawn within the part
+// and, as an option, moved by Lloyd's algorithm (seeding.cpp). Their Voronoi diagram on the torus
+// is clipped to the part (clipped_cells.h). If a draw gives no valid foam, new sites are drawn. The
+// cells of all parts together are converted to a foam (polygon_mesh.h). A part with the area of one
+// bubble becomes a lone bubble.
 
 namespace foam {
 
 namespace {
 
-constexpr int kMaxPatchDraws = 8;
-
-void check(const Outline& outline, const PatchOptions& options) {
+void check(std::span<const Outline> parts, const PatchOptions& options) {
     if (options.bubbles < 2) {
         throw std::invalid_argument("a patch needs at least two bubbles");
     }
@@ -40,175 +38,133 @@ void check(const Outline& outline, const PatchOptions& options) {
     if (options.area_ratio != 0.0 && !(options.area_ratio >= 1.0)) {
         throw std::invalid_argument("the area ratio must be 0 or at least 1");
     }
-    if (!(outline_area(outline) > 0.0)) {
+    if (!std::ranges::all_of(parts, [](const Outline& part) { return outline_area(part) > 0.0; }) ||
+        parts.empty()) {
         throw std::invalid_argument(
             "the outline has no area: it needs at least three corners that are not on one line");
     }
 }
 
-struct Box {
-    Vec2 low;
-    Vec2 high;
+// The cells of all parts that have several bubbles, and the parts that are one bubble.
+struct SeededParts {
+    PolygonMesh mesh;
+    std::vector<LoneBubble> lone;
+    // The area of the area field at each cell and at each lone bubble; empty if there is no field.
+    std::vector<double> field_of_cells;
+    std::vector<double> field_of_lone;
+
+    std::size_t count() const { return mesh.cells.size() + lone.size(); }
 };
 
-Box box_of(const Outline& outline) {
-    Box box{outline.outer.front(), outline.outer.front()};
-    for (const Vec2& corner : outline.outer) {
-        box.low = box.low.cwiseMin(corner);
-        box.high = box.high.cwiseMax(corner);
+// Appends a mesh, moved by a vector.
+void append(PolygonMesh& mesh, const PolygonMesh& part, const Vec2& by) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    for (const Vec2& point : part.points) {
+        mesh.points.push_back(point + by);
     }
-    return box;
-}
-
-Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
-    const auto apply = [&](Vec2& corner) { corner = scale * (corner + by); };
-    std::for_each(outline.outer.begin(), outline.outer.end(), apply);
-    for (std::vector<Vec2>& hole : outline.holes) {
-        std::for_each(hole.begin(), hole.end(), apply);
+    for (PolygonMesh::Cell cell : part.cells) {
+        for (std::uint32_t& corner : cell) {
+            corner += first;
+        }
+        mesh.cells.push_back(std::move(cell));
     }
-    return outline;
 }
 
-// The outline, scaled to an area of 1 per bubble, in the middle of the torus. Within the outline,
-// the lattice copies of sites do not affect the cells: because the torus is at least twice as wide
-// and at least twice as high as the outline, a copy of a site is never nearer to a point within
-// the outline than the site itself.
-struct PreparedOutline {
-    Outline outline;
-    Domain domain;
-    std::optional<AreaField> areas;  // stretched over the bounding box of the outline
-
-    const AreaField* areas_or_null() const { return areas ? &*areas : nullptr; }
-};
-
-PreparedOutline prepare(const Outline& outline, const PatchOptions& options) {
-    const Box box = box_of(outline);
-    const Vec2 size = box.high - box.low;
-    const double scale = std::sqrt(options.bubbles / outline_area(outline));
-    const double side = 2.0 * scale * size.maxCoeff();
-    const Vec2 to_middle = 0.5 * Vec2::Constant(side) / scale - 0.5 * (box.low + box.high);
-    PreparedOutline prepared{moved_and_scaled(outline, to_middle, scale), {side, side}, {}};
-    if (options.areas) {
-        prepared.areas = options.areas->stretched_over(scale * (box.low + to_middle), scale * size);
-    }
-    return prepared;
-}
-
-Vec2 random_point(const Box& box, Random& random) {
-    const double x = box.low.x() + (box.high.x() - box.low.x()) * random.uniform();
-    const double y = box.low.y() + (box.high.y() - box.low.y()) * random.uniform();
-    return {x, y};
-}
-
-// Returns `count` random points inside the outline. Draws points in its bounding box, uniformly or
-// with the density of the area field, and keeps the points inside the outline.
-std::vector<Vec2> random_sites(const PreparedOutline& prepared, int count, Random& random) {
-    const Box box = box_of(prepared.outline);
-    std::vector<Vec2> sites;
-    while (static_cast<int>(sites.size()) < count) {
-        const Vec2 site =
-            prepared.areas ? prepared.areas->random_point(random) : random_point(box, random);
-        if (is_inside(prepared.outline, site)) {
-            sites.push_back(site);
+// Seeds all parts. Positions are those of the first part in its torus, and the other parts have
+// their distances from it.
+SeededParts seed_parts(std::span<const PreparedPart> parts,
+                       const PatchOptions& options,
+                       Random& random) {
+    SeededParts seeded;
+    for (const PreparedPart& part : parts) {
+        const Vec2 by = parts.front().shift - part.shift;
+        if (part.bubbles > 1) {
+            const PartCells cells = draw_part(part, options, random);
+            append(seeded.mesh, cells.mesh, by);
+            seeded.field_of_cells.insert(
+                seeded.field_of_cells.end(), cells.field.begin(), cells.field.end());
+            continue;
+        }
+        const Vec2 center = outline_centroid(part.outline);
+        seeded.lone.push_back({0, center + by, outline_area(part.outline)});
+        if (part.areas) {
+            seeded.field_of_lone.push_back(part.areas->at(center));
         }
     }
-    return sites;
+    return seeded;
 }
 
-ClippedCells cells_of(const PreparedOutline& prepared, const std::vector<Vec2>& sites) {
-    return clip_cells(
-        prepared.outline, voronoi_cells(prepared.domain, sites), prepared.areas_or_null());
-}
-
-// Draws random sites and applies Lloyd's algorithm to them. A site is not moved if the center of
-// its cell is outside of the outline. Returns the clipped cells of the final sites.
-ClippedCells draw_cells(const PreparedOutline& prepared,
-                        const PatchOptions& options,
-                        Random& random) {
-    std::vector<Vec2> sites = random_sites(prepared, options.bubbles, random);
-    ClippedCells cells = cells_of(prepared, sites);
-    for (int k = 0; k < options.lloyd_iterations; ++k) {
-        for (std::size_t cell = 0; cell < sites.size(); ++cell) {
-            const Vec2 center = cells.centers[cell];
-            sites[cell] = is_inside(prepared.outline, center) ? center : sites[cell];
-        }
-        cells = cells_of(prepared, sites);
-    }
-    return cells;
-}
-
-// Moves the mean of the points to the origin and scales the mesh to a mean cell area of 1.
-void normalize(PolygonMesh& mesh) {
+// Moves the mean of all corners of cells and all lone bubbles to the origin, and scales everything
+// to a mean area of 1.
+void normalize(SeededParts& parts) {
     double area = 0.0;
-    for (const PolygonMesh::Cell& cell : mesh.cells) {
-        area += polygon_area(mesh, cell);
+    for (const PolygonMesh::Cell& cell : parts.mesh.cells) {
+        area += polygon_area(parts.mesh, cell);
     }
-    const double scale = std::sqrt(static_cast<double>(mesh.cells.size()) / area);
-    const Vec2 middle = std::accumulate(mesh.points.begin(), mesh.points.end(), Vec2(0.0, 0.0)) /
-                        static_cast<double>(mesh.points.size());
-    for (Vec2& point : mesh.points) {
+    Vec2 sum(0.0, 0.0);
+    for (const Vec2& point : parts.mesh.points) {
+        sum += point;
+    }
+    for (const LoneBubble& bubble : parts.lone) {
+        area += bubble.target_area;
+        sum += bubble.center;
+    }
+    const double scale = std::sqrt(static_cast<double>(parts.count()) / area);
+    const Vec2 middle = sum / static_cast<double>(parts.mesh.points.size() + parts.lone.size());
+    for (Vec2& point : parts.mesh.points) {
         point = scale * (point - middle);
     }
-}
-
-// Returns the area of the area field at each cell of the mesh; empty if there is no field.
-std::vector<double> field_areas(const PreparedOutline& prepared, const PolygonMesh& mesh) {
-    std::vector<double> areas;
-    for (std::size_t cell = 0; prepared.areas && cell < mesh.cells.size(); ++cell) {
-        areas.push_back(prepared.areas->mean_over(polygon_of(mesh, mesh.cells[cell])));
-    }
-    return areas;
-}
-
-// Sets the target areas of all bubbles except the ghost, which is the last bubble. Their mean is 1.
-// `field` has the area of the area field at each cell, or is empty.
-void set_targets(std::span<const double> field, double ratio, Foam& foam) {
-    const std::span<double> targets(foam.target_areas.begin(), foam.network.bubble_count());
-    set_target_areas(targets, field, ratio);
-    if (!field.empty() || ratio > 0.0) {
-        scale_to_total(targets, static_cast<double>(targets.size()));
+    for (LoneBubble& bubble : parts.lone) {
+        bubble.center = scale * (bubble.center - middle);
+        bubble.target_area *= scale * scale;
     }
 }
 
-// Merges slivers (clipped_cells.h), normalizes the mesh and returns it as a foam. Throws
-// std::runtime_error if the foam is not valid.
-Foam foam_of(const PreparedOutline& prepared, ClippedCells cells, double area_ratio) {
-    merge_slivers(cells.mesh, prepared.areas_or_null());
-    const std::vector<double> field = field_areas(prepared, cells.mesh);
-    normalize(cells.mesh);
-    Foam foam = foam_from_mesh(cells.mesh);
-    if (const auto fault = find_fault(foam.network)) {
-        throw std::runtime_error(*fault);
+Foam foam_of(const SeededParts& parts) {
+    Foam foam = valid_foam(parts.mesh);
+    for (LoneBubble bubble : parts.lone) {
+        bubble.identity = foam.next_identity++;
+        foam.lone_bubbles.push_back(bubble);
     }
-    set_targets(field, area_ratio, foam);
     return foam;
 }
 
-std::string no_patch_message(int bubbles, const std::string& cause) {
-    return "no valid patch of " + std::to_string(bubbles) +
-           " bubbles fits into this outline: it is too narrow, or has parts too small for a "
-           "bubble; use more bubbles or a wider outline (" +
-           cause + ")";
+// Sets the target areas of all bubbles except the ghost, which is the last bubble of the network.
+// Their mean is 1. Without a ratio and a field, target areas stay the areas of the cells.
+void set_targets(const SeededParts& parts, double ratio, Foam& foam) {
+    std::vector<double> field = parts.field_of_cells;
+    field.insert(field.end(), parts.field_of_lone.begin(), parts.field_of_lone.end());
+    if (field.empty() && ratio == 0.0) {
+        return;
+    }
+    const auto in_network = static_cast<std::ptrdiff_t>(foam.network.bubble_count());
+    std::vector<double> targets(foam.target_areas.begin(), foam.target_areas.begin() + in_network);
+    for (const LoneBubble& bubble : foam.lone_bubbles) {
+        targets.push_back(bubble.target_area);
+    }
+    set_target_areas(targets, field, ratio);
+    scale_to_total(targets, static_cast<double>(targets.size()));
+    std::copy(targets.begin(), targets.begin() + in_network, foam.target_areas.begin());
+    for (std::size_t k = 0; k < foam.lone_bubbles.size(); ++k) {
+        foam.lone_bubbles[k].target_area = targets[static_cast<std::size_t>(in_network) + k];
+    }
 }
 
 }  // namespace
 
-Foam seed_patch(const Outline& outline, const PatchOptions& options) {
-    check(outline, options);
+Foam seed_patch(std::span<const Outline> parts, const PatchOptions& options) {
+    check(parts, options);
     Random random(options.seed);
-    const PreparedOutline prepared = prepare(outline, options);
-    for (int draw = 1;; ++draw) {
-        try {
-            Foam foam =
-                foam_of(prepared, draw_cells(prepared, options, random), options.area_ratio);
-            foam.film_tension = 2.0 * options.surface_tension;
-            return foam;
-        } catch (const std::runtime_error& error) {
-            if (draw == kMaxPatchDraws) {
-                throw std::runtime_error(no_patch_message(options.bubbles, error.what()));
-            }
-        }
-    }
+    SeededParts seeded = seed_parts(prepare_parts(parts, options), options, random);
+    normalize(seeded);
+    Foam foam = foam_of(seeded);
+    foam.film_tension = 2.0 * options.surface_tension;
+    set_targets(seeded, options.area_ratio, foam);
+    return foam;
+}
+
+Foam seed_patch(const Outline& outline, const PatchOptions& options) {
+    return seed_patch(std::span(&outline, 1), options);
 }
 
 }  // namespace foam

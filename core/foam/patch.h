@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace foam {
 
@@ -30,5 +31,11 @@ struct PatchOptions {
 /// Throws std::runtime_error if none of several random draws gives a valid foam, for example if the
 /// outline is too narrow for its bubbles.
 Foam seed_patch(const Outline& outline, const PatchOptions& options);
+
+/// Returns a patch that is seeded in an outline of several parts, which do not overlap. Each part
+/// gets bubbles in proportion to its area and becomes a raft of its own. A part with an area of
+/// less than one and a half bubbles becomes a lone bubble. Throws as the function above; also
+/// throws std::runtime_error if a part is smaller than a tenth of a bubble.
+Foam seed_patch(std::span<const Outline> parts, const PatchOptions& options);
 
 }  // namespace foam

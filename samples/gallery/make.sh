@@ -6,7 +6,7 @@
 #
 #     samples/gallery/make.sh
 #     samples/gallery/make.sh lava sea_ice
-#     samples/gallery/make.sh variations
+#     samples/gallery/make.sh variations portraits letters
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
@@ -38,10 +38,30 @@ variations() {
     convert "$scratch/dragon_skin_variations.png" -quality 88 -strip samples/gallery/variations.jpg
 }
 
+# letters: bakes the word of samples/letters, whose outline is a drawing.
+letters() {
+    "$foamtex" bake samples/letters/letters.toml -q --out "$scratch/letters.png"
+    convert "$scratch/letters.png" -background white -flatten -colorspace RGB -filter Box -resize 50% -colorspace sRGB \
+        -quality 88 -strip samples/gallery/letters.jpg
+}
+
+# portraits: bakes the portrait and the mosaic of samples/portrait, side by side.
+portraits() {
+    local preset
+    for preset in portrait mosaic; do
+        "$foamtex" bake "samples/portrait/$preset.toml" --frames 1 -q --out "$scratch/$preset.png"
+    done
+    convert "$scratch/portrait.png" "$scratch/mosaic.png" +append -colorspace RGB -filter Box -resize 50% \
+        -colorspace sRGB -quality 88 -strip samples/gallery/portraits.jpg
+}
+
 ensure_packages imagemagick
 [[ -x $foamtex ]] || build_foamtex
 mapfile -t pictures < <("$foamtex" presets list | cut -d ' ' -f 1)
-pictures+=(variations)
+pictures+=(variations portraits letters)
 for picture in "${@:-${pictures[@]}}"; do
-    if [[ $picture == variations ]]; then variations; else thumbnail "$picture"; fi
+    case $picture in
+        variations | portraits | letters) "$picture" ;;
+        *) thumbnail "$picture" ;;
+    esac
 done

@@ -8,7 +8,7 @@ foam_build_packages=(
     g++ cmake ninja-build pkg-config
     libeigen3-dev libboost-dev libpng-dev zlib1g-dev libisal-dev libdeflate-dev libopenexr-dev libxxhash-dev
     libzstd-dev libcairo2-dev libglu1-mesa-dev
-    libcli11-dev libtomlplusplus-dev libfmt-dev
+    libcli11-dev libtomlplusplus-dev libfmt-dev libpugixml-dev
     nlohmann-json3-dev
 )
 foam_test_packages=(

@@ -95,7 +95,7 @@ class PresetMaker:
         if path in TEXTS:
             return f'"{self.random.choice(TEXTS[path])}"'
         if "anyOf" in key:
-            return self.value(path, self.random.choice(key["anyOf"]))
+            return self.value(path, self.random.choice([one for one in key["anyOf"] if one.get("type") != "object"]))
         if "const" in key:
             return json.dumps(key["const"])
         if "enum" in key:

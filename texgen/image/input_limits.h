@@ -25,10 +25,11 @@ inline constexpr InputKind kDescriptionInput{
     "a manifest or the description of a cache or a flipbook", 512 * kMebibyte};
 inline constexpr InputKind kStateInput{"a state of a cache", 1024 * kMebibyte};
 inline constexpr InputKind kImageInput{"an image", 4096 * kMebibyte};
+inline constexpr InputKind kDrawingInput{"a drawing (SVG)", 16 * kMebibyte};
 
 /// All kinds of input files.
 inline constexpr std::array kInputKinds = {
-    kPresetInput, kFoamInput, kDescriptionInput, kStateInput, kImageInput};
+    kPresetInput, kFoamInput, kDescriptionInput, kStateInput, kImageInput, kDrawingInput};
 
 /// The largest size of the uncompressed content of a state of a cache, in bytes.
 inline constexpr std::uint64_t kMaxStateContent = 4096 * kMebibyte;

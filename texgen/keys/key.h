@@ -49,6 +49,10 @@ struct KeyInfo {
     std::optional<Value> default_value{};  // nullopt if the key is unset by default
     std::optional<Condition> condition{};  // unless it is met, the key must keep its default
     std::optional<Condition> use{};        // unless it is met, the key has no effect
+    /// Unless it is met, the TOML of a preset leaves the key out, because another key is written
+    /// instead: TOML can contain either the list albedo.colors or the table with
+    /// albedo.colors.from.
+    std::optional<Condition> written{};
     /// The path of another key. The number of this key must be below the number of that key.
     std::optional<std::string> upper_limit{};
     /// Returns true if a value is the path of a file that the key reads. In a preset, such a path
@@ -115,6 +119,19 @@ struct Key : KeyInfo {
     Key unused_with(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.use = Condition{other, std::move(values), true};
+        return key;
+    }
+
+    /// Returns a copy of this key that the TOML of a preset contains only if the other key has one
+    /// of the given values, or only if it has none of them.
+    Key written_if(std::string_view other, std::vector<std::string> values) const {
+        Key key = *this;
+        key.written = Condition{other, std::move(values)};
+        return key;
+    }
+    Key written_unless(std::string_view other, std::vector<std::string> values) const {
+        Key key = *this;
+        key.written = Condition{other, std::move(values), true};
         return key;
     }
 

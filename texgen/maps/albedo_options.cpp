@@ -4,30 +4,102 @@
 
 #include "texgen/image/colormap.h"
 #include "texgen/keys/value_kinds.h"
+#include "texgen/maps/color_scale.h"
+#include "texgen/pictures/palette.h"
+
+#include <fmt/core.h>
 
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 namespace foam::texgen {
 
 namespace {
 
-// Returns the key colormap. Of colormap and colors, the one that is set last is used, so that
-// setting a color map removes the colors of a preset.
-Key<AlbedoOptions> colormap_key() {
-    Key<AlbedoOptions> colormap = key("colormap",
-                                      Words{colormap_names()},
-                                      "color map of the bubbles; replaces albedo.colors that were "
-                                      "set before",
-                                      &AlbedoOptions::colormap);
-    colormap.use = Condition{"albedo.colors", {"[]"}};
-    colormap.read = [read = colormap.read](const Value& value, AlbedoOptions& options) {
+// Of the keys colormap, colors and colors.from, the one that is set last is used. So setting a
+// color map removes the colors of a preset.
+
+// Returns a copy of a key that calls `then` after its value has been read.
+template <class Function>
+Key<AlbedoOptions> with_effect(Key<AlbedoOptions> key, const Function& then) {
+    key.read = [read = std::move(key.read), then](const Value& value, AlbedoOptions& options) {
         if (!read(value, options)) {
             return false;
         }
-        options.colors.clear();
+        then(options);
         return true;
     };
-    return colormap;
+    return key;
+}
+
+// Sets the colors to the main colors of the picture, if there is one.
+void update_colors(AlbedoOptions& options) {
+    if (!options.colors_from.is_set()) {
+        return;
+    }
+    options.colors.clear();
+    for (const Srgb8& color : palette_of(*options.colors_from.picture, options.colors_count)) {
+        options.colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b));
+    }
+}
+
+// The kind of values of colors.from: pictures that have a color.
+struct ColorPictures : PictureFiles {
+    bool read(const Value& value, PictureFile& member) const {
+        return fault(value).empty() && PictureFiles::read(value, member);
+    }
+    std::string fault(const Value& value) const {
+        PictureFile file;
+        if (!PictureFiles::read(value, file)) {
+            return PictureFiles::fault(value);
+        }
+        return file.is_set() && palette_of(*file.picture, 1).empty()
+                   ? fmt::format("'{}' has no colors: it is entirely transparent", file.path)
+                   : std::string();
+    }
+};
+
+// The TOML of a preset gives either the list colors or the table colors.
+constexpr std::string_view kColorsFrom = "albedo.colors.from";
+
+Keys<AlbedoOptions> color_keys() {
+    using Options = AlbedoOptions;
+    const auto drop_picture = [](Options& options) { options.colors_from = {}; };
+    Key<Options> colormap = with_effect(key("colormap",
+                                            Words{colormap_names()},
+                                            "color map of the bubbles; replaces albedo.colors that "
+                                            "were set before",
+                                            &Options::colormap),
+                                        [=](Options& options) {
+                                            options.colors.clear();
+                                            drop_picture(options);
+                                        });
+    colormap.use = Condition{"albedo.colors", {"[]"}};
+    return {std::move(colormap),
+            with_effect(key("colors",
+                            Gradients{},
+                            "list of colors from the start to the end of the scale; replaces an "
+                            "albedo.colormap that was set before",
+                            &Options::colors),
+                        drop_picture)
+                .written_if(kColorsFrom, {""}),
+            with_effect(key("colors.from",
+                            ColorPictures{},
+                            "a picture whose main colors, from the darkest to the lightest, are "
+                            "the list of colors; replaces albedo.colors that were set before",
+                            &Options::colors_from),
+                        update_colors)
+                .with_files(is_picture_name)
+                .written_unless(kColorsFrom, {""}),
+            with_effect(key("colors.count",
+                            Integers{1, 64},
+                            "largest number of colors that are taken from the picture",
+                            &Options::colors_count)
+                            .in("colors"),
+                        update_colors)
+                .unused_with(kColorsFrom, {""})
+                .written_unless(kColorsFrom, {""})};
 }
 
 constexpr Choices<ColorBy, 5> kColorBys = {{{{"pressure", ColorBy::Pressure},
@@ -40,7 +112,7 @@ constexpr Choices<PictureSampling> kPictureSamplings = {
 constexpr Choices<ColorMix> kColorMixes = {
     {{{"blend", ColorMix::Blend}, {"pick", ColorMix::Pick}}}};
 
-Keys<AlbedoOptions> bubble_keys() {
+Keys<AlbedoOptions> color_by_keys() {
     using Options = AlbedoOptions;
     return {
         key("color_by",
@@ -62,16 +134,16 @@ Keys<AlbedoOptions> bubble_keys() {
             "first_frame: a bubble keeps for life the color under it in frame 1; every_frame: it "
             "takes the color under it in each frame",
             &Options::picture_sampling)
-            .used_with("albedo.color_by", {"picture"}),
-        colormap_key(),
-        key("colors",
-            ColorLists{},
-            "list of colors from the start to the end of the scale; replaces an albedo.colormap "
-            "that was set before",
-            &Options::colors),
+            .used_with("albedo.color_by", {"picture"})};
+}
+
+Keys<AlbedoOptions> bubble_keys() {
+    using Options = AlbedoOptions;
+    return {
         key("color_mix",
             kColorMixes,
-            "blend interpolates between albedo.colors; pick uses only these colors themselves",
+            "blend interpolates between albedo.colors; pick uses only these colors themselves, and "
+            "a color then begins at its position",
             &Options::color_mix)
             .unused_with("albedo.colors", {"[]"}),
         key("variation",
@@ -160,7 +232,7 @@ Keys<AlbedoOptions> film_keys() {
 }  // namespace
 
 Keys<AlbedoOptions> albedo_keys() {
-    return joined({bubble_keys(), shade_keys(), film_keys()});
+    return joined({color_by_keys(), color_keys(), bubble_keys(), shade_keys(), film_keys()});
 }
 
 double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain) {

@@ -55,7 +55,11 @@ enum class WidthUnit {
 struct AlbedoOptions {
     ColorBy color_by = ColorBy::Pressure;
     std::string colormap = "viridis";
-    std::vector<std::string> colors{};  // sRGB, "#rrggbb"; if not empty, replaces the color map
+    // sRGB, "#rrggbb" or "#rrggbb@position" (color_scale.h); if not empty, replaces the color map.
+    std::vector<std::string> colors{};
+    // If a picture is set, `colors` are the main colors of it (texgen/pictures/palette.h).
+    PictureFile colors_from{};
+    int colors_count = 5;  // the largest number of main colors
     ColorMix color_mix = ColorMix::Blend;
     // The largest random change of a bubble's brightness, as a fraction; a bubble keeps its change
     // for life.

@@ -71,9 +71,10 @@ ColorScale color_scale(const AlbedoOptions& options) {
         const ColorMap& colormap = find_colormap(options.colormap);
         return [&colormap](double position) { return colormap.at(position); };
     }
-    const auto color_at = options.color_mix == ColorMix::Blend ? blended : picked;
-    return [colors = parse_colors(options.colors), color_at](double position) {
-        return color_at(colors, position);
+    const bool is_blend = options.color_mix == ColorMix::Blend;
+    const ScaleEnd end = is_blend ? ScaleEnd::LastColor : ScaleEnd::AfterLastColor;
+    return [gradient = parse_gradient(options.colors, end), is_blend](double position) {
+        return is_blend ? blended(gradient, position) : picked(gradient, position);
     };
 }
 

@@ -2,14 +2,22 @@
 
 #include "texgen/preset/foam_shape.h"
 
+#include "texgen/image/file_io.h"
+#include "texgen/image/format.h"
+#include "texgen/image/memory.h"
 #include "texgen/keys/value_kinds.h"
+
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 namespace foam::texgen {
@@ -18,48 +26,75 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kNamedOutlines{"disc", "rectangle"};
 
-// Returns the outline that `text`, a value of FoamShape::outline, describes, before it is
-// stretched.
-foam::Outline unstretched_outline(const std::string& text) {
-    if (text == "disc") {
-        return disc_outline();
+// Returns the outline of a shape before it is stretched.
+std::vector<foam::Outline> unstretched_outline(const FoamShape& shape) {
+    if (shape.file_outline) {
+        return shape.file_outline->parts;
     }
-    if (text == "rectangle") {
-        return rectangle_outline(1.0);
+    if (shape.outline == "disc") {
+        return {disc_outline()};
     }
-    return outline_from_wkt(text);
+    if (shape.outline == "rectangle") {
+        return {rectangle_outline(1.0)};
+    }
+    return {outline_from_wkt(shape.outline)};
 }
 
-// Returns the reason why a text describes no outline; empty if it describes an outline.
-std::string fault_of(const std::string& text) {
+// Sets the outline of a shape to a value of the key foam.outline. Throws std::invalid_argument,
+// InputError or OutOfMemory if the text describes no outline.
+void set_outline(const std::string& text, FoamShape& shape) {
+    FoamShape changed{.kind = shape.kind, .outline = text, .outline_aspect = 1.0};
+    if (is_outline_name(text)) {
+        changed.file_outline = std::make_shared<const FileOutline>(read_outline_file(text));
+    }
+    outline_of(changed);
+    changed.outline_aspect = shape.outline_aspect;
+    shape = std::move(changed);
+}
+
+// Sets the outline of a shape to a text. Returns the reason why the text describes no outline, and
+// does not change the shape then; otherwise returns an empty string.
+std::string fault_of(const std::string& text, FoamShape& shape) {
     try {
-        outline_of({.outline = text});
+        set_outline(text, shape);
         return {};
     } catch (const std::invalid_argument& error) {
+        return error.what();
+    } catch (const InputError& error) {
+        return error.what();
+    } catch (const OutOfMemory& error) {
         return error.what();
     }
 }
 
-// The kind of values of foam.outline: "disc", "rectangle", or a polygon as WKT.
+// The kind of values of foam.outline: "disc", "rectangle", a polygon as WKT, or a file. The member
+// is the whole shape, because a file sets two members of it.
 struct Outlines {
     std::string allowed() const {
-        return "\"disc\", \"rectangle\", or a WKT polygon without self-intersections, such as "
-               "\"POLYGON((0 0, 6 0, 6 4), (3 1, 5 1, 5 2))\"";
+        return fmt::format(
+            "\"disc\", \"rectangle\", a WKT polygon without self-intersections, such as "
+            "\"POLYGON((0 0, 6 0, 6 4), (3 1, 5 1, 5 2))\", or the path of a drawing or a picture, "
+            "which ends in .svg, {}",
+            format_suffixes());
     }
     std::string schema() const {
-        return R"({"type": "string", "pattern": "^(disc|rectangle| *[Pp][Oo][Ll][Yy][Gg][Oo][Nn].*)$"})";
+        return R"({"type": "string", "pattern": "^(disc|rectangle| *[Pp][Oo][Ll][Yy][Gg][Oo][Nn].*|.*\\.(svg|png|exr|dds|ktx2))$"})";
     }
     std::span<const std::string_view> words() const { return kNamedOutlines; }
-    bool read(const Value& value, std::string& member) const {
-        std::string text;
-        const bool allowed = Text{}.read(value, text) && fault_of(text).empty();
-        member = allowed ? text : member;
-        return allowed;
-    }
-    Value write(const std::string& member) const { return {member}; }
-    std::string fault(const Value& value) const {
+    bool read(const Value& value, FoamShape& shape) const {
         const auto* text = std::get_if<std::string>(&value.data);
-        return text != nullptr ? fault_of(*text) : std::string();
+        return text != nullptr && fault_of(*text, shape).empty();
+    }
+    Value write(const FoamShape& shape) const { return {shape.outline}; }
+    std::optional<NamedFile> file(const FoamShape& shape) const {
+        return shape.file_outline
+                   ? std::optional(NamedFile{shape.outline, shape.file_outline->hash})
+                   : std::nullopt;
+    }
+    std::string fault(const Value& value) const {
+        FoamShape ignored;
+        const auto* text = std::get_if<std::string>(&value.data);
+        return text != nullptr ? fault_of(*text, ignored) : std::string();
     }
 };
 
@@ -78,11 +113,14 @@ Keys<FoamShape> shape_keys() {
                 kKinds,
                 "a torus, which tiles, or a patch with a free surface on a transparent background",
                 &FoamShape::kind),
-            key("outline",
+            make_key<FoamShape>(
+                "outline",
                 Outlines{},
-                "initial outline of a patch, scaled to an area of one per bubble; in equilibrium "
+                "initial outline of a patch, scaled to an area of one per bubble: a shape, the "
+                "filled shapes of an SVG, or the opaque or dark part of a picture; in equilibrium "
                 "the patch has another shape",
-                &FoamShape::outline)
+                [](auto& shape) -> auto& { return shape; })
+                .with_files(is_outline_name)
                 .only_for("foam.domain", {"patch"}),
             key("outline_aspect",
                 Reals{1.0 / 16.0, 16.0},
@@ -91,18 +129,21 @@ Keys<FoamShape> shape_keys() {
                 .only_for("foam.domain", {"patch"})};
 }
 
-foam::Outline outline_of(const FoamShape& shape) {
-    foam::Outline outline = unstretched_outline(shape.outline);
-    stretch(outline.outer, shape.outline_aspect);
-    for (std::vector<Vec2>& hole : outline.holes) {
-        stretch(hole, shape.outline_aspect);
+std::vector<foam::Outline> outline_of(const FoamShape& shape) {
+    std::vector<foam::Outline> parts = unstretched_outline(shape);
+    for (foam::Outline& part : parts) {
+        stretch(part.outer, shape.outline_aspect);
+        for (std::vector<Vec2>& hole : part.holes) {
+            stretch(hole, shape.outline_aspect);
+        }
+        const double area = outline_area(part);
+        if (!(area > 0.0) || !std::isfinite(area)) {
+            throw std::invalid_argument(
+                "the outline has no area: it needs at least three corners "
+                "that are not on one line");
+        }
     }
-    const double area = outline_area(outline);
-    if (!(area > 0.0) || !std::isfinite(area)) {
-        throw std::invalid_argument(
-            "the outline has no area: it needs at least three corners that are not on one line");
-    }
-    return outline;
+    return parts;
 }
 
 }  // namespace foam::texgen

@@ -4,8 +4,11 @@
 
 #include "core/foam/outline.h"
 #include "texgen/keys/key.h"
+#include "texgen/pictures/outline_file.h"
 
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -17,16 +20,22 @@ enum class FoamKind { Torus, Patch };
 /// follows from the number of bubbles, whose mean area is 1.
 struct FoamShape {
     FoamKind kind = FoamKind::Torus;
-    std::string outline = "disc";  // "disc", "rectangle", or a polygon as WKT (well-known text)
-    double outline_aspect = 1.0;   // factor that stretches the outline in x; at 1 a disc is a
-                                   // circle and a rectangle is a square
+    // "disc", "rectangle", a polygon as WKT (well-known text), or the path of a file that contains
+    // an outline (outline_file.h in texgen/pictures).
+    std::string outline = "disc";
+    double outline_aspect = 1.0;  // factor that stretches the outline in x; at 1 a disc is a circle
+                                  // and a rectangle is a square
+    // The outline in the file that `outline` names; null if `outline` names no file. Reading the
+    // key reads the file, so that a bad file is an error of the preset.
+    std::shared_ptr<const FileOutline> file_outline{};
 };
 
 Keys<FoamShape> shape_keys();
 
-/// Returns the outline of a patch, stretched in x by `outline_aspect`. The scale of the outline is
-/// arbitrary. Throws std::invalid_argument if `outline` is not an allowed text or is a polygon
-/// without area.
-foam::Outline outline_of(const FoamShape& shape);
+/// Returns the outline of a patch, stretched in x by `outline_aspect`: one element per connected
+/// part. The scale of the outline is arbitrary. Throws std::invalid_argument if `outline` is not an
+/// allowed text, or if a part has no area. Precondition: `file_outline` is not null if `outline`
+/// names a file.
+std::vector<foam::Outline> outline_of(const FoamShape& shape);
 
 }  // namespace foam::texgen

@@ -11,9 +11,22 @@
 
 namespace foam::texgen {
 
+namespace {
+
+// Returns true if a key is in the table that has the name of another key.
+bool is_within(std::string_view key, std::string_view table) {
+    return key.size() > table.size() && key.starts_with(table) && key[table.size()] == '.';
+}
+
+}  // namespace
+
 std::string extending_preset(std::string_view base, std::span<const Assignment> assignments) {
     std::map<std::string, Value> values;
     for (const Assignment& one : assignments) {
+        // A value and a table of one name, such as albedo.colors, replace each other.
+        std::erase_if(values, [&](const auto& earlier) {
+            return is_within(earlier.first, one.key) || is_within(one.key, earlier.first);
+        });
         values[one.key] = one.value;
     }
     std::string toml = fmt::format("extends = {}\n", to_toml(Value{std::string(base)}));

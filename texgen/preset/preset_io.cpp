@@ -36,7 +36,7 @@ void assign_one(Preset& preset, const Assignment& assignment) {
     }
     const Key<Preset>* key = find_key(assignment.key);
     const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
-    if (key == nullptr && table && is_table(assignment.key)) {
+    if (table && is_table(assignment.key)) {
         return;
     }
     if (key == nullptr) {
@@ -171,6 +171,9 @@ std::string to_toml(const Preset& preset) {
     std::string toml;
     std::string_view table;
     for (const Key<Preset>& key : preset_keys()) {
+        if (key.written && !is_met(*key.written, preset)) {
+            continue;
+        }
         if (key.table() != table) {
             table = key.table();
             toml += fmt::format("{}[{}]\n", toml.empty() ? "" : "\n", table);

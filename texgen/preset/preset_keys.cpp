@@ -192,8 +192,10 @@ std::string_view nearest_key(std::string_view path) {
 
 bool is_table(std::string_view name) {
     const auto keys = preset_keys();
-    return std::any_of(
-        keys.begin(), keys.end(), [&](const KeyInfo& key) { return key.table() == name; });
+    return std::any_of(keys.begin(), keys.end(), [&](const KeyInfo& key) {
+        return key.path.size() > name.size() && key.path.starts_with(name) &&
+               key.path[name.size()] == '.';
+    });
 }
 
 }  // namespace foam::texgen

@@ -6,6 +6,8 @@
 #include "texgen/json/json_writer.h"
 #include "texgen/preset/preset_keys.h"
 
+#include <cstddef>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <variant>
@@ -41,6 +43,22 @@ Json key_schema(const KeyInfo& key) {
         schema["x-below"] = *key.upper_limit;
     }
     return schema;
+}
+
+// Adds the schema of a key to the properties of its table. A key such as albedo.colors.from is a
+// property of an object that is allowed as the value of albedo.colors.
+void add_key(Json& properties, const KeyInfo& key) {
+    const std::string name(key.name());
+    const std::size_t dot = name.find('.');
+    if (dot == std::string::npos) {
+        properties[name] = key_schema(key);
+        return;
+    }
+    Json& alternatives = properties[name.substr(0, dot)]["anyOf"];
+    if (alternatives.back().value("type", "") != "object") {
+        alternatives.push_back(object_schema());
+    }
+    alternatives.back()["properties"][name.substr(dot + 1)] = key_schema(key);
 }
 
 // Returns the schema of one kind of event. It rejects keys that only other kinds accept.
@@ -104,7 +122,7 @@ std::string preset_schema() {
         if (!tables.contains(table)) {
             tables[table] = object_schema();
         }
-        tables[table]["properties"][std::string(key.name())] = key_schema(key);
+        add_key(tables[table]["properties"], key);
     }
     tables["event"] = events_schema();
     return indented(schema);

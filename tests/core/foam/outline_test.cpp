@@ -6,6 +6,7 @@
 
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 namespace foam {
 namespace {
@@ -55,6 +56,13 @@ TEST(Outline, MakesDiscsAndRectangles) {
     EXPECT_DOUBLE_EQ(outline_area(rectangle_outline(2.5)), 2.5);
 }
 
+// The frame is a rectangle of 6 x 4 around (3, 2), without a square of 1 x 1 around (1.5, 1.5).
+TEST(Outline, HasACentroid) {
+    const Vec2 center = outline_centroid(outline_from_wkt(kFrame));
+    EXPECT_NEAR(center.x(), (24.0 * 3.0 - 1.5) / 23.0, 1e-12);
+    EXPECT_NEAR(center.y(), (24.0 * 2.0 - 1.5) / 23.0, 1e-12);
+}
+
 // Horizontal strips are clipped to the frame. A strip above the hole gives one part, a strip across
 // the hole two parts, and a strip outside of the frame none.
 TEST(Outline, ClipsPolygons) {
@@ -67,9 +75,19 @@ TEST(Outline, ClipsPolygons) {
     EXPECT_TRUE(clipped(frame, strip(5.0, 6.0)).empty());
 }
 
-TEST(Outline, HasTheAspectOfItsBoundingBox) {
-    EXPECT_DOUBLE_EQ(bounding_aspect(rectangle_outline(3.0)), 3.0);
-    EXPECT_DOUBLE_EQ(bounding_aspect(outline_from_wkt("POLYGON((1 1, 5 1, 1 3))")), 2.0);
+TEST(Outline, HasTheAspectOfTheBoundingBoxOfAllParts) {
+    const std::vector<Outline> parts = {outline_from_wkt("POLYGON((0 0, 1 0, 1 1))"),
+                                        outline_from_wkt("POLYGON((5 1, 6 1, 6 2))")};
+    EXPECT_DOUBLE_EQ(bounding_aspect(parts), 3.0);
+}
+
+// Far from the rings of the frame, a polygon is kept as it is or dropped.
+TEST(Outline, KeepsOrDropsPolygonsApartFromItsRings) {
+    const Outline frame = outline_from_wkt(kFrame);
+    const std::vector<Vec2> inside = {{3.0, 1.0}, {5.0, 1.0}, {4.0, 3.0}};
+    EXPECT_EQ(clipped(frame, inside), std::vector<std::vector<Vec2>>{inside});
+    EXPECT_TRUE(clipped(frame, {{1.2, 1.2}, {1.8, 1.2}, {1.5, 1.8}}).empty());
+    EXPECT_TRUE(clipped(frame, {{7.0, 1.0}, {8.0, 1.0}, {8.0, 2.0}}).empty());
 }
 
 }  // namespace

@@ -4,10 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -32,17 +36,75 @@ TEST(ColorMap, HasTheKnownEntries) {
     EXPECT_EQ(find_colormap("grey").entry(77), (Srgb8{77, 77, 77}));
 }
 
+// The expected colors are colormap(k / 255) of Matplotlib 3.6, rounded to 8 bits, for k = 0, 50,
+// 128, 200 and 255.
+TEST(ColorMap, AgreesWithMatplotlib) {
+    struct Expected {
+        const char* name;
+        std::array<std::uint32_t, 5> colors;
+    };
+    const std::vector<Expected> maps = {
+        {"turbo", {0x30123b, 0x4099ff, 0xa4fc3c, 0xf46617, 0x7a0403}},
+        {"twilight", {0xe2d9e2, 0x6e92c0, 0x301437, 0xbc6b59, 0xe2d9e2}},
+        {"cubehelix", {0x000000, 0x163b4e, 0xa1794a, 0xc2c3f2, 0xffffff}},
+        {"Spectral", {0x9e0142, 0xf36b43, 0xffffbe, 0x71c6a5, 0x5e4fa2}},
+        {"RdBu", {0x67001f, 0xd55d4c, 0xf6f7f7, 0x4f9bc7, 0x053061}},
+        {"RdYlBu", {0xa50026, 0xf36b42, 0xfeffc0, 0x7db4d5, 0x313695}},
+        {"BrBG", {0x543005, 0xbd7f2c, 0xf4f5f5, 0x419f97, 0x003c30}},
+        {"PuOr", {0x7f3b08, 0xde8013, 0xf6f6f7, 0x887cb2, 0x2d004b}},
+        {"YlGnBu", {0xffffd9, 0xd7efb3, 0x40b5c4, 0x2352a3, 0x081d58}},
+        {"YlOrRd", {0xffffcc, 0xfee288, 0xfd8c3c, 0xd9131f, 0x800026}},
+        {"Blues", {0xf7fbff, 0xd0e2f2, 0x6aaed6, 0x1a68ae, 0x08306b}},
+        {"Greens", {0xf7fcf5, 0xd4eece, 0x73c476, 0x19833e, 0x00441b}}};
+    constexpr std::array<int, 5> kEntries = {0, 50, 128, 200, 255};
+    for (const Expected& expected : maps) {
+        for (std::size_t k = 0; k < kEntries.size(); ++k) {
+            const Srgb8 color = find_colormap(expected.name).entry(kEntries[k]);
+            const std::uint32_t packed = color.r * 0x10000U + color.g * 0x100U + color.b;
+            EXPECT_EQ(packed, expected.colors[k]) << expected.name << " at " << kEntries[k];
+        }
+    }
+}
+
 // Compares entries whose indices differ by 4, because rounding to 8 bits can reverse the order of
 // adjacent entries.
 TEST(ColorMap, LightnessIsMonotone) {
-    for (const std::string_view name : colormap_names()) {
+    const std::vector<std::string_view> sequential = {"viridis",
+                                                      "magma",
+                                                      "inferno",
+                                                      "plasma",
+                                                      "cividis",
+                                                      "grey",
+                                                      "labyrinth_blue",
+                                                      "sea_water",
+                                                      "cubehelix",
+                                                      "Blues",
+                                                      "Greens",
+                                                      "YlGnBu",
+                                                      "YlOrRd"};
+    for (const std::string_view name : sequential) {
         const ColorMap& map = find_colormap(name);
-        const bool darkens = name == "labyrinth_blue";
+        const bool darkens = lightness(map, 0) > lightness(map, 255);
         for (int i = 4; i < 256; ++i) {
             const double step = lightness(map, i) - lightness(map, i - 4);
             EXPECT_GT(darkens ? -step : step, 0.0) << name << " at " << i;
         }
     }
+}
+
+// Diverging maps are lightest in the middle.
+TEST(ColorMap, DivergingMapsAreLightestInTheMiddle) {
+    for (const char* const name : {"Spectral", "RdBu", "RdYlBu", "BrBG", "PuOr"}) {
+        const ColorMap& map = find_colormap(name);
+        for (const int i : {0, 60, 195, 255}) {
+            EXPECT_LT(lightness(map, i), lightness(map, 127)) << name;
+        }
+    }
+}
+
+TEST(ColorMap, TwilightIsCyclic) {
+    const ColorMap& map = find_colormap("twilight");
+    EXPECT_EQ(map.entry(0), map.entry(255));
 }
 
 TEST(ColorMap, LabyrinthBlueRunsFromNearWhiteToNavyAndStaysBlue) {
@@ -78,7 +140,8 @@ TEST(ColorMap, AnUnknownNameListsTheKnown) {
     } catch (const std::invalid_argument& error) {
         EXPECT_STREQ(error.what(),
                      "colormap 'jet': must be one of viridis, magma, inferno, plasma, cividis, "
-                     "grey, labyrinth_blue, sea_water");
+                     "grey, labyrinth_blue, sea_water, turbo, cubehelix, Blues, Greens, YlGnBu, "
+                     "YlOrRd, Spectral, RdBu, RdYlBu, BrBG, PuOr, twilight");
     }
 }
 

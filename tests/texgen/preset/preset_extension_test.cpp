@@ -20,6 +20,16 @@ TEST(PresetExtension, SetsTheKeysInOrder) {
               "\n[loop]\ncurrent = 0.4\n");
 }
 
+// TOML can contain either the list or the table: the last assignment counts.
+TEST(PresetExtension, WritesEitherAListOrATable) {
+    const Assignment list = read_set_argument("albedo.colors=[\"#112233\"]");
+    const Assignment picture = read_set_argument("albedo.colors.from=a.png");
+    EXPECT_EQ(extending_preset("lava", std::vector{list, picture}),
+              "extends = \"lava\"\n\n[albedo]\ncolors.from = \"a.png\"\n");
+    EXPECT_EQ(extending_preset("lava", std::vector{picture, list}),
+              "extends = \"lava\"\n\n[albedo]\ncolors = [\"#112233\"]\n");
+}
+
 TEST(PresetExtension, QuotesThePathOfThePreset) {
     EXPECT_EQ(extending_preset("../a \"b\".toml", {}), "extends = \"../a \\\"b\\\".toml\"\n");
 }

@@ -3,12 +3,16 @@
 #include "texgen/preset/preset_io.h"
 
 #include "tests/texgen/preset/rejection.h"
+#include "tests/texgen/temporary_folder.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/png.h"
 #include "texgen/preset/preset_keys.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,6 +60,30 @@ TEST(PresetIo, ErrorNamesLocationKeyValueAndLimits) {
               "must be an integer from 4 to 1000000");
     EXPECT_EQ(failure("[albedo]\nfilm_unit = \"mm\"\n"),
               "a.toml:2: key 'albedo.film_unit' = \"mm\": must be one of \"px\", \"diameter\"");
+}
+
+// The table albedo.colors takes the place of the list. A preset's TOML has only one of them.
+TEST(PresetIo, ColorsMayComeFromAPicture) {
+    const TemporaryFolder folder;
+    const std::string path = (folder.path() / "a.png").string();
+    write_file(path, encode_png(Image<std::uint8_t>(2, 1, 1).view()));
+    const Preset preset = parse_preset(
+        "[albedo]\ncolors = { from = \"" + path + "\", count = 3 }\n", "mine", "mine.toml");
+    EXPECT_EQ(preset.maps.albedo.colors, std::vector<std::string>{"#000000"});
+    const std::string toml = to_toml(preset);
+    EXPECT_NE(toml.find("\ncolors.from = "), std::string::npos);
+    EXPECT_NE(toml.find("\ncolors.count = 3\n"), std::string::npos);
+    EXPECT_EQ(toml.find("\ncolors = "), std::string::npos);
+    EXPECT_EQ(to_toml(parse_preset(toml, "mine", "mine.toml")), toml);
+    EXPECT_EQ(to_toml(Preset()).find("colors.from"), std::string::npos);
+}
+
+TEST(PresetIo, RejectsUnknownKeysOfTheTableOfColors) {
+    EXPECT_EQ(failure("[albedo]\ncolors = { form = \"a.png\" }\n"),
+              "a.toml:2: key 'albedo.colors.form' = \"a.png\": unknown key; did you mean "
+              "'albedo.colors.from'?");
+    EXPECT_NE(set_failure({"albedo.colors.from=missing.png"}).find("missing.png"),
+              std::string::npos);
 }
 
 TEST(PresetIo, AnUnknownKeySuggestsTheNearest) {

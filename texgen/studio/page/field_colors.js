@@ -7,17 +7,33 @@ import {toToml} from "./toml.js";
 
 let gestures = 0;
 
+/** Splits "#rrggbb@0.25" into the color and the position with its "@", which is empty if there is none. */
+function splitColor(text) {
+    const at = text.indexOf("@");
+    return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at)];
+}
+
+// Returns a color of a list as CSS writes it in a gradient: "#rrggbb 25%".
+function cssStop(text) {
+    const [color, position] = splitColor(text);
+    return position ? `${color} ${100 * Number(position.slice(1))}%` : color;
+}
+
 // Returns "#rrggbb" for "#rgb" and for colors without "#"; returns other texts unchanged, so that the program explains
 // them.
 function fullColor(text) {
-    const digits = text.trim().replace(/^#/, "");
+    const [color, position] = splitColor(text.trim());
+    const digits = color.trim().replace(/^#/, "");
     if (/^[0-9a-fA-F]{3}$/.test(digits)) {
-        return `#${[...digits].map((digit) => digit + digit).join("")}`;
+        return `#${[...digits].map((digit) => digit + digit).join("")}${position}`;
     }
-    return /^[0-9a-fA-F]{6}$/.test(digits) ? `#${digits}` : text.trim();
+    return /^[0-9a-fA-F]{6}$/.test(digits) ? `#${digits}${position}` : text.trim();
 }
 
-/** Creates a picker and a text field that edit one color. `edit(color, {gesture, live})` gets "#rrggbb". */
+/**
+ * Creates a picker and a text field that edit one color. `edit(color, {gesture, live})` gets "#rrggbb" or, in a list,
+ * "#rrggbb@position".
+ */
 function colorEditor(label, edit, properties = {}) {
     const picker = el("input", {type: "color", class: "swatch", "aria-label": `${label}, picker`});
     const text = el("input", {
@@ -25,18 +41,18 @@ function colorEditor(label, edit, properties = {}) {
         class: "hex",
         spellcheck: "false",
         autocomplete: "off",
-        maxlength: "9",
+        maxlength: "16",
         "aria-label": label,
         ...properties,
     });
     let gesture = null;
     picker.addEventListener("input", () => {
         gesture ??= `color ${++gestures}`;
-        text.value = picker.value;
-        edit(picker.value, {gesture, live: true});
+        text.value = picker.value + splitColor(text.value)[1];
+        edit(text.value, {gesture, live: true});
     });
     picker.addEventListener("change", () => {
-        edit(picker.value, {gesture, live: false});
+        edit(picker.value + splitColor(text.value)[1], {gesture, live: false});
         gesture = null;
     });
     text.addEventListener("change", () => {
@@ -45,8 +61,9 @@ function colorEditor(label, edit, properties = {}) {
     });
     const show = (color) => {
         text.value = color;
-        if (/^#[0-9a-f]{6}$/i.test(color)) {
-            picker.value = color;
+        const [plain] = splitColor(color);
+        if (/^#[0-9a-f]{6}$/i.test(plain)) {
+            picker.value = plain;
         }
     };
     return {picker, text, show, busy: () => gesture !== null};
@@ -107,7 +124,7 @@ class ColorList {
         const focused = this.swatches.contains(document.activeElement);
         this.swatches.replaceChildren(...this.#colors.map((color, index) => this.#swatch(color, index)), this.add);
         this.ramp.style.background =
-            this.#colors.length > 1 ? `linear-gradient(to right, ${this.#colors.join(",")})` : "";
+            this.#colors.length > 1 ? `linear-gradient(to right, ${this.#colors.map(cssStop).join(",")})` : "";
         this.ramp.hidden = this.#colors.length < 2;
         this.tools.hidden = this.#colors.length === 0;
         if (this.#colors.length > 0) {
@@ -128,7 +145,7 @@ class ColorList {
             title: color,
             data: {item: index},
         });
-        swatch.style.backgroundColor = color;
+        swatch.style.backgroundColor = splitColor(color)[0];
         swatch.addEventListener("click", () => this.#select(index));
         swatch.addEventListener("dblclick", () => this.editor.picker.click());
         swatch.addEventListener("keydown", (event) => this.#onKey(event));
@@ -192,7 +209,7 @@ class ColorList {
 
     // Adds a copy of the last color. An empty list starts with two colors, because one color alone is no scale.
     #add() {
-        const colors = this.#colors.length === 0 ? ["#1f6d86", "#f4fbfa"] : [...this.#colors, this.#colors.at(-1)];
+        const colors = this.#colors.length === 0 ? ["#1f6d86", "#f4fbfa"] : [...this.#colors, splitColor(this.#colors.at(-1))[0]];
         this.#selected = colors.length - 1;
         this.#commit(colors);
     }

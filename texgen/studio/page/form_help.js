@@ -18,7 +18,7 @@ function allowedText(key) {
         case "color":
             return 'a color "#rrggbb"';
         case "colors":
-            return 'a list of colors "#rrggbb"';
+            return 'a list of colors "#rrggbb", with positions from 0 to 1 if needed: "#rrggbb@0.25"';
         default:
             return "";
     }

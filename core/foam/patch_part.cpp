@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "core/foam/patch_part.h"
+
+#include "core/foam/clipped_cells.h"
+#include "core/foam/target_areas.h"
+#include "core/foam/voronoi.h"
+#include "core/network/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace foam {
+
+namespace {
+
+constexpr int kMaxPatchDraws = 8;
+// Smallest area of a part of the outline, in mean bubble areas. Cells of this area are slivers
+// (clipped_cells.cpp).
+constexpr double kLeastPart = 0.1;
+
+// Points along each side of the bounding box of a part at which an area field is measured.
+constexpr int kFieldPoints = 64;
+
+struct Box {
+    Vec2 low;
+    Vec2 high;
+
+    Vec2 size() const { return high - low; }
+};
+
+Box box_of(const Outline& outline) {
+    Box box{outline.outer.front(), outline.outer.front()};
+    for (const Vec2& corner : outline.outer) {
+        box.low = box.low.cwiseMin(corner);
+        box.high = box.high.cwiseMax(corner);
+    }
+    return box;
+}
+
+Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
+    const auto apply = [&](Vec2& corner) { corner = scale * (corner + by); };
+    std::for_each(outline.outer.begin(), outline.outer.end(), apply);
+    for (std::vector<Vec2>& hole : outline.holes) {
+        std::for_each(hole.begin(), hole.end(), apply);
+    }
+    return outline;
+}
+
+Box box_of(std::span<const Outline> parts) {
+    Box all = box_of(parts.front());
+    for (const Outline& part : parts) {
+        const Box box = box_of(part);
+        all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
+    }
+    return all;
+}
+
+// Returns the mean of 1 / area of a field over a part.
+double mean_density(const Outline& part, const AreaField& areas) {
+    const Box box = box_of(part);
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 0; y < kFieldPoints; ++y) {
+        for (int x = 0; x < kFieldPoints; ++x) {
+            const Vec2 fraction = Vec2(x + 0.5, y + 0.5) / kFieldPoints;
+            const Vec2 point = box.low + fraction.cwiseProduct(box.size());
+            if (is_inside(part, point)) {
+                sum += 1.0 / areas.at(point);
+                ++count;
+            }
+        }
+    }
+    return count > 0 ? sum / count : 1.0 / areas.at(0.5 * (box.low + box.high));
+}
+
+// Returns the share of each part of all bubbles, as a number of bubbles.
+std::vector<double> shares_of(std::span<const Outline> parts, const PatchOptions& options) {
+    const Box all = box_of(parts);
+    std::vector<double> shares;
+    for (const Outline& part : parts) {
+        const double density =
+            options.areas && parts.size() > 1
+                ? mean_density(part, options.areas->stretched_over(all.low, all.size()))
+                : 1.0;
+        shares.push_back(density * outline_area(part));
+    }
+    scale_to_total(shares, options.bubbles);
+    return shares;
+}
+
+// Returns the part without its number of bubbles. `all` is the bounding box of the whole outline.
+PreparedPart prepare(const Outline& part,
+                     const Box& all,
+                     double scale,
+                     const std::optional<AreaField>& areas) {
+    const Box box = box_of(part);
+    const double side = 2.0 * scale * box.size().maxCoeff();
+    const Vec2 to_middle = 0.5 * Vec2::Constant(side) / scale - 0.5 * (box.low + box.high);
+    PreparedPart prepared{
+        moved_and_scaled(part, to_middle, scale), {side, side}, scale * to_middle, 1, {}};
+    if (areas) {
+        prepared.areas = areas->stretched_over(scale * (all.low + to_middle), scale * all.size());
+    }
+    return prepared;
+}
+
+// Returns the error for a part that is smaller than kLeastPart. `position` is the middle of the
+// part as a fraction of the size of the outline, from the lower left corner.
+std::runtime_error too_small(const Vec2& position, double share, int bubbles) {
+    const auto percent = [](double fraction) {
+        return std::to_string(std::lround(100.0 * fraction));
+    };
+    const auto enough = static_cast<std::int64_t>(std::ceil(kLeastPart / share * bubbles));
+    return std::runtime_error(
+        "a part of the outline, at " + percent(position.x()) + " % of its width and " +
+        percent(position.y()) +
+        " % of its height, is smaller than a tenth of a bubble; use at least " +
+        std::to_string(enough) + " bubbles, or remove this part");
+}
+
+Vec2 random_point(const Box& box, Random& random) {
+    const double x = box.low.x() + (box.high.x() - box.low.x()) * random.uniform();
+    const double y = box.low.y() + (box.high.y() - box.low.y()) * random.uniform();
+    return {x, y};
+}
+
+// Returns `count` random points inside the part. Draws points in its bounding box, uniformly, or in
+// the bounding box of the whole outline with the density of the area field, and keeps the points
+// inside the part.
+std::vector<Vec2> random_sites(const PreparedPart& part, int count, Random& random) {
+    const Box box = box_of(part.outline);
+    std::vector<Vec2> sites;
+    while (static_cast<int>(sites.size()) < count) {
+        const Vec2 site = part.areas ? part.areas->random_point(random) : random_point(box, random);
+        if (is_inside(part.outline, site)) {
+            sites.push_back(site);
+        }
+    }
+    return sites;
+}
+
+ClippedCells cells_of(const PreparedPart& part, const std::vector<Vec2>& sites) {
+    return clip_cells(part.outline, voronoi_cells(part.domain, sites), part.areas_or_null());
+}
+
+// Draws random sites and applies Lloyd's algorithm to them. A site is not moved if the center of
+// its cell is outside of the outline. Returns the clipped cells of the final sites.
+ClippedCells draw_cells(const PreparedPart& prepared, const PatchOptions& options, Random& random) {
+    std::vector<Vec2> sites = random_sites(prepared, prepared.bubbles, random);
+    ClippedCells cells = cells_of(prepared, sites);
+    for (int k = 0; k < options.lloyd_iterations; ++k) {
+        for (std::size_t cell = 0; cell < sites.size(); ++cell) {
+            const Vec2 center = cells.centers[cell];
+            sites[cell] = is_inside(prepared.outline, center) ? center : sites[cell];
+        }
+        cells = cells_of(prepared, sites);
+    }
+    return cells;
+}
+
+// Returns the area of the area field at each cell of the mesh; empty if there is no field.
+std::vector<double> field_areas(const PreparedPart& part, const PolygonMesh& mesh) {
+    std::vector<double> areas;
+    for (std::size_t cell = 0; part.areas && cell < mesh.cells.size(); ++cell) {
+        areas.push_back(part.areas->mean_over(polygon_of(mesh, mesh.cells[cell])));
+    }
+    return areas;
+}
+
+std::string no_patch_message(int bubbles, const std::string& cause) {
+    return "no valid patch of " + std::to_string(bubbles) +
+           " bubbles fits into this outline: it is too narrow, or has parts too small for a "
+           "bubble; use more bubbles or a wider outline (" +
+           cause + ")";
+}
+
+}  // namespace
+
+std::vector<PreparedPart> prepare_parts(std::span<const Outline> parts,
+                                        const PatchOptions& options) {
+    const Box all = box_of(parts);
+    double area = 0.0;
+    for (const Outline& part : parts) {
+        area += outline_area(part);
+    }
+    const double scale = std::sqrt(options.bubbles / area);
+    const std::vector<double> shares = shares_of(parts, options);
+    std::vector<PreparedPart> prepared;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (shares[k] < kLeastPart) {
+            const Box box = box_of(parts[k]);
+            const Vec2 middle = 0.5 * (box.low + box.high) - all.low;
+            throw too_small(middle.cwiseQuotient(all.size()), shares[k], options.bubbles);
+        }
+        prepared.push_back(prepare(parts[k], all, scale, options.areas));
+        prepared.back().bubbles = std::max(1, static_cast<int>(std::lround(shares[k])));
+    }
+    return prepared;
+}
+
+Foam valid_foam(const PolygonMesh& mesh) {
+    Foam foam = foam_from_mesh(mesh);
+    if (const auto fault = find_fault(foam.network)) {
+        throw std::runtime_error(*fault);
+    }
+    return foam;
+}
+
+PartCells draw_part(const PreparedPart& part, const PatchOptions& options, Random& random) {
+    for (int draw = 1;; ++draw) {
+        try {
+            PolygonMesh mesh = draw_cells(part, options, random).mesh;
+            merge_slivers(mesh, part.areas_or_null());
+            valid_foam(mesh);
+            std::vector<double> field = field_areas(part, mesh);
+            return {std::move(mesh), std::move(field)};
+        } catch (const std::runtime_error& error) {
+            if (draw == kMaxPatchDraws) {
+                throw std::runtime_error(no_patch_message(part.bubbles, error.what()));
+            }
+        }
+    }
+}
+
+}  // namespace foam

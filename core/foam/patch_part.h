@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/area_field.h"
+#include "core/foam/foam.h"
+#include "core/foam/outline.h"
+#include "core/foam/patch.h"
+#include "core/foam/polygon_mesh.h"
+#include "core/foam/random.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace foam {
+
+/// A part of an outline, scaled and placed in the middle of a torus of its own. Within the part,
+/// the lattice copies of sites do not affect the cells: because the torus is at least twice as wide
+/// and at least twice as high as the part, a copy of a site is never nearer to a point within the
+/// part than the site itself.
+struct PreparedPart {
+    Outline outline;
+    Domain domain;
+    Vec2 shift{0.0, 0.0};  // from the position in the scaled outline to the position in the torus
+    int bubbles = 1;       // the share of the part of all bubbles, rounded, but at least 1
+    std::optional<AreaField> areas{};  // stretched over the bounding box of the whole outline
+
+    const AreaField* areas_or_null() const { return areas ? &*areas : nullptr; }
+};
+
+/// Prepares the parts of an outline. They are scaled to a total area of 1 per bubble. Parts get
+/// bubbles in proportion to their areas or, if there is an area field, to the integral of 1 / area.
+/// Throws std::runtime_error if the share of a part is less than a tenth of a bubble. Precondition:
+/// every part has an area.
+std::vector<PreparedPart> prepare_parts(std::span<const Outline> parts,
+                                        const PatchOptions& options);
+
+/// Returns the mesh as a foam (foam_from_mesh). Throws std::runtime_error if the foam is not valid.
+Foam valid_foam(const PolygonMesh& mesh);
+
+/// The cells of a part, and the area of the area field at each cell (empty if there is no field).
+struct PartCells {
+    PolygonMesh mesh;
+    std::vector<double> field{};
+};
+
+/// Returns the clipped Voronoi cells of random sites in a part. Slivers have been merged
+/// (clipped_cells.h). Draws new sites until the cells are a valid foam. Throws std::runtime_error
+/// if several draws give no valid foam. Precondition: the part has at least two bubbles.
+PartCells draw_part(const PreparedPart& part, const PatchOptions& options, Random& random);
+
+}  // namespace foam

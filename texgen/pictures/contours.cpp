@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/pictures/contours.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+// The grid has a border of zeros, so that no ring leaves it. A contour crosses a side of a square
+// where one end of the side is inside of the region and the other end is outside. Each square links
+// its crossings in pairs: the link leads from a side where a counter-clockwise traversal of the
+// square leaves the region to a side where the traversal enters it. The links form the rings.
+
+namespace foam::texgen {
+
+namespace {
+
+using SideId = std::uint32_t;
+
+constexpr SideId kNoSide = std::numeric_limits<SideId>::max();
+constexpr std::size_t kCorners = 4;
+// Crossings keep this distance from the points of the grid, as a fraction of a side, so that rings
+// do not touch each other where a number equals the level.
+constexpr double kLeastDistance = 0.01;
+
+class ContourTracer {
+  public:
+    ContourTracer(const ScalarGrid& grid, double level)
+        : grid_(grid),
+          level_(level),
+          columns_(static_cast<SideId>(grid.width) + 2),
+          next_(
+              static_cast<std::size_t>(2 * columns_) * (static_cast<std::size_t>(grid.height) + 2),
+              kNoSide) {}
+
+    std::vector<std::vector<Vec2>> trace() {
+        for (int y = -1; y < grid_.height; ++y) {
+            for (int x = -1; x < grid_.width; ++x) {
+                link_square(x, y);
+            }
+        }
+        std::vector<std::vector<Vec2>> rings;
+        for (SideId side = 0; side < next_.size(); ++side) {
+            if (next_[side] != kNoSide) {
+                rings.push_back(take_ring(side));
+            }
+        }
+        return rings;
+    }
+
+  private:
+    double number(int x, int y) const {
+        const bool is_inside = x >= 0 && y >= 0 && x < grid_.width && y < grid_.height;
+        return is_inside ? static_cast<double>(grid_(x, y)) : 0.0;
+    }
+
+    // The side to the right of a point, and the side above it.
+    SideId side_right(int x, int y) const {
+        return 2 * (static_cast<SideId>(y + 1) * columns_ + static_cast<SideId>(x + 1));
+    }
+    SideId side_above(int x, int y) const { return side_right(x, y) + 1; }
+
+    // Links the crossings of the square whose lower left corner is (x, y). If two opposite corners
+    // are inside, the mean of the four numbers decides whether they are connected.
+    void link_square(int x, int y) {
+        const std::array<double, kCorners> corners = {
+            number(x, y), number(x + 1, y), number(x + 1, y + 1), number(x, y + 1)};
+        const auto is_inside = [&](std::size_t k) { return corners[k % kCorners] >= level_; };
+        const bool is_connected =
+            0.25 * (corners[0] + corners[1] + corners[2] + corners[3]) >= level_;
+        const std::array<SideId, kCorners> sides = {
+            side_right(x, y), side_above(x + 1, y), side_right(x, y + 1), side_above(x, y)};
+        for (std::size_t k = 0; k < kCorners; ++k) {
+            if (!is_inside(k) || is_inside(k + 1)) {
+                continue;
+            }
+            // The next side (or, if corners are separate, the previous side) that enters.
+            std::size_t entry = k;
+            do {
+                entry = (entry + (is_connected ? 1 : kCorners - 1)) % kCorners;
+            } while (is_inside(entry) || !is_inside(entry + 1));
+            next_[sides[k]] = sides[entry];
+        }
+    }
+
+    Vec2 crossing(SideId side) const {
+        const SideId point = side / 2;
+        const int x = static_cast<int>(point % columns_) - 1;
+        const int y = static_cast<int>(point / columns_) - 1;
+        const bool is_horizontal = side % 2 == 0;
+        const double first = number(x, y);
+        const double second = is_horizontal ? number(x + 1, y) : number(x, y + 1);
+        const double t =
+            std::clamp((level_ - first) / (second - first), kLeastDistance, 1.0 - kLeastDistance);
+        return is_horizontal ? Vec2(x + t, y) : Vec2(x, y + t);
+    }
+
+    // Returns the ring through a side, and removes its links.
+    std::vector<Vec2> take_ring(SideId start) {
+        std::vector<Vec2> ring;
+        for (SideId side = start; next_[side] != kNoSide;) {
+            ring.push_back(crossing(side));
+            const SideId after = next_[side];
+            next_[side] = kNoSide;
+            side = after;
+        }
+        return ring;
+    }
+
+    const ScalarGrid& grid_;
+    double level_;
+    SideId columns_;            // points of a row, with the border
+    std::vector<SideId> next_;  // per side: the next crossing of the ring, or kNoSide
+};
+
+}  // namespace
+
+std::vector<std::vector<Vec2>> contours(const ScalarGrid& grid, double level) {
+    return ContourTracer(grid, level).trace();
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/geometry/vec2.h"
+#include "texgen/pictures/scalar_grid.h"
+
+#include <span>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A filled shape: closed rings, which may cross themselves and each other.
+struct FilledShape {
+    std::vector<std::vector<Vec2>> rings;
+    bool is_even_odd = false;  // the fill rule: inside are points around which the rings wind an
+                               // odd number of times; otherwise, points with any number except 0
+};
+
+/// Returns the fraction of each pixel that the union of the shapes covers. Pixel (x, y) is the
+/// square from (x, y) to (x + 1, y + 1). Fractions are exact along rows; a pixel has eight rows of
+/// samples. Precondition: the shapes are within [0, width] x [0, height].
+ScalarGrid fill_coverage(std::span<const FilledShape> shapes, int width, int height);
+
+}  // namespace foam::texgen

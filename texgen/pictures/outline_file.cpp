@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/pictures/outline_file.h"
+
+#include "texgen/image/content_text.h"
+#include "texgen/image/file_io.h"
+#include "texgen/image/format.h"
+#include "texgen/image/input_limits.h"
+#include "texgen/image/pixel_hash.h"
+#include "texgen/pictures/fill_coverage.h"
+#include "texgen/pictures/picture_file.h"
+#include "texgen/pictures/silhouette.h"
+#include "texgen/pictures/svg_drawing.h"
+#include "texgen/pictures/traced_outlines.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr std::string_view kSvgSuffix = ".svg";
+// The largest number of pixels along a side of the picture of a drawing. The picture of a very long
+// drawing has fewer pixels than kOutlineGridPoints.
+constexpr double kMaxSide = 16384.0;
+constexpr double kMargin = 1.0;  // around the drawing, in pixels
+// The largest deviation of polygons from curves, in pixels.
+constexpr double kFlatness = 0.05;
+// Coordinates whose magnitude is above this number are rejected, because their differences may be
+// rounded to nothing.
+constexpr double kLargestCoordinate = 1e12;
+
+// The bounding box of the control points of all shapes.
+struct Bounds {
+    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Vec2 high = -low;
+
+    void add(const Vec2& point) {
+        if (!(point.cwiseAbs().maxCoeff() < kLargestCoordinate)) {
+            throw InputError("its coordinates are too large");
+        }
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+};
+
+Bounds bounds_of(const std::vector<SvgShape>& shapes) {
+    Bounds bounds;
+    for (const SvgShape& shape : shapes) {
+        for (const Subpath& path : shape.path) {
+            bounds.add(path.start);
+            for (const CubicCurve& curve : path.curves) {
+                bounds.add(curve.control_1);
+                bounds.add(curve.control_2);
+                bounds.add(curve.end);
+            }
+        }
+    }
+    return bounds;
+}
+
+// Returns the map from the coordinates of the document to the pixels of a picture, in which y
+// points up. `size` is the size of the drawing.
+AffineMap map_to_pixels(const Bounds& bounds, const Vec2& size) {
+    const double scale =
+        std::min(kMaxSide / size.maxCoeff(), std::sqrt(kOutlineGridPoints / (size.x() * size.y())));
+    return {{scale,
+             0.0,
+             0.0,
+             -scale,
+             kMargin - scale * bounds.low.x(),
+             kMargin + scale * bounds.high.y()}};
+}
+
+FilledShape filled(SvgShape shape, const AffineMap& map) {
+    FilledShape result{{}, shape.is_even_odd};
+    for (const Subpath& path : mapped(std::move(shape.path), map)) {
+        result.rings.push_back(flattened(path, kFlatness));
+    }
+    return result;
+}
+
+bool is_svg_name(std::string_view text) {
+    return text.ends_with(kSvgSuffix);
+}
+
+FileOutline outline_in(const std::string& path) {
+    if (!is_svg_name(path)) {
+        const PictureFile file = read_picture_file(path);
+        return {silhouette(*file.picture), file.hash};
+    }
+    const Bytes content = read_file(path, kDrawingInput);
+    const std::string_view document = text_of(content);
+    try {
+        return {outlines_of_svg(document), text_hash(document)};
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("cannot use '{}' as an outline: {}", path, error.what()));
+    }
+}
+
+}  // namespace
+
+bool is_outline_name(std::string_view text) {
+    return is_svg_name(text) || find_format(text) != nullptr;
+}
+
+std::vector<foam::Outline> outlines_of_svg(std::string_view document) {
+    std::vector<SvgShape> shapes = read_svg_shapes(document);
+    const Bounds bounds = bounds_of(shapes);
+    const Vec2 size = bounds.high - bounds.low;
+    if (!(size.minCoeff() > 0.0)) {
+        throw InputError("it has no filled shape");
+    }
+    const AffineMap map = map_to_pixels(bounds, size);
+    std::vector<FilledShape> on_pixels;
+    for (SvgShape& shape : shapes) {
+        on_pixels.push_back(filled(std::move(shape), map));
+    }
+    const double scale = map.abcdef[0];
+    const auto pixels = [&](double length) {
+        return static_cast<int>(std::ceil(scale * length + 2.0 * kMargin));
+    };
+    const ScalarGrid grid = fill_coverage(on_pixels, pixels(size.x()), pixels(size.y()));
+    std::vector<foam::Outline> outlines = traced_outlines(grid, 0.5);
+    if (outlines.empty()) {
+        throw InputError("it has no filled shape");
+    }
+    return outlines;
+}
+
+FileOutline read_outline_file(const std::string& path) {
+    FileOutline outline = outline_in(path);
+    if (outline.parts.empty()) {
+        throw InputError(
+            fmt::format("cannot use '{}' as an outline: no part of it is opaque or, if nothing is "
+                        "transparent, darker than half lightness",
+                        path));
+    }
+    return outline;
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/pictures/silhouette.h"
+
+#include "texgen/pictures/traced_outlines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kLevel = 0.5;
+
+bool has_transparent_part(const SourcePicture& picture) {
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            if (pixel_of(picture, x, y).opacity < kLevel) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// Returns the number of pixels along the side of the squares that are averaged.
+int block_size(const SourcePicture& picture) {
+    const double pixels = static_cast<double>(picture.width()) * picture.height();
+    return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kOutlineGridPoints))));
+}
+
+// Returns the mean of `number` over the pixels of a square, as far as the square is in the picture.
+template <class Number>
+double mean_of_block(
+    const SourcePicture& picture, int left, int bottom, int size, const Number& number) {
+    const int right = std::min(left + size, picture.width());
+    const int top = std::min(bottom + size, picture.height());
+    double sum = 0.0;
+    for (int y = bottom; y < top; ++y) {
+        for (int x = left; x < right; ++x) {
+            sum += number(pixel_of(picture, x, y));
+        }
+    }
+    return sum / (static_cast<double>(right - left) * (top - bottom));
+}
+
+template <class Number>
+ScalarGrid grid_of(const SourcePicture& picture, const Number& number) {
+    const int size = block_size(picture);
+    ScalarGrid grid((picture.width() + size - 1) / size, (picture.height() + size - 1) / size);
+    for (int y = 0; y < grid.height; ++y) {
+        for (int x = 0; x < grid.width; ++x) {
+            grid(x, y) =
+                static_cast<float>(mean_of_block(picture, x * size, y * size, size, number));
+        }
+    }
+    return grid;
+}
+
+}  // namespace
+
+std::vector<foam::Outline> silhouette(const SourcePicture& picture) {
+    const auto opacity = [](const SourcePixel& pixel) { return pixel.opacity; };
+    const auto darkness = [](const SourcePixel& pixel) {
+        return 1.0 - linear_to_srgb(luminance_of(color_on_white(pixel)));
+    };
+    return traced_outlines(
+        has_transparent_part(picture) ? grid_of(picture, opacity) : grid_of(picture, darkness),
+        kLevel);
+}
+
+}  // namespace foam::texgen

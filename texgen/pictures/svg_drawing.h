@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/pictures/bezier_path.h"
+
+#include <string_view>
+#include <vector>
+
+namespace foam::texgen {
+
+/// A filled shape of an SVG, in the coordinates of the document: y points down.
+struct SvgShape {
+    BezierPath path;
+    bool is_even_odd = false;  // the fill rule
+};
+
+/// Returns the filled shapes of an SVG: paths, rectangles, circles, ellipses, polygons and
+/// polylines, also within groups, links and symbols that the drawing uses. All colors count as
+/// filled, except "none". Strokes, pictures, clipping paths and style sheets are ignored. Throws
+/// InputError, whose message does not name the file, if the document is no SVG, if an attribute is
+/// malformed, if the document contains text, or if it has more than 200,000 curves.
+std::vector<SvgShape> read_svg_shapes(std::string_view document);
+
+}  // namespace foam::texgen
