@@ -2,6 +2,7 @@
 
 #include "texgen/bake/file_pattern.h"
 
+#include "texgen/image/file_suffix.h"
 #include "texgen/image/format.h"
 #include "texgen/vector/format.h"
 
@@ -31,7 +32,7 @@ std::string_view take_run(std::string_view& rest) {
 // Returns the pattern of a format with several tables with {map} in it.
 std::string with_table(std::string_view pattern) {
     std::string complete(pattern);
-    if (pattern.ends_with(".csv") && pattern.find("{map}") == std::string_view::npos) {
+    if (has_suffix(pattern, ".csv") && pattern.find("{map}") == std::string_view::npos) {
         const std::size_t name = complete.find_last_of('/') + 1;
         complete.insert(complete.find('.', name + 1), "_{map}");
     }
