@@ -256,6 +256,7 @@ ExitCode run_images(const Preset& preset,
                     const ProgressOptions& progress) {
     const Verbosity verbosity = progress.verbosity;
     check_scenes(preset);
+    check_sheets(preset);
     if (verbosity != Verbosity::Quiet) {
         note_unused_normal_y(arguments, preset);
         warn_of_full_disk(estimated_size(preset, options.frames), manifest_folder(preset));

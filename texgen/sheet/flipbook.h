@@ -64,6 +64,10 @@ Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& to,
                         const ProgressCallback& on_progress = {});
 
+/// Throws std::invalid_argument if the files of the preset cannot be joined to what output.sheets
+/// asks for. Otherwise, write_sheets would fail after the bake.
+void check_sheets(const Preset& preset);
+
 /// Joins the frames of a bake of a preset, which has just ended, as output.sheets says. `frames`
 /// are the numbers of the frames. Throws the exceptions of write_flipbook. Precondition:
 /// output.sheets is not None.
