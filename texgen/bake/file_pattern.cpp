@@ -2,6 +2,7 @@
 
 #include "texgen/bake/file_pattern.h"
 
+#include "texgen/image/file_suffix.h"
 #include "texgen/image/format.h"
 #include "texgen/preset/placeholder.h"
 #include "texgen/vector/format.h"
@@ -46,7 +47,7 @@ std::size_t first_period(std::string_view pattern) {
 // Returns the pattern of a format with several tables with {map} in it.
 std::string with_table(std::string_view pattern) {
     std::string complete(pattern);
-    if (pattern.ends_with(".csv") && pattern.find("{map}") == std::string_view::npos) {
+    if (has_suffix(pattern, ".csv") && pattern.find("{map}") == std::string_view::npos) {
         complete.insert(first_period(pattern), "_{map}");
     }
     return complete;

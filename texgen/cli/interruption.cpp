@@ -16,18 +16,19 @@ namespace {
 std::atomic<int> stop_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
+// What the signal handler writes. Changed only before the handlers are installed.
+std::string_view note;
+
 // The signal handler: stores the signal and writes a note. Calls only functions that a signal
 // handler may call.
 void take_signal(int signal) {
-    constexpr std::string_view kNote =
-        "\nfoamtex: stopping after the current step; the same signal again stops at once\n";
     stop_signal = signal;
     // If stderr is a pipe without a reader, the write must fail instead of ending the process.
     struct sigaction ignore {};
     struct sigaction before {};
     ignore.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &ignore, &before);
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, kNote.data(), kNote.size());
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, note.data(), note.size());
     sigaction(SIGPIPE, &before, nullptr);
 }
 
@@ -39,8 +40,11 @@ Interrupted::Interrupted(int signal)
                                             : "terminated"),
       signal_(signal) {}
 
-void handle_stop_signals() {
+void handle_stop_signals(Stopping stopping) {
     stop_signal = 0;
+    note = stopping == Stopping::AfterStep
+               ? "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
+               : "\nfoamtex: stopping; the same signal again stops at once\n";
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action {};
         sigaction(signal, nullptr, &action);

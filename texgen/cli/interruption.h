@@ -17,11 +17,14 @@ class Interrupted : public std::runtime_error {
     int signal_;
 };
 
+/// How a run stops after a signal: after its current step, or, if it has no steps, soon.
+enum class Stopping { AfterStep, Soon };
+
 /// Installs handlers for SIGINT, SIGTERM and SIGHUP. If one of these signals arrives, the process
-/// does not end. Instead, the handler writes to stderr that the run will stop after its current
-/// step, and from then on throw_if_interrupted throws. A second signal of the same kind ends the
+/// does not end. Instead, the handler writes to stderr how the run will stop, and from then on
+/// throw_if_interrupted throws. A second signal of the same kind ends the
 /// process immediately. If the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
-void handle_stop_signals();
+void handle_stop_signals(Stopping stopping = Stopping::AfterStep);
 
 /// Throws Interrupted if handle_stop_signals has been called and a signal has arrived since then.
 void throw_if_interrupted();

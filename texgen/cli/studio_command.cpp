@@ -87,7 +87,7 @@ ExitCode run_studio(const StudioArguments& arguments) {
     if (!arguments.no_browser) {
         open_browser(fmt::format("http://localhost:{}/#token={}", server.port(), studio.token()));
     }
-    handle_stop_signals();
+    handle_stop_signals(Stopping::Soon);
     const auto check = [&] {
         throw_if_interrupted();
         if (!arguments.keep && studio.idle_time() > kLongestIdleTime) {

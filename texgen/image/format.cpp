@@ -2,6 +2,7 @@
 
 #include "texgen/image/format.h"
 
+#include "texgen/image/file_suffix.h"
 #include "texgen/image/texture_file.h"
 
 #include <fmt/core.h>
@@ -77,7 +78,7 @@ std::span<const ImageFormat> image_formats() {
 
 const ImageFormat* find_format(std::string_view file_name) {
     const auto* const found = std::ranges::find_if(
-        kFormats, [&](const ImageFormat& format) { return file_name.ends_with(format.suffix); });
+        kFormats, [&](const ImageFormat& format) { return has_suffix(file_name, format.suffix); });
     return found != kFormats.end() ? found : nullptr;
 }
 

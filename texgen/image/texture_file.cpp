@@ -3,6 +3,7 @@
 #include "texgen/image/texture_file.h"
 
 #include "texgen/image/dds.h"
+#include "texgen/image/file_suffix.h"
 #include "texgen/image/ktx2.h"
 
 #include <fmt/core.h>
@@ -20,8 +21,9 @@ constexpr std::array kFormats = {TextureFormat{".dds", encode_dds, decode_dds},
 }  // namespace
 
 const TextureFormat* find_texture_format(std::string_view file_name) {
-    const auto* const found = std::ranges::find_if(
-        kFormats, [&](const TextureFormat& format) { return file_name.ends_with(format.suffix); });
+    const auto* const found = std::ranges::find_if(kFormats, [&](const TextureFormat& format) {
+        return has_suffix(file_name, format.suffix);
+    });
     return found != kFormats.end() ? found : nullptr;
 }
 

@@ -2,6 +2,8 @@
 
 #include "texgen/keys/key.h"
 
+#include "texgen/image/file_suffix.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +12,7 @@ namespace foam::texgen {
 
 bool Condition::allows(std::string_view value) const {
     const bool is_listed = std::ranges::any_of(values, [&](std::string_view listed) {
-        return listed.starts_with('*') ? value.ends_with(listed.substr(1)) : value == listed;
+        return listed.starts_with('*') ? has_suffix(value, listed.substr(1)) : value == listed;
     });
     return is_listed != excludes;
 }

@@ -70,6 +70,9 @@ std::string cause_of_no_effect(const KeyInfo& key, const Preset& preset) {
     if (key.path == "dynamics.kappa") {
         return cause_of_no_diffusion(preset);
     }
+    if (key.path == "vector.wrap" && preset.shape.kind == FoamKind::Patch) {
+        return present_value("foam.domain", preset);  // a patch is not cut
+    }
     const Condition* const condition = unmet(key, preset);
     return condition != nullptr ? present_value(condition->key, preset) : "";
 }

@@ -3,12 +3,14 @@
 #include "texgen/sheet/flipbook.h"
 
 #include "texgen/animation/progress_meter.h"
+#include "texgen/bake/file_pattern.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/preset/drawn_images.h"
 #include "texgen/preset/placeholder.h"
+#include "texgen/preset/preset_keys.h"
 #include "texgen/sheet/array_files.h"
 #include "texgen/sheet/earlier_sheets.h"
 #include "texgen/sheet/flipbook_json.h"
@@ -117,6 +119,24 @@ std::string sheet_pattern(const Preset& preset) {
     }
 }
 
+// Returns the files that the sheets or arrays of a preset need, or nullptr if its files will do.
+// Arrays need integers, which EXR files have only of ids. Lossy files cannot become sheets, because
+// they would be compressed twice.
+const char* files_needed(const Preset& preset) {
+    const FilePattern pattern(preset.output.pattern);
+    if (pattern.is_vector()) {
+        return "PNG or EXR files";
+    }
+    if (array_suffix_of(preset.output.sheets).empty()) {
+        return pattern.format().is_lossy ? "PNG or EXR files" : nullptr;
+    }
+    const bool are_ids = std::ranges::all_of(drawn_images(preset), [](const DrawnImage& image) {
+        return image.traits().kind == MapKind::Id;
+    });
+    return pattern.format().samples == FormatSamples::Numbers && !are_ids ? "PNG or DDS files"
+                                                                          : nullptr;
+}
+
 }  // namespace
 
 Flipbook write_flipbook(const BakedSet& set,
@@ -163,8 +183,18 @@ Flipbook write_flipbook(const BakedSet& set,
 }
 
 void check_sheets(const Preset& preset) {
-    if (preset.output.sheets != SheetKind::None) {
-        static_cast<void>(sheet_pattern(preset));
+    if (preset.output.sheets == SheetKind::None) {
+        return;
+    }
+    static_cast<void>(sheet_pattern(preset));
+    const char* const needed = files_needed(preset);
+    if (needed != nullptr) {
+        throw std::invalid_argument(fmt::format(
+            "output.sheets = {} needs {}, but output.pattern is '{}'; set output.sheets to "
+            "\"none\" for no sheets",
+            to_toml(*find_key("output.sheets")->write(preset)),
+            needed,
+            preset.output.pattern));
     }
 }
 

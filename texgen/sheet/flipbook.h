@@ -64,9 +64,10 @@ Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& to,
                         const ProgressCallback& on_progress = {});
 
-/// Checks the names of the sheets before a bake. Throws std::invalid_argument if output.sheets is
-/// not None and a placeholder of output.sheet_pattern is unknown, or has a value that cannot be a
-/// part of a file name (placeholder_text in preset/placeholder.h).
+/// Checks the sheets of a preset before a bake. Throws std::invalid_argument if the files of the
+/// preset cannot be joined to what output.sheets asks for, or if a placeholder of
+/// output.sheet_pattern is unknown, or has a value that cannot be a part of a file name
+/// (placeholder_text in preset/placeholder.h). Does nothing if output.sheets is None.
 void check_sheets(const Preset& preset);
 
 /// Joins the frames of a bake of a preset, which has just ended, as output.sheets says. `frames`

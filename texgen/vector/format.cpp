@@ -2,6 +2,7 @@
 
 #include "texgen/vector/format.h"
 
+#include "texgen/image/file_suffix.h"
 #include "texgen/mesh/glb_mesh.h"
 #include "texgen/mesh/stl.h"
 #include "texgen/vector/appearance.h"
@@ -103,7 +104,7 @@ std::span<const VectorFormat> vector_formats() {
 
 const VectorFormat* find_vector_format(std::string_view file_name) {
     const auto* const found = std::ranges::find_if(
-        kFormats, [&](const VectorFormat& format) { return file_name.ends_with(format.suffix); });
+        kFormats, [&](const VectorFormat& format) { return has_suffix(file_name, format.suffix); });
     return found == kFormats.end() ? nullptr : found;
 }
 

@@ -52,8 +52,7 @@ Keys<VectorOptions> vector_keys() {
             "border of the tile of a torus: cut cuts all arcs there, so that drawings tile; "
             "whole shows whole bubbles, which extend beyond the tile",
             &Options::wrap)
-            .used_with("output.pattern", files)
-            .unused_with("foam.domain", {"patch"})};
+            .used_with("output.pattern", files)};
 }
 
 }  // namespace foam::texgen

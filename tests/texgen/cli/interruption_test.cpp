@@ -50,6 +50,15 @@ TEST(Interruption, ABakeRecordsItsFramesAndSaysHowToGoOn) {
     EXPECT_EQ(resumed.code, 0) << resumed.err;
 }
 
+TEST(Interruption, TheStudioHasNoStepsToWaitFor) {
+    const Outcome outcome =
+        run_program("--version > /dev/null; { '" + foam::test::executable().string() +
+                    "' studio --no-browser --json > url & until [ -s url ] || ! kill -0 $!; do "
+                    "sleep 0.02; done; sleep 0.5; kill -TERM $!; wait $!; }");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "\nfoamtex: stopping; the same signal again stops at once\n");
+}
+
 TEST(Interruption, AnIncompleteCacheIsMentioned) {
     const Outcome outcome =
         run_program("--version > /dev/null; { '" + foam::test::executable().string() +

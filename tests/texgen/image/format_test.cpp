@@ -61,6 +61,7 @@ TEST(Format, IsFoundByItsSuffix) {
         EXPECT_NE(format_suffixes().find(format.suffix), std::string::npos);
         EXPECT_NE(format_names().find(format.name), std::string::npos);
     }
+    EXPECT_EQ(find_format("a.EXR")->name, "EXR");
     EXPECT_EQ(find_format("a.jpg"), nullptr);
     EXPECT_EQ(find_format("png"), nullptr);
 }

@@ -74,6 +74,15 @@ TEST(UnusedKeys, IncludeThoseOfAnotherFileFormat) {
     EXPECT_EQ(unused({"output.pattern=a.exr", "output.exr_compression=piz", "output.exr_level=9"}),
               Lines{"output.exr_level has no effect with output.exr_compression = \"piz\""});
     EXPECT_EQ(unused({"output.pattern=a.####.exr", "output.exr_level=9"}), Lines{});
+    EXPECT_EQ(unused({"output.pattern=a.####.EXR", "output.exr_level=9"}), Lines{});
+}
+
+TEST(UnusedKeys, IncludeTheBorderOfADrawingThatHasNone) {
+    EXPECT_EQ(unused({"output.pattern=a.####.png", "vector.wrap=whole"}),
+              Lines{"vector.wrap has no effect with output.pattern = \"a.####.png\""});
+    EXPECT_EQ(unused({"output.pattern=a.####.svg", "vector.wrap=whole"}), Lines{});
+    EXPECT_EQ(unused({"output.pattern=a.####.svg", "vector.wrap=whole", "foam.domain=patch"}),
+              Lines{"vector.wrap has no effect with foam.domain = \"patch\""});
 }
 
 TEST(UnusedKeys, NoShippedPresetSetsOne) {

@@ -35,6 +35,30 @@ TEST(Flipbook, RejectsMissingMapsAndFrames) {
     EXPECT_EQ(folder.files().size(), 5U);  // only the files of the bake
 }
 
+// Arrays need integers, which EXR files have only of ids; DDS files would be compressed twice.
+TEST(Flipbook, SheetsThatCannotBeMadeAreRejectedBeforeTheBake) {
+    const auto check = [](SheetKind sheets, const char* pattern, const char* map) {
+        Preset preset;
+        preset.output.sheets = sheets;
+        preset.output.pattern = pattern;
+        preset.image.maps = {map};
+        check_sheets(preset);
+    };
+    for (const SheetKind sheets : {SheetKind::Dds, SheetKind::Ktx2}) {
+        EXPECT_THROW(check(sheets, "{map}.####.exr", "albedo"), std::invalid_argument);
+        EXPECT_NO_THROW(check(sheets, "{map}.####.exr", "id"));
+        EXPECT_NO_THROW(check(sheets, "{map}.####.png", "albedo"));
+        EXPECT_NO_THROW(check(sheets, "{map}.####.dds", "albedo"));
+    }
+    EXPECT_THROW(check(SheetKind::Grid, "{map}.####.dds", "albedo"), std::invalid_argument);
+    EXPECT_THROW(check(SheetKind::Grid, "{map}.####.svg", "albedo"), std::invalid_argument);
+    EXPECT_NO_THROW(check(SheetKind::Grid, "{map}.####.exr", "albedo"));
+    EXPECT_NO_THROW(check(SheetKind::None, "{map}.####.svg", "albedo"));
+    expect_rejected("bake sea_foam --set output.sheets=dds --out '{map}.####.exr'",
+                    "output.sheets = \"dds\" needs PNG or DDS files, but output.pattern is "
+                    "'{map}.####.exr'; set output.sheets to \"none\" for no sheets");
+}
+
 // The second map cannot be read.
 TEST(Flipbook, AFailureLeavesNoSheet) {
     const TemporaryFolder folder;

@@ -10,7 +10,7 @@ function matches(value, pattern) {
         return Number(pattern) === value;
     }
     if (typeof value === "string") {
-        return pattern.startsWith("*") ? value.endsWith(pattern.slice(1)) : value === pattern;
+        return pattern.startsWith("*") ? value.toLowerCase().endsWith(pattern.slice(1)) : value === pattern;
     }
     return toToml(value) === pattern;
 }
