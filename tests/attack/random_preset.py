@@ -18,10 +18,12 @@ LARGEST_GAUSS_SEIDEL = {"frames.time_step": 0.1, "frames.warm_up": 0.1, "frames.
 SMALLEST_GAUSS_SEIDEL = {"foam.tolerance": 1e-4}
 POLYGONS = ["disc", "rectangle", "POLYGON((0 0, 4 0, 4 3, 0 3))", "POLYGON((0 0, 4 0, 4 4, 0 4), (1 1, 2 1, 2 2, 1 2))",
             "POLYGON((-2 -2, 2 -2, 2 -1, -1 -1, -1 2, -2 2))"]
-####.png", "out/{map}.####.png", "out/{map}.%04d.exr", "out/{preset}_layers.@@@.exr", "out/{map}.png",
-            "out/{map}.####.svg", "out/x.####.dxf", "out/x.####.pdf", "out/x.####.csv", "out/x.json"]
+PATTERNS = ["out/{map}.####.png", "out/{map}.####.png", "out/{map}.%04d.exr", "out/{preset}_layers.@@@.exr", "out/{map}.png",
+            "out/{map}.####.svg", "out/x.####.dxf", "out/x.####.pdf", "out/x.####.csv", "out/x.json", "out/{map}.####.stl",
+            "out/x.####.glb"]
 PACKINGS = ["ORM=occlusion,roughness,metallic", "P:16=height,1-roughness,normal.X,0.25", "C=albedo.R,albedo.G,albedo.B,opacity"]
-TEXTS = {"foam.outline": POLYGONS, "foam.density": ["even", "gradient", "radial", "noise"], "albedo.picture": [""], "output.pattern": PATTERNS, "preset.description": ["", "foam of the caf\u00e9"],
+TEXTS = {"foam.outline": POLYGONS, "foam.density": ["even", "gradient", "radial", "noise"], "albedo.picture": [""],
+         "output.pattern": PATTERNS, "preset.description": ["", "foam of the caf\u00e9"],
          "output.pack": PACKINGS, "output.names": ["albedo=BaseColor", "height=H"],
          "preset.vary": ["foam.lloyd=0,1,4", "loop.amplitude=0.1..0.4", "dynamics.kappa=0..1:3"],
          "output.sheet_pattern": ["out/{preset}_sheet_{map}", "sheets/{map}"]}

@@ -4,6 +4,7 @@
 
 #include "core/parallel/parallel_for.h"
 #include "texgen/bake/file_pattern.h"
+#include "texgen/bake/vector_files.h"
 #include "texgen/blocks/texel_block.h"
 #include "texgen/image/format.h"
 #include "texgen/preset/drawn_images.h"
@@ -46,7 +47,7 @@ constexpr MeasuredMemory kOther{"", 40, 50};
 
 constexpr double kProgram = 10e6;      // bytes of the process without a foam
 constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
-// Bytes of the drawing and the text of a vector file per bubble.
+// Bytes of the drawing and the text of a drawing or table per bubble.
 constexpr double kVectorBytesPerBubble = 8000.0;
 // The factor by which a cross-fade, which draws two states of the foam, increases the memory of a
 // frame.
@@ -121,6 +122,14 @@ double sheet_memory(const Preset& preset, double pixels, bool is_png) {
     return preset.output.sheets == SheetKind::None ? 0.0 : pixels * largest;
 }
 
+// Returns the memory, in bytes, of drawing a vector file and of its content.
+double vector_memory(const Preset& preset) {
+    const VectorFormat& format = *vector_format_of(preset);
+    return format.estimate != nullptr
+               ? format.estimate(vector_settings(preset), preset.seeding.bubbles).memory_bytes
+               : kVectorBytesPerBubble * preset.seeding.bubbles;
+}
+
 }  // namespace
 
 std::uint64_t estimated_foam_memory(const Preset& preset) {
@@ -132,8 +141,7 @@ std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int thr
     if (pattern.is_vector()) {
         const auto drawn = std::min(frames, static_cast<std::size_t>(thread_count(threads)));
         return estimated_foam_memory(preset) +
-               static_cast<std::uint64_t>(static_cast<double>(drawn) * kVectorBytesPerBubble *
-                                          preset.seeding.bubbles);
+               static_cast<std::uint64_t>(static_cast<double>(drawn) * vector_memory(preset));
     }
     const bool is_png = pattern.format().samples == FormatSamples::Codes;
     double largest = 0.0;

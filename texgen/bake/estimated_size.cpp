@@ -20,7 +20,7 @@ namespace foam::texgen {
 
 namespace {
 
-// The size of a vector file in bytes per bubble: SVG files have about 1,000, all others fewer.
+// The size of a drawing or table in bytes per bubble: SVG files have about 1,000, others fewer.
 constexpr double kVectorFileBytes = 1000.0;
 
 // The size of a file of one map, in bytes per pixel, as a PNG and as an EXR.
@@ -100,13 +100,19 @@ double bytes_per_pixel(const DrawnImage& image, const Preset& preset) {
     return bytes;
 }
 
+double vector_file_bytes(const Preset& preset) {
+    const VectorFormat& format = *vector_format_of(preset);
+    return format.estimate != nullptr
+               ? format.estimate(vector_settings(preset), preset.seeding.bubbles).file_bytes
+               : kVectorFileBytes * preset.seeding.bubbles;
+}
+
 // Returns the sizes of the files of a frame.
 std::vector<std::uint64_t> file_sizes(const Preset& preset) {
     const FilePattern pattern(preset);
     if (pattern.is_vector()) {
-        return std::vector<std::uint64_t>(
-            file_words(preset).size(),
-            static_cast<std::uint64_t>(kVectorFileBytes * preset.seeding.bubbles));
+        return std::vector<std::uint64_t>(file_words(preset).size(),
+                                          static_cast<std::uint64_t>(vector_file_bytes(preset)));
     }
     const double pixels = static_cast<double>(preset.image.width) * preset.image.height;
     std::vector<std::uint64_t> sizes;

@@ -20,19 +20,10 @@ constexpr const char* kCrossFade =
     "cannot show the frames of the loop \"flow\", which fade from one foam into another; set "
     "loop.kind to another loop, or to \"none\"";
 
-VectorSettings settings_of(const Preset& preset) {
-    return {preset.maps,
-            preset.vector,
-            preset.mesh,
-            preset.image.maps,
-            preset.image.width,
-            preset.image.height};
-}
-
 VectorSource source_of(FrameLayers& layers, const SimulatedFrame& shown, const Preset& preset) {
     const bool has_texts = preset.output.texts == FileTexts::Written;
     return {layers,
-            settings_of(preset),
+            vector_settings(preset),
             fmt::format("{}, frame {}", preset.name, shown.frame->number),
             has_texts ? fmt::format("{} (foamtex " FOAMTEX_VERSION ", seed {})",
                                     preset.description,
@@ -42,12 +33,21 @@ VectorSource source_of(FrameLayers& layers, const SimulatedFrame& shown, const P
 
 }  // namespace
 
+VectorSettings vector_settings(const Preset& preset) {
+    return {preset.maps,
+            preset.vector,
+            preset.mesh,
+            preset.image.maps,
+            preset.image.width,
+            preset.image.height};
+}
+
 const VectorFormat* vector_format_of(const Preset& preset) {
     return find_vector_format(preset.output.pattern);
 }
 
 std::vector<std::string> vector_parts(const Preset& preset) {
-    return vector_format_of(preset)->parts(settings_of(preset));
+    return vector_format_of(preset)->parts(vector_settings(preset));
 }
 
 std::vector<std::string> file_words(const Preset& preset) {
@@ -75,7 +75,7 @@ void check_vector_files(const Preset& preset) {
     if (preset.loop.is_cross_faded()) {
         reject(*format, kCrossFade);
     }
-    format->check(settings_of(preset));
+    format->check(vector_settings(preset));
 }
 
 std::string encode_vector(const VectorFormat& format,
@@ -92,7 +92,7 @@ std::string encode_vector(const VectorFormat& format,
 
 std::string to_svg(const SimulatedFrame& shown, const Preset& preset) {
     const VectorFormat& svg = *find_vector_format(".svg");
-    return encode_vector(svg, shown, preset, svg.parts(settings_of(preset)).front());
+    return encode_vector(svg, shown, preset, svg.parts(vector_settings(preset)).front());
 }
 
 }  // namespace foam::texgen

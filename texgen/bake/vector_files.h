@@ -16,6 +16,9 @@ namespace foam::texgen {
 /// nullptr.
 const VectorFormat* vector_format_of(const Preset& preset);
 
+/// Returns the options of a preset on which vector files depend. Keeps references to the preset.
+VectorSettings vector_settings(const Preset& preset);
+
 /// Returns the names of the vector files of a frame, which take the place of {map}. Precondition:
 /// the files of the preset are vector files.
 std::vector<std::string> vector_parts(const Preset& preset);

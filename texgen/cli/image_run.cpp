@@ -195,7 +195,7 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
     command
         .add_option("--out",
                     arguments.out,
-                    "File names: .png .exr .dds .ktx2, .svg .dxf .pdf, .csv .json; {map}, {seed}, "
+                    "Files: .png .exr .dds .ktx2 .svg .dxf .pdf .stl .glb .csv .json; {map}, {seed}, "
                     "{KEY}, ####")
         ->option_text("PATTERN");
     command

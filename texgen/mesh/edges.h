@@ -2,15 +2,17 @@
 
 #pragma once
 
-#include "texgen/mesh/mesh.h"
-
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <span>
 #include <vector>
 
 namespace foam::texgen {
+
+/// A triangle as three indices of points.
+using Triangle = std::array<std::uint32_t, 3>;
 
 /// A side of a triangle: the index of the point where it begins in the upper half, the index of the
 /// point where it ends in the lower half.

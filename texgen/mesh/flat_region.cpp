@@ -59,7 +59,11 @@ std::vector<Edge> edges_of(const Ring& ring, PointTable& points) {
 
 std::vector<Edge> without_opposites(std::vector<Edge> edges) {
     std::ranges::sort(edges);
-    const auto count = [&](Edge edge) { return std::ranges::equal_range(edges, edge).size(); };
+    // Clang 14 does not compile the result of std::ranges::equal_range.
+    const auto count = [&](Edge edge) {
+        const auto found = std::equal_range(edges.begin(), edges.end(), edge);
+        return static_cast<std::size_t>(found.second - found.first);
+    };
     std::vector<Edge> kept;
     for (auto edge = edges.begin(); edge != edges.end();) {
         const std::size_t here = count(*edge);

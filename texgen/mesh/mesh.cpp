@@ -2,9 +2,8 @@
 
 #include "texgen/mesh/mesh.h"
 
-#include "texgen/mesh/edges.h"
-
 #include <cmath>
+#include <cstdint>
 
 namespace foam::texgen {
 

@@ -2,9 +2,10 @@
 
 #pragma once
 
+#include "texgen/mesh/edges.h"
+
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace foam::texgen {
@@ -14,10 +15,8 @@ inline constexpr std::size_t kMaxTriangles = 20'000'000;
 
 /// A point of a mesh in millimeters, with z up.
 using Point3 = std::array<float, 3>;
-/// A triangle as three indices of points, counter-clockwise if seen from outside of the solid.
-using Triangle = std::array<std::uint32_t, 3>;
-
-/// The surface of a solid as triangles that share their points.
+/// The surface of a solid as triangles that share their points. Triangles are counter-clockwise if
+/// seen from outside of the solid.
 struct Mesh {
     std::vector<Point3> positions;
     std::vector<Triangle> triangles;

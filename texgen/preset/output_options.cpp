@@ -43,9 +43,8 @@ Keys<OutputOptions> file_keys() {
                 Text{},
                 "file names: {preset}, {map}, {seed}, {size} and keys such as {foam.bubbles} are "
                 "replaced, #### is the frame number, and the suffix decides the format; an EXR "
-                "without {map} has all maps as layers; .svg, "
-                ".dxf and "
-                ".pdf are drawings (table vector), .csv and .json tables of the foam",
+                "without {map} has all maps as layers; .svg, .dxf and .pdf are drawings (table "
+                "vector), .stl and .glb meshes (table mesh), .csv and .json tables of the foam",
                 &OutputOptions::pattern),
             key("texts",
                 kTexts,

@@ -65,6 +65,11 @@ std::string encode_mesh(const VectorSource& source, std::string_view) {
     return write(frame_mesh(source), source.title);
 }
 
+template <bool is_glb>
+MeshEstimate estimate_mesh(const VectorSettings& settings, int bubbles) {
+    return estimated_mesh(settings, bubbles, is_glb);
+}
+
 std::string encode_csv(const VectorSource& source, std::string_view part) {
     return to_csv(source.layers, source.settings.maps.albedo, part);
 }
@@ -79,8 +84,14 @@ constexpr std::array<VectorFormat, 7> kFormats = {{
     {"PDF", ".pdf", "millimeters", drawing_parts, check_drawing, encode_drawing<to_pdf>},
     {"CSV", ".csv", "foam units", csv_parts, check_table, encode_csv},
     {"JSON", ".json", "foam units", json_parts, check_table, encode_json},
-    {"STL", ".stl", "millimeters", mesh_parts, check_mesh, encode_mesh<to_stl>},
-    {"GLB", ".glb", "meters", mesh_parts, check_mesh, encode_mesh<to_glb>},
+    {"STL",
+     ".stl",
+     "millimeters",
+     mesh_parts,
+     check_mesh,
+     encode_mesh<to_stl>,
+     estimate_mesh<false>},
+    {"GLB", ".glb", "meters", mesh_parts, check_mesh, encode_mesh<to_glb>, estimate_mesh<true>},
 }};
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kMeanings = {{

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "texgen/vector/mesh_estimate.h"
 #include "texgen/vector/vector_source.h"
 
 #include <span>
@@ -27,6 +28,8 @@ struct VectorFormat {
     /// frame or the options cannot be drawn, and std::bad_alloc if the machine has too little
     /// memory.
     std::string (*encode)(const VectorSource& source, std::string_view part) = nullptr;
+    /// Estimates a mesh (estimated_mesh); nullptr for drawings and tables.
+    MeshEstimate (*estimate)(const VectorSettings& settings, int bubbles) = nullptr;
 };
 
 /// Returns all formats.

@@ -17,8 +17,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -171,6 +173,10 @@ Mesh wall_mesh(const VectorSource& source) {
     } else if (options.base_mm > 0.0) {
         const auto all_films = layout.lines([](FilmId) { return true; });
         plate = outer_chains(wall_outlines(all_films, 2.0 * width));
+    }
+    if (walls.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "frame {} has no walls, so that a mesh of them would be empty", frame.number));
     }
     check_triangles(walls, options);
     return extruded({.walls = flattened(walls, options.tolerance_mm),

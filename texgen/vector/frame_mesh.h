@@ -25,8 +25,8 @@ void check_mesh(const VectorSettings& settings);
 /// Walls have the outlines of the drawing. On a torus whose tile cuts them, the plate is the tile.
 /// Otherwise, the plate has the outline of all films, half a wall width away from the walls.
 ///
-/// Throws std::invalid_argument as check_mesh, page_of and wall_outlines do, if walls touch in a
-/// point, and if they have more than kMaxTriangles triangles.
+/// Throws std::invalid_argument as check_mesh, page_of and wall_outlines do, if there
+/// are no walls, if walls touch in a point, and if they have more than kMaxTriangles triangles.
 Mesh frame_mesh(const VectorSource& source);
 
 }  // namespace foam::texgen

@@ -23,7 +23,7 @@ struct MeshOptions {
     // Height of the highest point of a relief above the lowest one; 0 for the true scale, at which
     // heights and widths have the same unit.
     double relief_mm = 0.0;
-    double wall_mm = 5.0;  // height of walls above the base
+    double wall_mm = 3.0;  // height of walls above the base
     // The largest distance between an arc and the polygon that replaces it.
     double tolerance_mm = 0.02;
 };

@@ -56,7 +56,8 @@ class PathWriter {
     std::string path_of(const std::vector<Chain>& chains) {
         text_.clear();
         for (const Chain& chain : chains) {
-            text_ += "M" + point(chain.tail);
+            text_ += 'M';
+            text_ += point(chain.tail);
             for (const DrawnArc& arc : arcs_of(chain)) {
                 add(arc);
             }

@@ -3,6 +3,7 @@
 #include "texgen/vector/wall_outlines.h"
 
 #include "core/geometry/elementary.h"
+#include "texgen/raster/outline/disc_index.h"
 #include "texgen/raster/outline/inset.h"
 
 #include <algorithm>
@@ -147,6 +148,7 @@ struct LoopBox {
             high = high.cwiseMax(side.tail + reach);
         }
     }
+    Disc disc_around() const { return {0.5 * (low + high), 0.5 * (high - low).norm()}; }
     bool meets(const LoopBox& other) const {
         return (low.array() <= other.high.array()).all() &&
                (other.low.array() <= high.array()).all();
@@ -171,14 +173,19 @@ std::vector<ArcLoops> groups_of(const std::vector<LineLoop>& loops) {
     for (const LineLoop& loop : loops) {
         boxes[loop.component].include(loop);
     }
+    const std::vector<std::pair<std::size_t, LoopBox>> components(boxes.begin(), boxes.end());
+    DiscIndex index;
+    index.build(components.size(),
+                [&](std::size_t k) { return components[k].second.disc_around(); });
     std::vector<ArcLoops> groups(1);
     for (const LineLoop& loop : loops) {
         LoopBox box;
         box.include(loop);
+        const auto is_inside = [&](std::size_t k) {
+            return components[k].first != loop.component && box.meets(components[k].second);
+        };
         const bool is_alone =
-            area_of(loop) > 0.0 && std::ranges::none_of(boxes, [&](const auto& other) {
-                return other.first != loop.component && box.meets(other.second);
-            });
+            area_of(loop) > 0.0 && std::ranges::none_of(index.near(box.disc_around()), is_inside);
         ArcLoops& group = is_alone ? groups.emplace_back() : groups.front();
         group.sides.insert(group.sides.end(), loop.sides.begin(), loop.sides.end());
         group.loop_ends.push_back(group.sides.size());

@@ -13,9 +13,9 @@ namespace foam::texgen {
 /// all points that are at most half the width from a line. Walls have round ends. All outlines are
 /// closed chains of circular arcs with the walls on their left, accurate to about 1e-8 of the
 /// length of a line. Precondition: width > 0, and lines meet only in their nodes. Takes time in
-/// proportion to the square of the number of lines, except that each part of the plane that lines
-/// surround takes only the square of the number of lines around it. Throws std::invalid_argument if
-/// rounding errors hide how an outline continues, which no known foam causes.
+/// proportion to n log n for n lines if only a bounded number of lines is near each line. Throws
+/// std::invalid_argument if rounding errors hide how an outline continues, which no known foam
+/// causes.
 std::vector<Chain> wall_outlines(std::span<const NetArc> lines, double width);
 
 }  // namespace foam::texgen

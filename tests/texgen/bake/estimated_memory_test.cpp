@@ -115,6 +115,10 @@ TEST(EstimatedMemory, IsRightWithinAFactorOfOneAndAHalf) {
         {"all.#.exr", {"albedo", "height", "id", "normal"}, 100, 1024, 2, 2},
         {"all.#.exr", {"height", "distance", "curvature", "normal"}, 100, 1024, 1, 1},
         {"{map}.#.png", {"albedo"}, 10000, 64, 1, 1},
+        {"relief.#.stl", {"albedo"}, 100, 1024, 1, 1},
+        {"relief.#.glb", {"albedo"}, 100, 1024, 2, 2},
+        {"walls.#.stl", {"maze"}, 2000, 64, 1, 1},
+        {"walls.#.glb", {"maze"}, 2000, 64, 1, 1},
         {"{map}.#.png", {"albedo", "height"}, 100, 512, 32, 2, SheetKind::Ktx2}};
     for (const Subject& subject : subjects) {
         const auto estimated = static_cast<double>(estimated_memory(

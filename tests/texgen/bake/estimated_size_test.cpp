@@ -57,6 +57,20 @@ TEST(EstimatedSize, IsRightWithinAFactorOfTwo) {
     }
 }
 
+TEST(EstimatedSize, OfMeshesIsRightWithinAFactorOfTwo) {
+    for (const char* const name : {"x.stl", "x.glb"}) {
+        for (const char* const map : {"albedo", "maze"}) {
+            const TemporaryFolder folder;
+            Preset preset = small_preset(folder.path() / name);
+            preset.image.maps = {map};
+            const auto estimated = static_cast<double>(estimated_size(preset, {1}));
+            const double ratio = estimated / written_size(preset);
+            EXPECT_GT(ratio, 0.5) << name << ' ' << map;
+            EXPECT_LT(ratio, 2.0) << name << ' ' << map;
+        }
+    }
+}
+
 TEST(EstimatedSize, CountsEachMissingFile) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / "{map}.####.png");

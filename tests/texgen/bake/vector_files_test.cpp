@@ -89,13 +89,29 @@ TEST(VectorFiles, DamagedFilesAreFoundAndWrittenAgain) {
 }
 
 TEST(VectorFiles, BytesDoNotDependOnThreads) {
-    const TemporaryFolder one;
-    const TemporaryFolder two;
-    bake_recorded(small_preset(one.path() / "x.##.svg"), {.frames = {1, 2, 3}, .threads = 1}, {});
-    bake_recorded(small_preset(two.path() / "x.##.svg"), {.frames = {1, 2, 3}, .threads = 3}, {});
-    for (const char* const name : {"x.01.svg", "x.02.svg", "x.03.svg"}) {
-        EXPECT_EQ(content_of(one.path() / name), content_of(two.path() / name));
+    for (const std::string suffix : {".svg", ".stl", ".glb"}) {
+        const TemporaryFolder one;
+        const TemporaryFolder two;
+        const std::string pattern = "x.#" + suffix;
+        bake_recorded(small_preset(one.path() / pattern), {.frames = {1, 2, 3}, .threads = 1}, {});
+        bake_recorded(small_preset(two.path() / pattern), {.frames = {1, 2, 3}, .threads = 3}, {});
+        for (const char* const number : {"1", "2", "3"}) {
+            const std::string name = std::string("x.000") + number + suffix;
+            EXPECT_EQ(content_of(one.path() / name), content_of(two.path() / name)) << name;
+            EXPECT_FALSE(content_of(one.path() / name).empty()) << name;
+        }
     }
+}
+
+TEST(VectorFiles, AMeshIsWrittenAndRecorded) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / "{map}.glb");
+    bake_recorded(preset, {.frames = {1}}, {});
+    EXPECT_EQ(folder.files(), (Names{"manifest.json", "relief.glb"}));
+    EXPECT_EQ(only_set(folder.path()).maps[0].unit, "meters");
+    EXPECT_EQ(only_set(folder.path()).maps[0].meaning, "the relief as a closed mesh");
+    preset.mesh.base_mm = 0.0;
+    EXPECT_NE(rejection_of(preset).find("mesh.base_mm = 0"), std::string::npos);
 }
 
 TEST(VectorFiles, PackingsSheetsAndCrossFadesAreRejected) {

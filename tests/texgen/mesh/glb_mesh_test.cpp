@@ -34,7 +34,7 @@ struct GlbParts {
         EXPECT_EQ(word(20 + word(12)), binary.size());
     }
 
-    float number(int accessor, std::size_t index) const {
+    float number(std::size_t accessor, std::size_t index) const {
         const nlohmann::json& view = json["bufferViews"][accessor];
         float value = 0.0F;
         std::memcpy(&value,
@@ -49,14 +49,14 @@ TEST(GlbMesh, IsInMetersWithYUp) {
     const Mesh mesh{{{0, 0, 0}, {1, 2, 3}, {0, 2, 0}}, {{0, 1, 2}}};
     const GlbParts parts(to_glb(mesh, "name"));
     const auto& primitive = parts.json["meshes"][0]["primitives"][0];
-    const int position = primitive["attributes"]["POSITION"];
+    const std::size_t position = primitive["attributes"]["POSITION"];
     EXPECT_EQ(parts.json["accessors"][position]["count"], 3);
     EXPECT_EQ(parts.json["accessors"][position]["min"], (std::vector<float>{0, 0, -0.002F}));
     EXPECT_EQ(parts.json["accessors"][position]["max"], (std::vector<float>{0.001F, 0.003F, 0}));
-    EXPECT_EQ(parts.json["accessors"][primitive["indices"].get<int>()]["count"], 3);
+    EXPECT_EQ(parts.json["accessors"][primitive["indices"].get<std::size_t>()]["count"], 3);
     EXPECT_EQ(parts.json["nodes"][0]["name"], "name");
     // The normal of the triangle is (1, 2, 3) x (0, 2, 0) = (-6, 0, 2), and (-6, 2, 0) with y up.
-    const int normal = primitive["attributes"]["NORMAL"];
+    const std::size_t normal = primitive["attributes"]["NORMAL"];
     EXPECT_NEAR(parts.number(normal, 0), -6.0 / std::sqrt(40.0), 1e-6);
     EXPECT_NEAR(parts.number(normal, 1), 2.0 / std::sqrt(40.0), 1e-6);
     EXPECT_EQ(parts.number(normal, 2), 0.0F);

@@ -32,7 +32,7 @@ TEST(Stl, HasTheLayoutOfBinaryFiles) {
 }
 
 TEST(Stl, ALongTitleIsCutAndOtherCharactersAreReplaced) {
-    const std::string file = to_stl({}, std::string(200, 'x') + "\n");
+    const std::string file = to_stl({}, std::string(200, 'x'));
     EXPECT_EQ(file.size(), 84U);
     EXPECT_EQ(file[79], 'x');
     EXPECT_TRUE(to_stl({}, "f\xC3\xB6n").starts_with("foamtex mesh in millimeters: f??n"));

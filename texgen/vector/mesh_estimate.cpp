@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/vector/mesh_estimate.h"
+
+#include "texgen/mesh/height_slab.h"
+#include "texgen/vector/frame_mesh.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace foam::texgen {
+
+namespace {
+
+// Bytes per triangle. Measured with one frame of sea_foam (loop.kind=none, one thread): a relief of
+// 512 and 1024 pixels, and walls of 1000 and 4000 bubbles with tolerances of 0.02 and 0.001 mm.
+struct BytesPerTriangle {
+    double file;
+    double memory;
+};
+
+BytesPerTriangle bytes_per_triangle(MeshKind kind, bool is_glb) {
+    constexpr double kStlTriangle = 50.0;
+    if (kind == MeshKind::Relief) {
+        return is_glb ? BytesPerTriangle{24.0, 110.0} : BytesPerTriangle{kStlTriangle, 70.0};
+    }
+    return is_glb ? BytesPerTriangle{36.0, 200.0} : BytesPerTriangle{kStlTriangle, 150.0};
+}
+
+// Walls have about six arcs per bubble on both sides. The number of parts of an arc of the length d
+// grows as sqrt(d / tolerance). Both numbers are from the same measurement.
+double wall_triangles(const VectorSettings& settings, int bubbles) {
+    constexpr double kOfCorners = 24.0;
+    constexpr double kOfArcs = 3.1;
+    const double across = settings.drawing.width_mm / std::sqrt(static_cast<double>(bubbles));
+    return bubbles * (kOfCorners + kOfArcs * std::sqrt(across / settings.mesh.tolerance_mm));
+}
+
+}  // namespace
+
+MeshEstimate estimated_mesh(const VectorSettings& settings, int bubbles, bool is_glb) {
+    const MeshKind kind = shown_kind(settings);
+    const double triangles =
+        kind == MeshKind::Relief
+            ? static_cast<double>(slab_triangles(static_cast<std::size_t>(settings.width) + 1,
+                                                 static_cast<std::size_t>(settings.height) + 1))
+            : wall_triangles(settings, bubbles);
+    const BytesPerTriangle bytes = bytes_per_triangle(kind, is_glb);
+    return {bytes.file * triangles, bytes.memory * triangles};
+}
+
+}  // namespace foam::texgen
