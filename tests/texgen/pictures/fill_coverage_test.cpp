@@ -31,24 +31,24 @@ TEST(FillCoverage, IsTheAreaWithinEachPixel) {
 // A square within a square of the same direction is a hole only by the even-odd rule.
 TEST(FillCoverage, FollowsTheFillRule) {
     const std::vector<std::vector<Vec2>> rings = {rectangle(0, 0, 4, 4), rectangle(1, 1, 3, 3)};
-    EXPECT_FLOAT_EQ(sum_of(fill_coverage(std::vector<FilledShape>{{rings, true}}, 4, 4)), 12.0);
-    EXPECT_FLOAT_EQ(sum_of(fill_coverage(std::vector<FilledShape>{{rings, false}}, 4, 4)), 16.0);
+    EXPECT_NEAR(sum_of(fill_coverage(std::vector<FilledShape>{{rings, true}}, 4, 4)), 12.0, 1e-6);
+    EXPECT_NEAR(sum_of(fill_coverage(std::vector<FilledShape>{{rings, false}}, 4, 4)), 16.0, 1e-6);
 }
 
 // A clockwise square is filled, too, and a clockwise square in a counter-clockwise one is a hole.
 TEST(FillCoverage, CountsWindings) {
     std::vector<Vec2> inner = rectangle(1, 1, 3, 3);
     std::reverse(inner.begin(), inner.end());
-    EXPECT_FLOAT_EQ(sum_of(fill_coverage(std::vector<FilledShape>{{{inner}, false}}, 4, 4)), 4.0);
+    EXPECT_NEAR(sum_of(fill_coverage(std::vector<FilledShape>{{{inner}, false}}, 4, 4)), 4.0, 1e-6);
     const std::vector<FilledShape> both = {{{rectangle(0, 0, 4, 4), inner}, false}};
-    EXPECT_FLOAT_EQ(sum_of(fill_coverage(both, 4, 4)), 12.0);
+    EXPECT_NEAR(sum_of(fill_coverage(both, 4, 4)), 12.0, 1e-6);
 }
 
 // Two squares of 2 x 2 that overlap in 1 x 2 pixels cover 6 pixels.
 TEST(FillCoverage, UnitesShapes) {
     const std::vector<FilledShape> shapes = {{{rectangle(0, 0, 2, 2)}, false},
                                              {{rectangle(1, 0, 3, 2)}, false}};
-    EXPECT_FLOAT_EQ(sum_of(fill_coverage(shapes, 4, 2)), 6.0);
+    EXPECT_NEAR(sum_of(fill_coverage(shapes, 4, 2)), 6.0, 1e-6);
 }
 
 }  // namespace
