@@ -5,7 +5,7 @@
 #include "core/foam/area_field.h"
 #include "core/foam/foam.h"
 #include "core/foam/outline.h"
-#include "core/foam/patch.h"
+#include "core/foam/patch_options.h"
 #include "core/foam/polygon_mesh.h"
 #include "core/foam/random.h"
 

@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kMaxPieces = 256.0;
+constexpr double kMaxPieces = 64.0;
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
 // The center form of an elliptical arc: center + turned(radii * (cos angle, sin angle)).

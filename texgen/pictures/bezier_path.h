@@ -62,7 +62,7 @@ struct AffineMap {
 /// Returns the image of the path under a map.
 BezierPath mapped(BezierPath path, const AffineMap& map);
 
-/// Returns the corners of a polygon along a closed path. Each curve is divided into at most 256
+/// Returns the corners of a polygon along a closed path. Each curve is divided into at most 64
 /// pieces, so that the polygon deviates from it by at most `tolerance` if that number suffices.
 std::vector<Vec2> flattened(const Subpath& path, double tolerance);
 

@@ -4,6 +4,7 @@
 
 #include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/file_suffix.h"
 #include "texgen/image/format.h"
 #include "texgen/image/input_limits.h"
 #include "texgen/image/pixel_hash.h"
@@ -30,7 +31,10 @@ constexpr std::string_view kSvgSuffix = ".svg";
 constexpr double kMaxSide = 16384.0;
 constexpr double kMargin = 1.0;  // around the drawing, in pixels
 // The largest deviation of polygons from curves, in pixels.
-constexpr double kFlatness = 0.05;
+constexpr double kFlatness = 0.1;
+// The largest total height of all sides of the polygons of a drawing, in pixels. It bounds the time
+// that drawing takes: a few seconds.
+constexpr double kMaxHeight = 1e7;
 // Coordinates whose magnitude is above this number are rejected, because their differences may be
 // rounded to nothing.
 constexpr double kLargestCoordinate = 1e12;
@@ -85,8 +89,33 @@ FilledShape filled(SvgShape shape, const AffineMap& map) {
     return result;
 }
 
+// Returns the total height of all sides of a ring.
+double rise_of(const std::vector<Vec2>& ring) {
+    double height = std::abs(ring.front().y() - ring.back().y());
+    for (std::size_t k = 1; k < ring.size(); ++k) {
+        height += std::abs(ring[k].y() - ring[k - 1].y());
+    }
+    return height;
+}
+
+// Returns the shapes as polygons in pixels.
+std::vector<FilledShape> all_filled(std::vector<SvgShape> shapes, const AffineMap& map) {
+    std::vector<FilledShape> result;
+    double height = 0.0;
+    for (SvgShape& shape : shapes) {
+        result.push_back(filled(std::move(shape), map));
+        for (const std::vector<Vec2>& ring : result.back().rings) {
+            height += rise_of(ring);
+        }
+        if (height > kMaxHeight) {
+            throw InputError("it has too many long lines and curves");
+        }
+    }
+    return result;
+}
+
 bool is_svg_name(std::string_view text) {
-    return text.ends_with(kSvgSuffix);
+    return has_suffix(text, kSvgSuffix);
 }
 
 FileOutline outline_in(const std::string& path) {
@@ -117,10 +146,7 @@ std::vector<foam::Outline> outlines_of_svg(std::string_view document) {
         throw InputError("it has no filled shape");
     }
     const AffineMap map = map_to_pixels(bounds, size);
-    std::vector<FilledShape> on_pixels;
-    for (SvgShape& shape : shapes) {
-        on_pixels.push_back(filled(std::move(shape), map));
-    }
+    const std::vector<FilledShape> on_pixels = all_filled(std::move(shapes), map);
     const double scale = map.abcdef[0];
     const auto pixels = [&](double length) {
         return static_cast<int>(std::ceil(scale * length + 2.0 * kMargin));

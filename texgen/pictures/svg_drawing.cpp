@@ -26,7 +26,7 @@ using Node = pugi::xml_node;
 
 constexpr int kMaxDepth = 64;
 // The limits bound the time that a document with nested uses can take.
-constexpr std::size_t kMaxCurves = 200'000;
+constexpr std::size_t kMaxCurves = 100'000;
 constexpr int kMaxElements = 200'000;
 
 // Returns the name of an element without the prefix of its namespace.

@@ -19,7 +19,7 @@ struct SvgShape {
 /// polylines, also within groups, links and symbols that the drawing uses. All colors count as
 /// filled, except "none". Strokes, pictures, clipping paths and style sheets are ignored. Throws
 /// InputError, whose message does not name the file, if the document is no SVG, if an attribute is
-/// malformed, if the document contains text, or if it has more than 200,000 curves.
+/// malformed, if the document contains text, or if it has more than 100,000 lines and curves.
 std::vector<SvgShape> read_svg_shapes(std::string_view document);
 
 }  // namespace foam::texgen
