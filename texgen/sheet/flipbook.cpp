@@ -123,7 +123,7 @@ std::string sheet_pattern(const Preset& preset) {
 // Arrays need integers, which EXR files have only of ids. Lossy files cannot become sheets, because
 // they would be compressed twice.
 const char* files_needed(const Preset& preset) {
-    const FilePattern pattern(preset.output.pattern);
+    const FilePattern pattern(preset);
     if (pattern.is_vector()) {
         return "PNG or EXR files";
     }

@@ -98,14 +98,16 @@ TEST(BakeCommand, BakesAndMeasuresAPatch) {
     EXPECT_GE(measured.written.size(), 3U);
     expect_rejected("bake soap_raft --set foam.outline=egg",
                     "--set foam.outline=egg: key 'foam.outline' = \"egg\": must be \"disc\", "
-                    "\"rectangle\", or a WKT polygon without self-intersections, such as "
-                    "\"POLYGON((0 0, 6 0, 6 4), (3 1, 5 1, 5 2))\"; this is not written as a WKT "
-                    "polygon; check its brackets, commas and numbers");
+                    "\"rectangle\", a WKT polygon without self-intersections, such as "
+                    "\"POLYGON((0 0, 6 0, 6 4), (3 1, 5 1, 5 2))\", or the path of a drawing or a "
+                    "picture, which ends in .svg, .png, .exr, .dds or .ktx2; this is not written "
+                    "as a WKT polygon; check its brackets, commas and numbers");
     expect_rejected("bake soap_raft --set 'foam.outline=POLYGON((0 0, 1 1, 1 0, 0 1))'",
                     "--set foam.outline=POLYGON((0 0, 1 1, 1 0, 0 1)): key 'foam.outline' = "
-                    "\"POLYGON((0 0, 1 1, 1 0, 0 1))\": must be \"disc\", \"rectangle\", or a WKT "
+                    "\"POLYGON((0 0, 1 1, 1 0, 0 1))\": must be \"disc\", \"rectangle\", a WKT "
                     "polygon without self-intersections, such as \"POLYGON((0 0, 6 0, 6 4), (3 1, "
-                    "5 1, 5 2))\"; the polygon crosses or touches itself");
+                    "5 1, 5 2))\", or the path of a drawing or a picture, which ends in .svg, "
+                    ".png, .exr, .dds or .ktx2; the polygon crosses or touches itself");
 }
 
 TEST(BakeCommand, QuietPrintsNothingAndVerboseALinePerFrame) {

@@ -28,7 +28,8 @@ TEST(AlbedoOptions, LimitsHoldOnBothSides) {
 }
 
 TEST(AlbedoOptions, ChoicesHaveTheirWords) {
-    test::expect_words(albedo_keys(), "color_by", {"pressure", "area", "sides", "random"});
+    test::expect_words(
+        albedo_keys(), "color_by", {"pressure", "area", "sides", "random", "picture"});
     test::expect_words(albedo_keys(), "color_mix", {"blend", "pick"});
     test::expect_words(albedo_keys(), "film_profile", {"even", "wet"});
     test::expect_words(albedo_keys(), "film_unit", {"px", "diameter"});
