@@ -128,10 +128,8 @@ test("edits can be undone and are kept when the page is loaded again", () =>
         await wait_for_exact_picture(page);
         assert.equal(await bubbles(), "77");
         await set_key(page, "foam.bubbles", 78);
-        const version = await version_of(page);
-        await page.click("#undo");
-        await wait_for_exact_picture(page, version);
-        assert.equal(await bubbles(), "77");
-        await page.click("#undo");
-        await page.waitForFunction((value) => document.querySelector('#form [data-key="foam.bubbles"]').value === value, original);
+        for (const expected of ["77", original]) {
+            await page.click("#undo");
+            await page.waitForFunction((value) => document.querySelector('#form [data-key="foam.bubbles"]').value === value, expected);
+        }
     }));

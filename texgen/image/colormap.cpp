@@ -71,10 +71,11 @@ ColorTable cubehelix_table() {
     for (std::size_t i = 0; i < table.size(); ++i) {
         const double gray = static_cast<double>(i) / kLastEntry;
         const double radius = 0.5 * gray * (1.0 - gray);
-        const auto [sine, cosine] =
+        const ieee::SineAndCosine turn =
             ieee::sincos(2.0 * std::numbers::pi * (kStart / 3.0 + 1.0 + kRotations * gray));
         const auto code = [&](double along_cosine, double along_sine) {
-            const double value = gray + radius * (along_cosine * cosine + along_sine * sine);
+            const double value =
+                gray + radius * (along_cosine * turn.cosine + along_sine * turn.sine);
             return static_cast<std::uint32_t>(255.0 * std::clamp(value, 0.0, 1.0) + 0.5);
         };
         table[i] =

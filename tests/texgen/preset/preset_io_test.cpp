@@ -6,12 +6,14 @@
 #include "tests/texgen/temporary_folder.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
+#include "texgen/preset/conditions.h"
 #include "texgen/preset/preset_keys.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -73,7 +75,9 @@ TEST(PresetIo, ColorsMayComeFromAPicture) {
     const std::string toml = to_toml(preset);
     EXPECT_NE(toml.find("\ncolors.from = "), std::string::npos);
     EXPECT_NE(toml.find("\ncolors.count = 3\n"), std::string::npos);
-    EXPECT_EQ(toml.find("\ncolors = ["), std::string::npos);
+    const std::size_t albedo = toml.find("[albedo]\n");
+    EXPECT_EQ(toml.substr(albedo, toml.find("\n[lit]") - albedo).find("\ncolors = "),
+              std::string::npos);
     EXPECT_EQ(to_toml(parse_preset(toml, "mine", "mine.toml")), toml);
     EXPECT_EQ(to_toml(Preset()).find("colors.from"), std::string::npos);
 }
@@ -172,12 +176,12 @@ TEST(PresetIo, TheLaterAssignmentWins) {
     EXPECT_EQ(preset.seeding.seed, 4U);
 }
 
-// Keys that are unset by default, such as albedo.colors.from, are not written.
+// Of albedo.colors and albedo.colors.from, only the one that is used is written.
 TEST(PresetIo, EveryMemberIsWritten) {
     const std::string toml = to_toml(Preset{});
     for (const KeyInfo& key : preset_keys()) {
         const bool is_written = toml.find(fmt::format("\n{} = ", key.name())) != std::string::npos;
-        EXPECT_EQ(is_written, key.default_value.has_value()) << key.path;
+        EXPECT_EQ(is_written, !key.written || is_met(*key.written, Preset{})) << key.path;
     }
 }
 
