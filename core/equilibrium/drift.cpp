@@ -36,6 +36,24 @@ Vec2 median_motion(const Foam& foam,
     return {median(along_x), median(along_y)};
 }
 
+// Returns all junctions that films connect with `start`, and marks them as found.
+std::vector<JunctionId> raft_of(const Network& network,
+                                JunctionId start,
+                                Indexed<JunctionId, char>& is_found) {
+    is_found[start] = 1;
+    std::vector<JunctionId> raft{start};
+    for (std::size_t k = 0; k < raft.size(); ++k) {
+        for (const HalfEdgeId h : network.leaving(raft[k])) {
+            const JunctionId next = network.head(h);
+            if (is_found[next] == 0) {
+                is_found[next] = 1;
+                raft.push_back(next);
+            }
+        }
+    }
+    return raft;
+}
+
 // Returns the junctions of each raft of a patch: of each connected component of the network.
 std::vector<std::vector<JunctionId>> rafts_of(const Network& network) {
     std::vector<std::vector<JunctionId>> rafts;
@@ -45,18 +63,7 @@ std::vector<std::vector<JunctionId>> rafts_of(const Network& network) {
         if (is_found[start] != 0) {
             continue;
         }
-        is_found[start] = 1;
-        std::vector<JunctionId> raft{start};
-        for (std::size_t k = 0; k < raft.size(); ++k) {
-            for (const HalfEdgeId h : network.leaving(raft[k])) {
-                const JunctionId next = network.head(h);
-                if (is_found[next] == 0) {
-                    is_found[next] = 1;
-                    raft.push_back(next);
-                }
-            }
-        }
-        rafts.push_back(std::move(raft));
+        rafts.push_back(raft_of(network, start, is_found));
     }
     return rafts;
 }

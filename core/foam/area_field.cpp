@@ -52,8 +52,10 @@ Vec2 AreaField::random_point(Random& random) const {
     const double sum = random.uniform() * sums_.back();
     const auto after = std::upper_bound(sums_.begin(), sums_.end() - 1, sum);
     const auto cell = static_cast<int>(after - sums_.begin());
-    const double x = (cell % columns_ + random.uniform()) / columns_;
-    const double y = (cell / columns_ + random.uniform()) / rows_;
+    const int column = cell % columns_;
+    const int row = cell / columns_;
+    const double x = (column + random.uniform()) / columns_;
+    const double y = (row + random.uniform()) / rows_;
     return low_ + size_.cwiseProduct(Vec2(x, y));
 }
 

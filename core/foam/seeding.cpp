@@ -103,15 +103,15 @@ Foam draw_foam(const SeedingOptions& options, const Domain& domain, Random& rand
 
 }  // namespace
 
-Foam seed_foam(const SeedingOptions& given) {
-    check(given);
-    Random random(given.seed);
-    const Domain domain = torus_for(given);
-    SeedingOptions options = given;
-    if (given.areas) {
-        options.areas = given.areas->stretched_over({0.0, 0.0}, {domain.width, domain.height});
+Foam seed_foam(const SeedingOptions& options) {
+    check(options);
+    Random random(options.seed);
+    const Domain domain = torus_for(options);
+    SeedingOptions placed = options;
+    if (options.areas) {
+        placed.areas = options.areas->stretched_over({0.0, 0.0}, {domain.width, domain.height});
     }
-    Foam foam = draw_foam(options, domain, random);
+    Foam foam = draw_foam(placed, domain, random);
     foam.film_tension = 2.0 * options.surface_tension;
     return foam;
 }

@@ -57,7 +57,7 @@ std::vector<Edge> divided(std::span<const Edge> edges,
                           const PointTable& points) {
     std::vector<Edge> parts;
     for (const Edge edge : edges) {
-        const Vec2 from = points[start_of(edge)];
+        const Vec2& from = points[start_of(edge)];
         const Vec2 along = points[end_of(edge)] - from;
         std::vector<std::pair<double, std::uint32_t>> stops{{0.0, start_of(edge)},
                                                             {along.squaredNorm(), end_of(edge)}};

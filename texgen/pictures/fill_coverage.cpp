@@ -41,22 +41,30 @@ int first_row_above(double y, int rows) {
         std::clamp(std::ceil(y * kRowsOfPixel - 0.5), 0.0, static_cast<double>(rows)));
 }
 
+// Appends the sides of a ring that cross a row of samples.
+void add_sides(const std::vector<Vec2>& ring,
+               std::size_t shape,
+               int rows,
+               std::vector<Side>& sides) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Vec2& from = ring[k];
+        const Vec2& to = ring[(k + 1) % ring.size()];
+        const bool is_up = from.y() < to.y();
+        const Vec2& low = is_up ? from : to;
+        const Vec2& high = is_up ? to : from;
+        const int first = first_row_above(low.y(), rows);
+        const int last = first_row_above(high.y(), rows);
+        if (first < last) {
+            sides.push_back({low, high, is_up ? 1 : -1, shape, first, last});
+        }
+    }
+}
+
 std::vector<Side> sides_of(std::span<const FilledShape> shapes, int rows) {
     std::vector<Side> sides;
     for (std::size_t shape = 0; shape < shapes.size(); ++shape) {
         for (const std::vector<Vec2>& ring : shapes[shape].rings) {
-            for (std::size_t k = 0; k < ring.size(); ++k) {
-                const Vec2& from = ring[k];
-                const Vec2& to = ring[(k + 1) % ring.size()];
-                const bool is_up = from.y() < to.y();
-                const Vec2& low = is_up ? from : to;
-                const Vec2& high = is_up ? to : from;
-                const int first = first_row_above(low.y(), rows);
-                const int last = first_row_above(high.y(), rows);
-                if (first < last) {
-                    sides.push_back({low, high, is_up ? 1 : -1, shape, first, last});
-                }
-            }
+            add_sides(ring, shape, rows, sides);
         }
     }
     std::ranges::stable_sort(sides, {}, &Side::first_row);

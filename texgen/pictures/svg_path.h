@@ -15,10 +15,10 @@ BezierPath parse_svg_path(std::string_view data);
 
 /// Returns the map of an attribute `transform`. Throws InputError if the text is not a list of
 /// transforms; the message does not name the file.
-AffineMap parse_svg_transform(std::string_view text);
+AffineMap parse_svg_transform(std::string_view attribute);
 
 /// Returns a polygon from an attribute `points`. Throws InputError if the text is not a list of
 /// points; the message does not name the file.
-BezierPath parse_svg_points(std::string_view text);
+BezierPath parse_svg_points(std::string_view attribute);
 
 }  // namespace foam::texgen

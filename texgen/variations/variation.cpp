@@ -2,6 +2,7 @@
 
 #include "texgen/variations/variation.h"
 
+#include "texgen/preset/key_values.h"
 #include "texgen/preset/preset_io.h"
 
 #include <fmt/core.h>
