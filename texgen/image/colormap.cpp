@@ -34,6 +34,12 @@ constexpr ColorTable gray_table() {
 
 constexpr ColorTable kGray = gray_table();
 
+// Rounds a number that is not negative to the nearest integer; std::lround is not constexpr.
+constexpr std::uint32_t rounded(double value) {
+    const double raised = value + 0.5;
+    return static_cast<std::uint32_t>(raised);
+}
+
 // Interpolates evenly spaced colors in sRGB.
 template <std::size_t count>
 constexpr ColorTable interpolated(const std::array<std::uint32_t, count>& colors) {
@@ -45,7 +51,7 @@ constexpr ColorTable interpolated(const std::array<std::uint32_t, count>& colors
         for (const std::uint32_t shift : {16U, 8U, 0U}) {
             const double from = (colors[below] >> shift) & 0xffU;
             const double to = (colors[below + 1] >> shift) & 0xffU;
-            table[i] |= static_cast<std::uint32_t>(from + part * (to - from) + 0.5) << shift;
+            table[i] |= rounded(from + part * (to - from)) << shift;
         }
     }
     return table;
@@ -76,7 +82,7 @@ ColorTable cubehelix_table() {
         const auto code = [&](double along_cosine, double along_sine) {
             const double value =
                 gray + radius * (along_cosine * turn.cosine + along_sine * turn.sine);
-            return static_cast<std::uint32_t>(255.0 * std::clamp(value, 0.0, 1.0) + 0.5);
+            return rounded(255.0 * std::clamp(value, 0.0, 1.0));
         };
         table[i] =
             code(-0.14861, 1.78277) << 16U | code(-0.29227, -0.90649) << 8U | code(1.97294, 0.0);
@@ -84,7 +90,7 @@ ColorTable cubehelix_table() {
     return table;
 }
 
-const ColorTable kCubehelixTable = cubehelix_table();
+const ColorTable cubehelix_colors = cubehelix_table();
 
 // The names of the color maps, and the color maps in the same order.
 constexpr std::array<std::string_view, 20> kNames = {
@@ -92,13 +98,13 @@ constexpr std::array<std::string_view, 20> kNames = {
     "sea_water", "turbo", "cubehelix", "Blues",  "Greens",  "YlGnBu",  "YlOrRd",
     "Spectral",  "RdBu",  "RdYlBu",    "BrBG",   "PuOr",    "twilight"};
 constexpr std::array<ColorMap, kNames.size()> kMaps = {
-    ColorMap(kViridis),        ColorMap(kMagma),       ColorMap(kInferno),
-    ColorMap(kPlasma),         ColorMap(kCividis),     ColorMap(kGray),
-    ColorMap(kLabyrinthBlue),  ColorMap(kSeaWater),    ColorMap(kTurbo),
-    ColorMap(kCubehelixTable), ColorMap(kBluesTable),  ColorMap(kGreensTable),
-    ColorMap(kYlGnBuTable),    ColorMap(kYlOrRdTable), ColorMap(kSpectralTable),
-    ColorMap(kRdBuTable),      ColorMap(kRdYlBuTable), ColorMap(kBrBGTable),
-    ColorMap(kPuOrTable),      ColorMap(kTwilight)};
+    ColorMap(kViridis),         ColorMap(kMagma),       ColorMap(kInferno),
+    ColorMap(kPlasma),          ColorMap(kCividis),     ColorMap(kGray),
+    ColorMap(kLabyrinthBlue),   ColorMap(kSeaWater),    ColorMap(kTurbo),
+    ColorMap(cubehelix_colors), ColorMap(kBluesTable),  ColorMap(kGreensTable),
+    ColorMap(kYlGnBuTable),     ColorMap(kYlOrRdTable), ColorMap(kSpectralTable),
+    ColorMap(kRdBuTable),       ColorMap(kRdYlBuTable), ColorMap(kBrBGTable),
+    ColorMap(kPuOrTable),       ColorMap(kTwilight)};
 
 /// Interpolates between two sRGB codes and returns the result as linear light.
 double mixed(int from, int to, double weight) {
