@@ -146,6 +146,21 @@ std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch) {
     return centers;
 }
 
+EquilibriumSummary equilibrate_keeping_rafts(Solver solver,
+                                             Foam& foam,
+                                             const EquilibriumOptions& options) {
+    if (foam.network.ghost() == kNone<BubbleId>) {
+        return equilibrate_with(solver, foam, options);
+    }
+    const std::map<BubbleIdentity, Vec2> before = bubble_centers(foam);
+    const EquilibriumSummary summary = equilibrate_with(solver, foam, options);
+    compact(foam);  // films that tore have left dead slots
+    if (summary.converged()) {
+        restore_rafts(foam, before);
+    }
+    return summary;
+}
+
 void restore_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before) {
     Indexed<BubbleId, char> seen(patch.network.bubble_slots(), 0);
     std::vector<bool> moved(patch.network.junction_slots(), false);

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "core/dynamics/solver.h"
 #include "core/foam/foam.h"
 
 #include <map>
@@ -18,5 +19,11 @@ std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch);
 /// Bubbles without an earlier center are ignored. A lone bubble returns to its earlier center, if
 /// it has one.
 void restore_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before);
+
+/// Brings a foam to equilibrium (equilibrate_with). If it converges, the rafts of a patch return to
+/// their places (restore_rafts). Removes dead slots of a patch.
+EquilibriumSummary equilibrate_keeping_rafts(Solver solver,
+                                             Foam& foam,
+                                             const EquilibriumOptions& options);
 
 }  // namespace foam

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -88,23 +87,6 @@ void restore_total(Foam& foam) {
     }
 }
 
-// Brings a foam that is near equilibrium to equilibrium. The rafts of a patch stay where they are
-// (restore_rafts).
-EquilibriumSummary equilibrate_keeping_rafts(Foam& foam, const StepOptions& step_options) {
-    EquilibriumOptions options = step_options.equilibrium;
-    options.relaxes_first = false;
-    if (foam.network.ghost() == kNone<BubbleId>) {
-        return equilibrate_with(step_options.solver, foam, options);
-    }
-    const std::map<BubbleIdentity, Vec2> before = bubble_centers(foam);
-    const EquilibriumSummary summary = equilibrate_with(step_options.solver, foam, options);
-    compact(foam);  // films that tore have left dead slots
-    if (summary.converged()) {
-        restore_rafts(foam, before);
-    }
-    return summary;
-}
-
 // The time that a substep covers, and the part of a StateChange that it imposes.
 struct SubstepExtent {
     double time = 0.0;
@@ -148,7 +130,9 @@ EquilibriumSummary substep(Foam& foam,
     }
     compact(foam);
     restore_total(foam);
-    EquilibriumSummary summary = equilibrate_keeping_rafts(foam, options);
+    EquilibriumOptions near_equilibrium = options.equilibrium;
+    near_equilibrium.relaxes_first = false;
+    EquilibriumSummary summary = equilibrate_keeping_rafts(options.solver, foam, near_equilibrium);
     summary.t1 += counts.t1;
     summary.t2 += counts.t2;
     foam.time += extent.time;

@@ -10,10 +10,8 @@ namespace foam {
 using Positions = Indexed<JunctionId, Vec2>;
 
 /// Undoes the drift of the foam: translates all junctions by minus the median of their motions
-/// since `before`. If a patch has several rafts, each raft is treated by itself, and is also
-/// rotated by minus the median of the angles by which lines between its junctions have turned. Lone
-/// bubbles are not moved. The median is taken along x and along y separately. Equilibrium does not
-/// determine the position of the foam as a whole, nor those of rafts; with the median, everything
+/// since `before`. Lone bubbles are not moved. The median is taken along x and along y separately.
+/// Equilibrium does not determine the position of the foam as a whole; with the median, everything
 /// that is far from a change stays at rest. Precondition: `before` contains the earlier positions
 /// of the junctions of the same network, which has since changed by T1s and T2s only.
 void undo_drift(Foam& foam, const Positions& before);

@@ -2,6 +2,7 @@
 
 #include "texgen/animation/simulation.h"
 
+#include "core/dynamics/restore_rafts.h"
 #include "core/foam/measure.h"
 #include "texgen/animation/display_transform.h"
 #include "texgen/animation/seed.h"
@@ -60,6 +61,8 @@ Simulation::Simulation(const Preset& preset, int threads, ProgressCallback on_pr
       camera_(preset.camera),
       next_step_(preset.frames.time_step),
       options_(step_options_of(preset, threads)),
+      has_several_parts_(preset.shape.kind == FoamKind::Patch &&
+                         outline_of(preset.shape).size() > 1),
       foam_(seeded_foam(preset)),
       timeline_(preset),
       history_(foam_, preset.frames.smoothing),
@@ -216,7 +219,10 @@ void Simulation::measure_diagram() {
 
 bool Simulation::equilibrate_and_warm_up() {
     report({.phase = Phase::Equilibrium});
-    equilibrium_ = equilibrate_with(options_.solver, foam_, options_.equilibrium);
+    // The camera shows a single raft wherever it is; several rafts, such as the letters of a word,
+    // must keep their places.
+    const auto equilibrate = has_several_parts_ ? equilibrate_keeping_rafts : equilibrate_with;
+    equilibrium_ = equilibrate(options_.solver, foam_, options_.equilibrium);
     if (!equilibrium_.converged() || !warm_up()) {
         return false;
     }

@@ -85,6 +85,7 @@ class Simulation {
     CameraOptions camera_;
     double next_step_;  // length of the step to the next frame, foam time
     StepOptions options_;
+    bool has_several_parts_;  // true if the outline of a patch has several parts
     Foam foam_;
     Timeline timeline_;
     History history_;

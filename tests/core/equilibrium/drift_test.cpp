@@ -3,15 +3,9 @@
 #include "core/equilibrium/drift.h"
 
 #include "core/foam/honeycomb.h"
-#include "core/foam/outline.h"
-#include "core/foam/patch.h"
-#include "core/geometry/elementary.h"
 #include "tests/core/foams.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
 
 namespace foam {
 namespace {
@@ -90,32 +84,6 @@ TEST(Drift, IsZeroWithoutJunctions) {
     Foam foam;
     undo_drift(foam, {});
     EXPECT_EQ(foam.network.junction_count(), 0U);
-}
-
-// Two rafts that have moved and turned apart from each other return to their places. A junction of
-// one raft that has moved against the rest of it keeps this motion.
-TEST(Drift, OfEachRaftIsUndone) {
-    const std::vector<Outline> squares = {outline_from_wkt("POLYGON((0 0, 1 0, 1 1, 0 1))"),
-                                          outline_from_wkt("POLYGON((3 0, 4 0, 4 1, 3 1))")};
-    PatchOptions options;
-    options.bubbles = 60;
-    Foam foam = seed_patch(squares, options);
-    const Positions before = foam.positions;
-    const auto [sine, cosine] = ieee::sincos(0.4);
-    for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 at = before[junction];
-        const bool is_left = at.x() < 0.0;
-        const Vec2 turned(cosine * at.x() - sine * at.y(), sine * at.x() + cosine * at.y());
-        foam.positions[junction] = is_left ? at + Vec2(0.3, -2.0) : turned + Vec2(5.0, 1.0);
-    }
-    ASSERT_GT(largest_motion(foam, before), 2.0);
-    const JunctionId moved = *foam.network.junctions().begin();
-    foam.positions[moved] += Vec2(0.0, 0.05);
-    undo_drift(foam, before);
-    for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 motion = foam.positions[junction] - before[junction];
-        EXPECT_NEAR(motion.norm(), junction == moved ? 0.05 : 0.0, 1e-9);
-    }
 }
 
 }  // namespace
