@@ -12,21 +12,23 @@
 
 namespace foam {
 
-AreaField::AreaField(int columns, int rows, std::vector<double> areas)
-    : columns_(columns), rows_(rows), areas_(std::move(areas)) {
+AreaField::AreaField(int columns, int rows, std::vector<double> areas) {
     const auto cells = static_cast<std::size_t>(std::max(columns, 0)) *
                        static_cast<std::size_t>(std::max(rows, 0));
-    if (cells == 0 || areas_.size() != cells) {
+    if (cells == 0 || areas.size() != cells) {
         throw std::invalid_argument("an area field needs one area per cell of its grid");
     }
+    std::vector<double> sums;
+    sums.reserve(cells);
     double sum = 0.0;
-    for (const double area : areas_) {
+    for (const double area : areas) {
         if (!(area > 0.0) || !std::isfinite(area)) {
             throw std::invalid_argument("the areas of an area field must be positive and finite");
         }
         sum += 1.0 / area;
-        sums_.push_back(sum);
+        sums.push_back(sum);
     }
+    grid_ = std::make_shared<const Grid>(Grid{columns, rows, std::move(areas), std::move(sums)});
 }
 
 AreaField AreaField::stretched_over(const Vec2& low, const Vec2& size) const {
@@ -43,24 +45,25 @@ double AreaField::at(const Vec2& point) const {
         const double inside = position - std::floor(position);
         return std::min(static_cast<int>(inside * cells), cells - 1);
     };
-    const auto column = static_cast<std::size_t>(cell(at.x(), columns_));
-    const auto row = static_cast<std::size_t>(cell(at.y(), rows_));
-    return areas_[row * static_cast<std::size_t>(columns_) + column];
+    const auto column = static_cast<std::size_t>(cell(at.x(), grid_->columns));
+    const auto row = static_cast<std::size_t>(cell(at.y(), grid_->rows));
+    return grid_->areas[row * static_cast<std::size_t>(grid_->columns) + column];
 }
 
 Vec2 AreaField::random_point(Random& random) const {
-    const double sum = random.uniform() * sums_.back();
-    const auto after = std::upper_bound(sums_.begin(), sums_.end() - 1, sum);
-    const auto cell = static_cast<int>(after - sums_.begin());
-    const int column = cell % columns_;
-    const int row = cell / columns_;
-    const double x = (column + random.uniform()) / columns_;
-    const double y = (row + random.uniform()) / rows_;
+    const std::vector<double>& sums = grid_->sums;
+    const double sum = random.uniform() * sums.back();
+    const auto after = std::upper_bound(sums.begin(), sums.end() - 1, sum);
+    const auto cell = static_cast<int>(after - sums.begin());
+    const int column = cell % grid_->columns;
+    const int row = cell / grid_->columns;
+    const double x = (column + random.uniform()) / grid_->columns;
+    const double y = (row + random.uniform()) / grid_->rows;
     return low_ + size_.cwiseProduct(Vec2(x, y));
 }
 
 double AreaField::cell_size() const {
-    return std::min(size_.x() / columns_, size_.y() / rows_);
+    return std::min(size_.x() / grid_->columns, size_.y() / grid_->rows);
 }
 
 double AreaField::mean_over(std::span<const Vec2> polygon) const {

@@ -5,6 +5,7 @@
 #include "core/foam/random.h"
 #include "core/geometry/vec2.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace foam {
 
 /// The relative areas that bubbles should have at every place of a rectangle. The rectangle is
 /// divided into a grid of equal cells, and the area is constant within a cell. The number of
-/// bubbles per unit area is proportional to 1 / area.
+/// bubbles per unit area is proportional to 1 / area. Copies share the grid.
 class AreaField {
   public:
     /// Returns a field on the rectangle from (0, 0) to (1, 1). `areas` has one positive number per
@@ -44,12 +45,16 @@ class AreaField {
     Vec2 centroid_of(std::span<const Vec2> polygon) const;
 
   private:
+    struct Grid {
+        int columns = 0;
+        int rows = 0;
+        std::vector<double> areas;
+        std::vector<double> sums;  // of 1 / area over all cells up to and including each one
+    };
+
     double cell_size() const;  // the shorter side of a cell
 
-    int columns_;
-    int rows_;
-    std::vector<double> areas_;
-    std::vector<double> sums_;  // sums of 1 / area over all cells up to and including each one
+    std::shared_ptr<const Grid> grid_;
     Vec2 low_{0.0, 0.0};
     Vec2 size_{1.0, 1.0};
 };

@@ -136,16 +136,20 @@ std::vector<Vec2> cell_polygon(const std::vector<CellCorner>& cell) {
     return polygon;
 }
 
-Vec2 cell_centroid(const std::vector<CellCorner>& cell) {
+Vec2 polygon_centroid(std::span<const Vec2> polygon) {
     Vec2 weighted = Vec2::Zero();
     double twice = 0.0;
-    for (std::size_t k = 0; k + 1 < cell.size(); ++k) {
-        const Vec2 a = cell[k].point - cell[0].point;
-        const Vec2 b = cell[k + 1].point - cell[0].point;
+    for (std::size_t k = 0; k + 1 < polygon.size(); ++k) {
+        const Vec2 a = polygon[k] - polygon[0];
+        const Vec2 b = polygon[k + 1] - polygon[0];
         weighted += cross(a, b) * (a + b) / 3.0;
         twice += cross(a, b);
     }
-    return cell[0].point + weighted / twice;
+    return polygon[0] + weighted / twice;
+}
+
+Vec2 cell_centroid(const std::vector<CellCorner>& cell) {
+    return polygon_centroid(cell_polygon(cell));
 }
 
 Foam foam_from_cells(const Domain& domain, const CellDiagram& cells) {

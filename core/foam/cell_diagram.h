@@ -4,6 +4,7 @@
 
 #include "core/foam/foam.h"
 
+#include <span>
 #include <vector>
 
 namespace foam {
@@ -30,6 +31,9 @@ double cell_area(const std::vector<CellCorner>& cell);
 
 /// Returns the corners of the polygon of a cell, counter-clockwise.
 std::vector<Vec2> cell_polygon(const std::vector<CellCorner>& cell);
+
+/// Returns the centroid of a polygon. Precondition: the polygon is counter-clockwise.
+Vec2 polygon_centroid(std::span<const Vec2> polygon);
 
 /// Returns the centroid of the polygon of a cell.
 Vec2 cell_centroid(const std::vector<CellCorner>& cell);

@@ -78,19 +78,6 @@ Cell cell_of_ring(const std::vector<Vec2>& ring, PointSet& points) {
     return cell;
 }
 
-// Returns the centroid of the polygon of a cell, weighted if there is an area field.
-Vec2 center_of(const PolygonMesh& mesh, const Cell& cell, const AreaField* areas) {
-    if (areas != nullptr) {
-        return areas->centroid_of(polygon_of(mesh, cell));
-    }
-    std::vector<CellCorner> corners;
-    corners.reserve(cell.size());
-    for (const std::uint32_t point : cell) {
-        corners.push_back({mesh.points[point], 0, {}});
-    }
-    return cell_centroid(corners);
-}
-
 // Returns the lengths of the sides of a cell. The keys are the sides as the neighboring cells have
 // them, in the opposite direction: from the end to the start of a side.
 std::map<Side, double> reversed_sides(const PolygonMesh& mesh, const Cell& corners) {
@@ -217,6 +204,10 @@ double polygon_area(const PolygonMesh& mesh, const Cell& cell) {
     return 0.5 * twice;
 }
 
+Vec2 lloyd_center(std::span<const Vec2> polygon, const AreaField* areas) {
+    return areas != nullptr ? areas->centroid_of(polygon) : polygon_centroid(polygon);
+}
+
 ClippedCells clip_cells(const Outline& outline,
                         const CellDiagram& diagram,
                         const AreaField* areas) {
@@ -225,7 +216,7 @@ ClippedCells clip_cells(const Outline& outline,
     PointSet points(mesh.points);
     for (const std::vector<CellCorner>& corners : diagram) {
         const std::vector<Vec2> ring = cell_polygon(corners);
-        Vec2 center = areas != nullptr ? areas->centroid_of(ring) : cell_centroid(corners);
+        Vec2 center = lloyd_center(ring, areas);
         double largest = 0.0;
         for (const std::vector<Vec2>& part : clipped(outline, ring)) {
             const Cell cell = cell_of_ring(part, points);
@@ -235,7 +226,7 @@ ClippedCells clip_cells(const Outline& outline,
             const double area = polygon_area(mesh, cell);
             if (area > largest) {
                 largest = area;
-                center = center_of(mesh, cell, areas);
+                center = lloyd_center(polygon_of(mesh, cell), areas);
             }
             mesh.cells.push_back(cell);
         }

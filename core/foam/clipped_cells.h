@@ -7,15 +7,21 @@
 #include "core/foam/outline.h"
 #include "core/foam/polygon_mesh.h"
 
+#include <span>
+#include <vector>
+
 namespace foam {
 
 /// The cells of a diagram, clipped to an outline.
 struct ClippedCells {
     PolygonMesh mesh;           // each part of a cell within the outline is a cell of the mesh
-    std::vector<Vec2> centers;  // per cell of the diagram: the centroid of its largest part, or of
-                                // the whole cell if no part is within the outline; weighted if
-                                // there is an area field (AreaField::centroid_of)
+    std::vector<Vec2> centers;  // per cell of the diagram: lloyd_center of its largest part, or of
+                                // the whole cell if no part is within the outline
 };
+
+/// Returns the point to which Lloyd's algorithm moves the site of a cell: the centroid of its
+/// polygon, weighted if `areas` is not null (AreaField::centroid_of).
+Vec2 lloyd_center(std::span<const Vec2> polygon, const AreaField* areas);
 
 /// Clips the cells of a diagram on a torus to the outline. Precondition: no lattice copy of a cell
 /// at an offset other than zero overlaps the outline. `areas` may be null.

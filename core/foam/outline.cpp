@@ -110,25 +110,21 @@ void check_validity(const Polygon& polygon) {
     }
 }
 
-// An axis-parallel box around points.
-struct Bounds {
-    Vec2 low;
-    Vec2 high;
+Box box_around(const Vec2& a, const Vec2& b) {
+    return {a.cwiseMin(b), a.cwiseMax(b)};
+}
 
-    Bounds(const Vec2& a, const Vec2& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {}
-    void add(const Vec2& point) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-    }
-    bool meets(const Bounds& other) const {
-        return (low.array() <= other.high.array()).all() &&
-               (other.low.array() <= high.array()).all();
-    }
-};
+void include(const Vec2& point, Box& box) {
+    box = {box.low.cwiseMin(point), box.high.cwiseMax(point)};
+}
 
-bool is_apart(const std::vector<Vec2>& ring, const Bounds& bounds) {
+bool touch(const Box& a, const Box& b) {
+    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+bool is_apart(const std::vector<Vec2>& ring, const Box& bounds) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
-        if (bounds.meets({ring[k], ring[(k + 1) % ring.size()]})) {
+        if (touch(bounds, box_around(ring[k], ring[(k + 1) % ring.size()]))) {
             return false;
         }
     }
@@ -139,9 +135,9 @@ bool is_apart(const std::vector<Vec2>& ring, const Bounds& bounds) {
 // outline. The polygon is then entirely inside or entirely outside, which is much faster to find
 // out than an intersection, and most cells are.
 bool is_apart_from_rings(const Outline& outline, const std::vector<Vec2>& polygon) {
-    Bounds bounds(polygon.front(), polygon.front());
+    Box bounds{polygon.front(), polygon.front()};
     for (const Vec2& point : polygon) {
-        bounds.add(point);
+        include(point, bounds);
     }
     return is_apart(outline.outer, bounds) &&
            std::ranges::all_of(outline.holes, [&](const std::vector<Vec2>& hole) {
@@ -181,14 +177,18 @@ double outline_area(const Outline& outline) {
     return bg::area(polygon_of(outline));
 }
 
-double bounding_aspect(std::span<const Outline> parts) {
-    Bounds bounds(parts.front().outer.front(), parts.front().outer.front());
+Box bounding_box(std::span<const Outline> parts) {
+    Box box{parts.front().outer.front(), parts.front().outer.front()};
     for (const Outline& part : parts) {
         for (const Vec2& corner : part.outer) {
-            bounds.add(corner);
+            include(corner, box);
         }
     }
-    const Vec2 size = bounds.high - bounds.low;
+    return box;
+}
+
+double bounding_aspect(std::span<const Outline> parts) {
+    const Vec2 size = bounding_box(parts).size();
     return size.x() / size.y();
 }
 

@@ -34,6 +34,17 @@ Outline rectangle_outline(double aspect);
 /// Returns the area within the outer ring minus the area of the holes.
 double outline_area(const Outline& outline);
 
+/// A rectangle whose sides are parallel to the axes.
+struct Box {
+    Vec2 low{0.0, 0.0};
+    Vec2 high{0.0, 0.0};
+
+    Vec2 size() const { return high - low; }
+};
+
+/// Returns the bounding box of an outline of one or several parts. Precondition: there is a part.
+Box bounding_box(std::span<const Outline> parts);
+
 /// Returns the width of the bounding box of an outline of one or several parts divided by its
 /// height.
 double bounding_aspect(std::span<const Outline> parts);

@@ -26,20 +26,8 @@ constexpr double kLeastPart = 0.1;
 // Points along each side of the bounding box of a part at which an area field is measured.
 constexpr int kFieldPoints = 64;
 
-struct Box {
-    Vec2 low;
-    Vec2 high;
-
-    Vec2 size() const { return high - low; }
-};
-
 Box box_of(const Outline& outline) {
-    Box box{outline.outer.front(), outline.outer.front()};
-    for (const Vec2& corner : outline.outer) {
-        box.low = box.low.cwiseMin(corner);
-        box.high = box.high.cwiseMax(corner);
-    }
-    return box;
+    return bounding_box(std::span(&outline, 1));
 }
 
 Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
@@ -49,15 +37,6 @@ Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
         std::for_each(hole.begin(), hole.end(), apply);
     }
     return outline;
-}
-
-Box box_of(std::span<const Outline> parts) {
-    Box all = box_of(parts.front());
-    for (const Outline& part : parts) {
-        const Box box = box_of(part);
-        all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
-    }
-    return all;
 }
 
 // Returns the mean of 1 / area of a field over a part.
@@ -80,7 +59,7 @@ double mean_density(const Outline& part, const AreaField& areas) {
 
 // Returns the share of each part of all bubbles, as a number of bubbles.
 std::vector<double> shares_of(std::span<const Outline> parts, const PatchOptions& options) {
-    const Box all = box_of(parts);
+    const Box all = bounding_box(parts);
     std::vector<double> shares;
     for (const Outline& part : parts) {
         const double density =
@@ -183,7 +162,7 @@ std::string no_patch_message(int bubbles, const std::string& cause) {
 
 std::vector<PreparedPart> prepare_parts(std::span<const Outline> parts,
                                         const PatchOptions& options) {
-    const Box all = box_of(parts);
+    const Box all = bounding_box(parts);
     double area = 0.0;
     for (const Outline& part : parts) {
         area += outline_area(part);

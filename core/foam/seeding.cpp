@@ -2,6 +2,7 @@
 
 #include "core/foam/seeding.h"
 
+#include "core/foam/clipped_cells.h"
 #include "core/foam/random.h"
 #include "core/foam/target_areas.h"
 #include "core/foam/voronoi.h"
@@ -61,12 +62,11 @@ std::vector<Vec2> random_sites(const Domain& domain,
 CellDiagram lloyd_relaxed(const Domain& domain,
                           const SeedingOptions& options,
                           std::vector<Vec2> sites) {
+    const AreaField* const areas = options.areas ? &*options.areas : nullptr;
     CellDiagram cells = voronoi_cells(domain, sites);
     for (int k = 0; k < options.lloyd_iterations; ++k) {
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-            const Vec2 center = options.areas
-                                    ? options.areas->centroid_of(cell_polygon(cells[cell]))
-                                    : cell_centroid(cells[cell]);
+            const Vec2 center = lloyd_center(cell_polygon(cells[cell]), areas);
             sites[cell] = center - domain.translation(domain.cell_of(center));
         }
         cells = voronoi_cells(domain, sites);
