@@ -27,17 +27,17 @@ constexpr double kLeastDistance = 0.01;
 
 class ContourTracer {
   public:
-    ContourTracer(const ScalarGrid& grid, double level)
+    ContourTracer(const Image<float>& grid, double level)
         : grid_(grid),
           level_(level),
-          columns_(static_cast<SideId>(grid.width) + 2),
-          next_(
-              static_cast<std::size_t>(2 * columns_) * (static_cast<std::size_t>(grid.height) + 2),
-              kNoSide) {}
+          columns_(static_cast<SideId>(grid.width()) + 2),
+          next_(static_cast<std::size_t>(2 * columns_) *
+                    (static_cast<std::size_t>(grid.height()) + 2),
+                kNoSide) {}
 
     std::vector<std::vector<Vec2>> trace() {
-        for (int y = -1; y < grid_.height; ++y) {
-            for (int x = -1; x < grid_.width; ++x) {
+        for (int y = -1; y < grid_.height(); ++y) {
+            for (int x = -1; x < grid_.width(); ++x) {
                 link_square(x, y);
             }
         }
@@ -52,8 +52,8 @@ class ContourTracer {
 
   private:
     double number(int x, int y) const {
-        const bool is_inside = x >= 0 && y >= 0 && x < grid_.width && y < grid_.height;
-        return is_inside ? static_cast<double>(grid_(x, y)) : 0.0;
+        const bool is_inside = x >= 0 && y >= 0 && x < grid_.width() && y < grid_.height();
+        return is_inside ? static_cast<double>(grid_.pixel(x, y)[0]) : 0.0;
     }
 
     // The side to the right of a point, and the side above it.
@@ -109,7 +109,7 @@ class ContourTracer {
         return ring;
     }
 
-    const ScalarGrid& grid_;
+    const Image<float>& grid_;
     double level_;
     SideId columns_;            // points of a row, with the border
     std::vector<SideId> next_;  // per side: the next crossing of the ring, or kNoSide
@@ -117,7 +117,7 @@ class ContourTracer {
 
 }  // namespace
 
-std::vector<std::vector<Vec2>> contours(const ScalarGrid& grid, double level) {
+std::vector<std::vector<Vec2>> contours(const Image<float>& grid, double level) {
     return ContourTracer(grid, level).trace();
 }
 

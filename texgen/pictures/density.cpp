@@ -8,7 +8,7 @@
 #include "texgen/keys/value_kinds.h"
 #include "texgen/pictures/tone_grid.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -43,7 +43,9 @@ struct DensitySources {
             format_suffixes());
     }
     std::string schema() const {
-        return R"({"type": "string", "pattern": "^(even|gradient|radial|noise)$|\\.(png|exr|dds|ktx2)$"})";
+        return fmt::format(R"({{"type": "string", "pattern": "^({})$|{}$"}})",
+                           fmt::join(kBuiltIn, "|"),
+                           picture_suffix_pattern());
     }
     std::span<const std::string_view> words() const { return kBuiltIn; }
     bool read(const Value& value, DensitySource& member) const {
@@ -164,11 +166,12 @@ ToneGrid built_in_tones(const DensityOptions& options, const DensityDomain& doma
     const auto cells = [](double part) {
         return std::max(1, static_cast<int>(std::lround(kBuiltInCells * std::min(1.0, part))));
     };
-    ToneGrid grid(cells(domain.aspect), cells(1.0 / domain.aspect));
+    ToneGrid grid(cells(domain.aspect), cells(1.0 / domain.aspect), 1);
     const Tone tone = built_in_tone(options, domain);
-    for (int row = 0; row < grid.rows; ++row) {
-        for (int column = 0; column < grid.columns; ++column) {
-            grid.at(column, row) = tone((column + 0.5) / grid.columns, (row + 0.5) / grid.rows);
+    for (int row = 0; row < grid.height(); ++row) {
+        for (int column = 0; column < grid.width(); ++column) {
+            grid.pixel(column, row)[0] =
+                tone((column + 0.5) / grid.width(), (row + 0.5) / grid.height());
         }
     }
     return grid;
@@ -219,7 +222,7 @@ Keys<DensityOptions> density_keys() {
             "mirror adds mirror images, so that it appears four times; blend adjusts the tones "
             "near the edges",
             &Options::edges)
-            .unused_with("foam.density", {"even", "gradient", "radial", "noise"}),
+            .unused_with("foam.density", {kBuiltIn.begin(), kBuiltIn.end()}),
         key("density_scale",
             Reals{0.5, 100.0},
             "number of features of the noise along the shorter side",
@@ -239,12 +242,12 @@ std::optional<AreaField> area_field_of(const DensityOptions& options, const Dens
     stretch_tones(grid);
     const double least = 1.0 / std::sqrt(options.ratio);
     std::vector<double> areas;
-    areas.reserve(grid.tones.size());
-    for (const double tone : grid.tones) {
+    areas.reserve(grid.samples().size());
+    for (const double tone : grid.samples()) {
         const double root = least + (1.0 - least) * (options.is_inverted ? 1.0 - tone : tone);
         areas.push_back(1.0 / (root * root));
     }
-    return AreaField(grid.columns, grid.rows, std::move(areas));
+    return AreaField(grid.width(), grid.height(), std::move(areas));
 }
 
 std::vector<std::string> density_remarks(const DensityOptions& options,

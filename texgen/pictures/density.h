@@ -53,8 +53,8 @@ struct DensityDomain {
 /// white.
 std::optional<AreaField> area_field_of(const DensityOptions& options, const DensityDomain& domain);
 
-/// Returns remarks on a picture: that it is stretched by more than 2 % in one direction, or that it
-/// does not tile and its edges are kept as they are on a torus.
+/// Returns remarks on the picture of a density: that it is stretched by more than 2 % in one
+/// direction, or that it does not tile and its edges are kept as they are on a torus.
 std::vector<std::string> density_remarks(const DensityOptions& options,
                                          const DensityDomain& domain);
 

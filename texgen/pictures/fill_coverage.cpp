@@ -99,18 +99,18 @@ void add_spans(std::vector<Crossing>& crossings,
 }
 
 // Adds the length of a span within each pixel, times the height of a row of samples.
-void add_span(ScalarGrid& grid, int y, const Span& span) {
+void add_span(Image<float>& grid, int y, const Span& span) {
     const double left = std::max(0.0, span.first);
-    const double right = std::min(static_cast<double>(grid.width), span.second);
+    const double right = std::min(static_cast<double>(grid.width()), span.second);
     for (int x = static_cast<int>(left); x < right; ++x) {
         const double length =
             std::min(right, static_cast<double>(x) + 1.0) - std::max(left, static_cast<double>(x));
-        grid(x, y) += static_cast<float>(length / kRowsOfPixel);
+        grid.pixel(x, y)[0] += static_cast<float>(length / kRowsOfPixel);
     }
 }
 
 // Adds the union of the spans.
-void add_union(ScalarGrid& grid, int y, std::vector<Span>& spans) {
+void add_union(Image<float>& grid, int y, std::vector<Span>& spans) {
     std::ranges::sort(spans);
     for (std::size_t k = 0; k < spans.size();) {
         Span whole = spans[k];
@@ -123,8 +123,8 @@ void add_union(ScalarGrid& grid, int y, std::vector<Span>& spans) {
 
 }  // namespace
 
-ScalarGrid fill_coverage(std::span<const FilledShape> shapes, int width, int height) {
-    ScalarGrid grid(width, height);
+Image<float> fill_coverage(std::span<const FilledShape> shapes, int width, int height) {
+    Image<float> grid(width, height, 1);
     const int rows = height * kRowsOfPixel;
     const std::vector<Side> sides = sides_of(shapes, rows);
     std::vector<Side> active;

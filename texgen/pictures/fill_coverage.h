@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/geometry/vec2.h"
-#include "texgen/pictures/scalar_grid.h"
+#include "texgen/image/image.h"
 
 #include <span>
 #include <vector>
@@ -18,8 +18,8 @@ struct FilledShape {
 };
 
 /// Returns the fraction of each pixel that the union of the shapes covers. Pixel (x, y) is the
-/// square from (x, y) to (x + 1, y + 1). Fractions are exact along rows; a pixel has eight rows of
-/// samples. Precondition: the shapes are within [0, width] x [0, height].
-ScalarGrid fill_coverage(std::span<const FilledShape> shapes, int width, int height);
+/// square from (x, y) to (x + 1, y + 1); row 0 is the lowest row. Fractions are exact along rows; a
+/// pixel has eight rows of samples. Precondition: the shapes are within [0, width] x [0, height].
+Image<float> fill_coverage(std::span<const FilledShape> shapes, int width, int height);
 
 }  // namespace foam::texgen

@@ -151,7 +151,7 @@ std::vector<foam::Outline> outlines_of_svg(std::string_view document) {
     const auto pixels = [&](double length) {
         return static_cast<int>(std::ceil(scale * length + 2.0 * kMargin));
     };
-    const ScalarGrid grid = fill_coverage(on_pixels, pixels(size.x()), pixels(size.y()));
+    const Image<float> grid = fill_coverage(on_pixels, pixels(size.x()), pixels(size.y()));
     std::vector<foam::Outline> outlines = traced_outlines(grid, 0.5);
     if (outlines.empty()) {
         throw InputError("it has no filled shape");

@@ -21,7 +21,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Of a larger picture, only every second, third, ... pixel of a row and of a column counts.
+// A picture with more pixels is thinned out: only every second, third, ... pixel of each row and of
+// each column counts.
 constexpr double kMaxPixels = 1'000'000.0;
 constexpr int kBitsOfBin = 5;  // per channel
 constexpr int kMaxRounds = 300;

@@ -17,6 +17,18 @@ bool is_picture_name(std::string_view text) {
     return find_format(text) != nullptr;
 }
 
+std::string picture_suffix_pattern() {
+    std::string pattern;
+    for (const ImageFormat& format : image_formats()) {
+        pattern += pattern.empty() ? "(" : "|";
+        for (const char c : format.suffix.substr(1)) {
+            const char capital = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+            pattern += c == capital ? std::string(1, c) : fmt::format("[{}{}]", c, capital);
+        }
+    }
+    return "\\\\." + pattern + ")";
+}
+
 PictureFile read_picture_file(const std::string& path) {
     const Picture picture = read_picture(path);
     return {path,
@@ -29,7 +41,7 @@ std::string PictureFiles::allowed() const {
 }
 
 std::string PictureFiles::schema() const {
-    return R"({"type": "string", "pattern": "^$|\\.(png|exr|dds|ktx2)$"})";
+    return fmt::format(R"({{"type": "string", "pattern": "^$|{}$"}})", picture_suffix_pattern());
 }
 
 bool PictureFiles::read(const Value& value, PictureFile& member) const {

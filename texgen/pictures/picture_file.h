@@ -26,7 +26,12 @@ struct PictureFile {
 /// Returns true if the text is the name of a picture: if it has the suffix of an image format.
 bool is_picture_name(std::string_view text);
 
-/// Returns the picture in a file. Throws the exceptions of read_source_picture.
+/// Returns the end of a regular expression (ECMA 262) for the names of pictures, without an anchor:
+/// the suffixes of all image formats, in letters of either case.
+std::string picture_suffix_pattern();
+
+/// Returns the picture in a file. Throws the exceptions of read_picture (format.h) and
+/// source_picture_of.
 PictureFile read_picture_file(const std::string& path);
 
 /// The kind of values (value_kinds.h) that name a picture: paths of image files, and the empty

@@ -30,29 +30,17 @@ int block_size(const SourcePicture& picture) {
     return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kOutlineGridPoints))));
 }
 
-// Returns the mean of `number` over the pixels of a square, as far as the square is in the picture.
 template <class Number>
-double mean_of_block(
-    const SourcePicture& picture, int left, int bottom, int size, const Number& number) {
-    const int right = std::min(left + size, picture.width());
-    const int top = std::min(bottom + size, picture.height());
-    double sum = 0.0;
-    for (int y = bottom; y < top; ++y) {
-        for (int x = left; x < right; ++x) {
-            sum += number(pixel_of(picture, x, y));
-        }
-    }
-    return sum / (static_cast<double>(right - left) * (top - bottom));
-}
-
-template <class Number>
-ScalarGrid grid_of(const SourcePicture& picture, const Number& number) {
+Image<float> grid_of(const SourcePicture& picture, const Number& number) {
     const int size = block_size(picture);
-    ScalarGrid grid((picture.width() + size - 1) / size, (picture.height() + size - 1) / size);
-    for (int y = 0; y < grid.height; ++y) {
-        for (int x = 0; x < grid.width; ++x) {
-            grid(x, y) =
-                static_cast<float>(mean_of_block(picture, x * size, y * size, size, number));
+    Image<float> grid((picture.width() + size - 1) / size, (picture.height() + size - 1) / size, 1);
+    for (int y = 0; y < grid.height(); ++y) {
+        for (int x = 0; x < grid.width(); ++x) {
+            const PixelRect box{x * size,
+                                y * size,
+                                std::min((x + 1) * size, picture.width()),
+                                std::min((y + 1) * size, picture.height())};
+            grid.pixel(x, y)[0] = static_cast<float>(mean_over(picture, box, number));
         }
     }
     return grid;

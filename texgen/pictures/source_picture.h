@@ -37,6 +37,28 @@ LinearRgb color_on_white(const SourcePixel& pixel);
 /// ITU-R BT.709.
 double luminance_of(const LinearRgb& color);
 
+/// The pixels from column `left` to the one before `right`, in the rows from `bottom` to the one
+/// before `top`.
+struct PixelRect {
+    int left = 0;
+    int bottom = 0;
+    int right = 0;
+    int top = 0;
+};
+
+/// Returns the mean of number(pixel) over some pixels. Precondition: the picture has these pixels,
+/// and there is at least one.
+template <class Number>
+double mean_over(const SourcePicture& picture, const PixelRect& box, const Number& number) {
+    double sum = 0.0;
+    for (int y = box.bottom; y < box.top; ++y) {
+        for (int x = box.left; x < box.right; ++x) {
+            sum += number(pixel_of(picture, x, y));
+        }
+    }
+    return sum / (static_cast<double>(box.right - box.left) * (box.top - box.bottom));
+}
+
 /// Converts a picture to a source picture. Codes count as sRGB, numbers as linear light that is
 /// premultiplied by the opacity. One or two channels are gray; a picture without a channel of
 /// opacity is opaque. Light outside [0, 1] is clamped. `path` is the name of the file in messages.

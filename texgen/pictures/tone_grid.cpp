@@ -22,16 +22,8 @@ int first_pixel(int cell, int cells, int pixels) {
     return static_cast<int>(static_cast<std::int64_t>(cell) * pixels / cells);
 }
 
-double mean_darkness(const SourcePicture& picture, int x_begin, int x_end, int y_begin, int y_end) {
-    LinearRgb sum;
-    for (int y = y_begin; y < y_end; ++y) {
-        for (int x = x_begin; x < x_end; ++x) {
-            const LinearRgb color = color_on_white(pixel_of(picture, x, y));
-            sum = {sum.r + color.r, sum.g + color.g, sum.b + color.b};
-        }
-    }
-    const double pixels = static_cast<double>(x_end - x_begin) * (y_end - y_begin);
-    return 1.0 - luminance_of({sum.r / pixels, sum.g / pixels, sum.b / pixels});
+double darkness(const SourcePixel& pixel) {
+    return 1.0 - luminance_of(color_on_white(pixel));
 }
 
 // A line of tones: a row or a column of a grid.
@@ -77,57 +69,59 @@ ToneGrid darkness_of(const SourcePicture& picture, int most_cells) {
     const auto cells = [scale](int pixels) {
         return std::max(1, static_cast<int>(std::lround(scale * pixels)));
     };
-    ToneGrid grid(cells(picture.width()), cells(picture.height()));
-    for (int row = 0; row < grid.rows; ++row) {
-        for (int column = 0; column < grid.columns; ++column) {
-            grid.at(column, row) =
-                mean_darkness(picture,
-                              first_pixel(column, grid.columns, picture.width()),
-                              first_pixel(column + 1, grid.columns, picture.width()),
-                              first_pixel(row, grid.rows, picture.height()),
-                              first_pixel(row + 1, grid.rows, picture.height()));
+    ToneGrid grid(cells(picture.width()), cells(picture.height()), 1);
+    for (int row = 0; row < grid.height(); ++row) {
+        for (int column = 0; column < grid.width(); ++column) {
+            const PixelRect box{first_pixel(column, grid.width(), picture.width()),
+                                first_pixel(row, grid.height(), picture.height()),
+                                first_pixel(column + 1, grid.width(), picture.width()),
+                                first_pixel(row + 1, grid.height(), picture.height())};
+            grid.pixel(column, row)[0] = mean_over(picture, box, darkness);
         }
     }
     return grid;
 }
 
 void stretch_tones(ToneGrid& grid) {
-    const auto [least, most] = std::minmax_element(grid.tones.begin(), grid.tones.end());
+    const auto [least, most] = std::ranges::minmax_element(grid.samples());
     const double low = *least;
     const double range = *most - *least;
-    for (double& tone : grid.tones) {
+    for (double& tone : grid.samples()) {
         tone = range > 0.0 ? (tone - low) / range : 0.0;
     }
 }
 
 ToneGrid mirrored(const ToneGrid& grid) {
-    ToneGrid tiled(2 * grid.columns, 2 * grid.rows);
-    for (int row = 0; row < tiled.rows; ++row) {
-        for (int column = 0; column < tiled.columns; ++column) {
-            tiled.at(column, row) = grid.at(std::min(column, tiled.columns - 1 - column),
-                                            std::min(row, tiled.rows - 1 - row));
+    ToneGrid tiled(2 * grid.width(), 2 * grid.height(), 1);
+    for (int row = 0; row < tiled.height(); ++row) {
+        for (int column = 0; column < tiled.width(); ++column) {
+            const auto from = grid.pixel(std::min(column, tiled.width() - 1 - column),
+                                         std::min(row, tiled.height() - 1 - row));
+            tiled.pixel(column, row)[0] = from[0];
         }
     }
     return tiled;
 }
 
 void blend_edges(ToneGrid& grid) {
-    for (int row = 0; row < grid.rows; ++row) {
-        blend_ends([&grid, row](int k) -> double& { return grid.at(k, row); }, grid.columns);
+    for (int row = 0; row < grid.height(); ++row) {
+        blend_ends([&grid, row](int k) -> double& { return grid.pixel(k, row)[0]; }, grid.width());
     }
-    for (int column = 0; column < grid.columns; ++column) {
-        blend_ends([&grid, column](int k) -> double& { return grid.at(column, k); }, grid.rows);
+    for (int column = 0; column < grid.width(); ++column) {
+        blend_ends([&grid, column](int k) -> double& { return grid.pixel(column, k)[0]; },
+                   grid.height());
     }
 }
 
 bool has_visible_edges(const ToneGrid& grid) {
     Differences along_rows;
-    for (int row = 0; row < grid.rows; ++row) {
-        along_rows.add_line([&grid, row](int k) { return grid.at(k, row); }, grid.columns);
+    for (int row = 0; row < grid.height(); ++row) {
+        along_rows.add_line([&grid, row](int k) { return grid.pixel(k, row)[0]; }, grid.width());
     }
     Differences along_columns;
-    for (int column = 0; column < grid.columns; ++column) {
-        along_columns.add_line([&grid, column](int k) { return grid.at(column, k); }, grid.rows);
+    for (int column = 0; column < grid.width(); ++column) {
+        along_columns.add_line([&grid, column](int k) { return grid.pixel(column, k)[0]; },
+                               grid.height());
     }
     return along_rows.are_visible() || along_columns.are_visible();
 }

@@ -2,33 +2,13 @@
 
 #pragma once
 
+#include "texgen/image/image.h"
 #include "texgen/pictures/source_picture.h"
-
-#include <cstddef>
-#include <vector>
 
 namespace foam::texgen {
 
-/// Tones from 0 (light) to 1 (dark) on a grid, in rows from bottom to top.
-struct ToneGrid {
-    int columns = 0;
-    int rows = 0;
-    std::vector<double> tones{};
-
-    ToneGrid(int columns_, int rows_)
-        : columns(columns_),
-          rows(rows_),
-          tones(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
-
-    double& at(int column, int row) { return tones[index(column, row)]; }
-    double at(int column, int row) const { return tones[index(column, row)]; }
-
-  private:
-    std::size_t index(int column, int row) const {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-               static_cast<std::size_t>(column);
-    }
-};
+/// Tones from 0 (light) to 1 (dark), with one channel.
+using ToneGrid = Image<double>;
 
 /// Returns the darkness of a picture: 1 - luminance_of its colors on white. Light is averaged over
 /// the pixels of each cell, if the picture has more than `most_cells` columns or rows.

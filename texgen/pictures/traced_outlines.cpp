@@ -113,7 +113,7 @@ foam::Outline outline_of(const Polygon& polygon) {
 
 }  // namespace
 
-std::vector<foam::Outline> traced_outlines(const ScalarGrid& grid, double level) {
+std::vector<foam::Outline> traced_outlines(const Image<float>& grid, double level) {
     std::vector<foam::Outline> outlines;
     for (const Polygon& polygon : polygons_of(large_rings(contours(grid, level)))) {
         outlines.push_back(outline_of(simplified(polygon)));

@@ -6,6 +6,7 @@
 #include "texgen/image/format.h"
 #include "texgen/image/memory.h"
 #include "texgen/keys/value_kinds.h"
+#include "texgen/pictures/picture_file.h"
 
 #include <fmt/core.h>
 
@@ -78,7 +79,9 @@ struct Outlines {
             format_suffixes());
     }
     std::string schema() const {
-        return R"({"type": "string", "pattern": "^(disc|rectangle| *[Pp][Oo][Ll][Yy][Gg][Oo][Nn].*|.*\\.(svg|png|exr|dds|ktx2))$"})";
+        return fmt::format(
+            R"({{"type": "string", "pattern": "^(disc|rectangle| *[Pp][Oo][Ll][Yy][Gg][Oo][Nn].*|.*\\.[sS][vV][gG]|.*{})$"}})",
+            picture_suffix_pattern());
     }
     std::span<const std::string_view> words() const { return kNamedOutlines; }
     bool read(const Value& value, FoamShape& shape) const {

@@ -20,8 +20,8 @@ double area_of(const std::vector<Vec2>& ring) {
 // The four crossings around a single number of 1 are halfway to its neighbors, which are 0: the
 // ring is a square with the diagonals 1.
 TEST(Contours, SurroundASingleNumber) {
-    ScalarGrid grid(3, 3);
-    grid(1, 1) = 1.0F;
+    Image<float> grid(3, 3, 1);
+    grid.pixel(1, 1)[0] = 1.0F;
     const auto rings = contours(grid, 0.5);
     ASSERT_EQ(rings.size(), 1U);
     EXPECT_EQ(rings[0].size(), 4U);
@@ -31,17 +31,17 @@ TEST(Contours, SurroundASingleNumber) {
 // With numbers of 1 and a level of 1/4, the crossings are 3/4 of the way to the zeros beyond the
 // border of the grid. A block of 4 x 4 numbers has sides of 3; the corners of the ring are cut off.
 TEST(Contours, CloseBeyondTheBorder) {
-    ScalarGrid grid(4, 4);
-    grid.numbers.assign(16, 1.0F);
+    Image<float> grid(4, 4, 1);
+    std::ranges::fill(grid.samples(), 1.0F);
     const auto rings = contours(grid, 0.25);
     ASSERT_EQ(rings.size(), 1U);
     EXPECT_DOUBLE_EQ(area_of(rings[0]), 4.5 * 4.5 - 4.0 * 0.5 * 0.75 * 0.75);
 }
 
 TEST(Contours, RunClockwiseAroundAHole) {
-    ScalarGrid grid(5, 5);
-    grid.numbers.assign(25, 1.0F);
-    grid(2, 2) = 0.0F;
+    Image<float> grid(5, 5, 1);
+    std::ranges::fill(grid.samples(), 1.0F);
+    grid.pixel(2, 2)[0] = 0.0F;
     const auto rings = contours(grid, 0.5);
     ASSERT_EQ(rings.size(), 2U);
     EXPECT_DOUBLE_EQ(area_of(rings[1]), -0.5);
@@ -49,8 +49,8 @@ TEST(Contours, RunClockwiseAroundAHole) {
 
 // Two diagonal neighbors are one part if the mean of the square reaches the level, otherwise two.
 TEST(Contours, DecideSaddlesByTheMean) {
-    ScalarGrid grid(2, 2);
-    grid(0, 0) = grid(1, 1) = 1.0F;
+    Image<float> grid(2, 2, 1);
+    grid.pixel(0, 0)[0] = grid.pixel(1, 1)[0] = 1.0F;
     EXPECT_EQ(contours(grid, 0.4).size(), 1U);
     EXPECT_EQ(contours(grid, 0.6).size(), 2U);
 }
@@ -58,9 +58,9 @@ TEST(Contours, DecideSaddlesByTheMean) {
 // A number that equals the level is inside of the region. The two crossings above and below it keep
 // a distance from it, so that the ring does not touch itself.
 TEST(Contours, DoNotTouchWhereANumberEqualsTheLevel) {
-    ScalarGrid grid(3, 1);
-    grid(0, 0) = grid(2, 0) = 1.0F;
-    grid(1, 0) = 0.5F;
+    Image<float> grid(3, 1, 1);
+    grid.pixel(0, 0)[0] = grid.pixel(2, 0)[0] = 1.0F;
+    grid.pixel(1, 0)[0] = 0.5F;
     const auto rings = contours(grid, 0.5);
     ASSERT_EQ(rings.size(), 1U);
     for (std::size_t a = 0; a < rings[0].size(); ++a) {
@@ -71,7 +71,7 @@ TEST(Contours, DoNotTouchWhereANumberEqualsTheLevel) {
 }
 
 TEST(Contours, AreEmptyBelowTheLevel) {
-    EXPECT_TRUE(contours(ScalarGrid(4, 4), 0.5).empty());
+    EXPECT_TRUE(contours(Image<float>(4, 4, 1), 0.5).empty());
 }
 
 }  // namespace

@@ -14,18 +14,18 @@ std::vector<Vec2> rectangle(double left, double bottom, double right, double top
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-double sum_of(const ScalarGrid& grid) {
-    return std::accumulate(grid.numbers.begin(), grid.numbers.end(), 0.0);
+double sum_of(const Image<float>& grid) {
+    return std::accumulate(grid.samples().begin(), grid.samples().end(), 0.0);
 }
 
 TEST(FillCoverage, IsTheAreaWithinEachPixel) {
     const std::vector<FilledShape> shapes = {{{rectangle(0.25, 0.5, 2.5, 2.0)}, false}};
-    const ScalarGrid grid = fill_coverage(shapes, 3, 2);
-    EXPECT_FLOAT_EQ(grid(0, 0), 0.375F);
-    EXPECT_FLOAT_EQ(grid(1, 0), 0.5F);
-    EXPECT_FLOAT_EQ(grid(0, 1), 0.75F);
-    EXPECT_FLOAT_EQ(grid(1, 1), 1.0F);
-    EXPECT_FLOAT_EQ(grid(2, 1), 0.5F);
+    const Image<float> grid = fill_coverage(shapes, 3, 2);
+    EXPECT_FLOAT_EQ(grid.pixel(0, 0)[0], 0.375F);
+    EXPECT_FLOAT_EQ(grid.pixel(1, 0)[0], 0.5F);
+    EXPECT_FLOAT_EQ(grid.pixel(0, 1)[0], 0.75F);
+    EXPECT_FLOAT_EQ(grid.pixel(1, 1)[0], 1.0F);
+    EXPECT_FLOAT_EQ(grid.pixel(2, 1)[0], 0.5F);
 }
 
 // A square within a square of the same direction is a hole only by the even-odd rule.

@@ -11,17 +11,17 @@ namespace foam::texgen {
 namespace {
 
 // Sets the numbers in [left, right) x [bottom, top).
-void fill(ScalarGrid& grid, int left, int bottom, int right, int top, float number) {
+void fill(Image<float>& grid, int left, int bottom, int right, int top, float number) {
     for (int y = bottom; y < top; ++y) {
         for (int x = left; x < right; ++x) {
-            grid(x, y) = number;
+            grid.pixel(x, y)[0] = number;
         }
     }
 }
 
 // Four corners are cut off at half of the spacing, and remain: nothing else of the sides does.
 TEST(TracedOutlines, SimplifiesStraightSides) {
-    ScalarGrid grid(120, 120);
+    Image<float> grid(120, 120, 1);
     fill(grid, 10, 10, 110, 110, 1.0F);
     const auto parts = traced_outlines(grid, 0.5);
     ASSERT_EQ(parts.size(), 1U);
@@ -30,11 +30,11 @@ TEST(TracedOutlines, SimplifiesStraightSides) {
 }
 
 TEST(TracedOutlines, KeepsRoundShapesRound) {
-    ScalarGrid grid(201, 201);
+    Image<float> grid(201, 201, 1);
     for (int y = 0; y < 201; ++y) {
         for (int x = 0; x < 201; ++x) {
             const double distance = Vec2(x - 100, y - 100).norm();
-            grid(x, y) = static_cast<float>(std::clamp(80.5 - distance, 0.0, 1.0));
+            grid.pixel(x, y)[0] = static_cast<float>(std::clamp(80.5 - distance, 0.0, 1.0));
         }
     }
     const auto parts = traced_outlines(grid, 0.5);
@@ -47,7 +47,7 @@ TEST(TracedOutlines, KeepsRoundShapesRound) {
 
 // The largest part comes first. A hole belongs to the smallest part around it.
 TEST(TracedOutlines, SortsPartsAndAssignsHoles) {
-    ScalarGrid grid(120, 60);
+    Image<float> grid(120, 60, 1);
     fill(grid, 2, 2, 12, 12, 1.0F);    // a small square
     fill(grid, 20, 2, 70, 52, 1.0F);   // a large square,
     fill(grid, 25, 7, 65, 47, 0.0F);   // with a hole,
@@ -65,17 +65,17 @@ TEST(TracedOutlines, SortsPartsAndAssignsHoles) {
 
 // The specks have 1/10000 of the area of the region.
 TEST(TracedOutlines, DropsSpecks) {
-    ScalarGrid grid(130, 120);
+    Image<float> grid(130, 120, 1);
     fill(grid, 10, 10, 110, 110, 1.0F);
-    grid(50, 50) = 0.0F;
-    grid(120, 50) = 1.0F;
+    grid.pixel(50, 50)[0] = 0.0F;
+    grid.pixel(120, 50)[0] = 1.0F;
     const auto parts = traced_outlines(grid, 0.5);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_TRUE(parts[0].holes.empty());
 }
 
 TEST(TracedOutlines, AreEmptyIfTheRegionIsEmpty) {
-    EXPECT_TRUE(traced_outlines(ScalarGrid(10, 10), 0.5).empty());
+    EXPECT_TRUE(traced_outlines(Image<float>(10, 10, 1), 0.5).empty());
 }
 
 }  // namespace
