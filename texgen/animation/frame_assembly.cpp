@@ -122,11 +122,13 @@ void FrameAssembly::add(const SimulatedFrame& state) {
     total_.area_error = state.effort.area_error;
     total_.angle_error = state.effort.angle_error;
     const int number = state.frame->number;
+    SimulatedFrame frame = prepared(state);
+    frame.effort = total_;
     if (number == first_state_) {
-        first_ = prepared(state).frame;
+        first_ = std::make_shared<const FrameOne>(frame.frame);
     }
     if (uses_.at(number) > 0) {
-        kept_.emplace(number, prepared(state)).first->second.effort = total_;
+        kept_.emplace(number, std::move(frame));
     }
     while (emitted_ < requests_.size() && requests_[emitted_].states.back() <= number) {
         emit(requests_[emitted_]);

@@ -60,9 +60,9 @@ class FrameAssembly {
 
     bool includes_next_;
     LoopOptions loop_;
-    int count_;                           // frames of the loop
-    int first_state_;                     // the state that frame 1 shows
-    std::shared_ptr<const Frame> first_;  // frame 1, after its state was added
+    int count_;                              // frames of the loop
+    int first_state_;                        // the state that frame 1 shows
+    std::shared_ptr<const FrameOne> first_;  // frame 1, after its state was added
     std::optional<Current> current_;
     std::optional<FadeOrder> fade_order_;
     FrameVisitor on_frame_;

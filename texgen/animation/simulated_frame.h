@@ -29,9 +29,9 @@ struct FrameEffort {
 struct DrawnState {
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const FoamRecord> record;
-    std::shared_ptr<const Frame> next;    // the frame after `frame`; null if not requested
-    std::shared_ptr<const Frame> first;   // frame 1 of the animation
-    std::vector<double> fade_ranks = {};  // FadeOrder::ranks; empty unless loop.kind is "flow"
+    std::shared_ptr<const Frame> next;      // the frame after `frame`; null if not requested
+    std::shared_ptr<const FrameOne> first;  // frame 1 of the animation, shared by all frames
+    std::vector<double> fade_ranks = {};    // FadeOrder::ranks; empty unless loop.kind is "flow"
 
     /// Returns the input of FrameLayers, which borrows this state and the cross-fade. `distance`
     /// lists the images of the distance field that the maps need.

@@ -21,7 +21,7 @@ namespace {
 ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
     const double width = film_width_in_pixels(options, layers.grid(), layers.frame().domain);
     return fill_colors(layers,
-                       cell_colors(layers.frame(), layers.record(), options, &layers.first()),
+                       cell_colors(layers.frame(), layers.record(), options, layers.first()),
                        to_linear(parse_color(options.film_color)),
                        width);
 }
@@ -43,7 +43,7 @@ void add_grain(FrameLayers& layers, const AlbedoOptions& options, ColorPixels& c
 ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
     const LinearRgb film = to_linear(parse_color(options.film_color));
     ColorPixels colors = fill_colors(
-        layers, cell_colors(layers.frame(), layers.record(), options, &layers.first()), film, 0.0);
+        layers, cell_colors(layers.frame(), layers.record(), options, layers.first()), film, 0.0);
     if (options.grain > 0.0) {
         add_grain(layers, options, colors);
     }

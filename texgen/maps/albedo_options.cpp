@@ -17,7 +17,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Of the keys colormap, colors and colors.from, the one that is set last is used. So setting a
+// The last assignment to one of the keys colormap, colors and colors.from is used. So setting a
 // color map removes the colors of a preset.
 
 // Returns a copy of a key that calls `then` after its value has been read.
@@ -40,23 +40,30 @@ void update_colors(AlbedoOptions& options) {
     }
     options.colors.clear();
     for (const Srgb8& color : palette_of(*options.colors_from.picture, options.colors_count)) {
-        options.colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b));
+        options.colors.push_back(color_text(color));
     }
+}
+
+bool is_transparent(const PictureFile& file) {
+    return file.is_set() && palette_of(*file.picture, 1).empty();
 }
 
 // The kind of values of colors.from: pictures that have a color.
 struct ColorPictures : PictureFiles {
     bool read(const Value& value, PictureFile& member) const {
-        return fault(value).empty() && PictureFiles::read(value, member);
+        PictureFile file;
+        if (!PictureFiles::read(value, file) || is_transparent(file)) {
+            return false;
+        }
+        member = std::move(file);
+        return true;
     }
     std::string fault(const Value& value) const {
         PictureFile file;
-        if (!PictureFiles::read(value, file)) {
-            return PictureFiles::fault(value);
+        if (PictureFiles::read(value, file) && is_transparent(file)) {
+            return fmt::format("'{}' has no colors: it is entirely transparent", file.path);
         }
-        return file.is_set() && palette_of(*file.picture, 1).empty()
-                   ? fmt::format("'{}' has no colors: it is entirely transparent", file.path)
-                   : std::string();
+        return PictureFiles::fault(value);
     }
 };
 

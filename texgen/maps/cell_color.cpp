@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 
 namespace foam::texgen {
@@ -90,6 +91,14 @@ PerBubble<LinearRgb> scale_colors(const Frame& frame,
     return colors;
 }
 
+PerBubble<LinearRgb> colors_by_picture(const Frame& frame,
+                                       const FrameOne* first,
+                                       const AlbedoOptions& options) {
+    return first != nullptr
+               ? picture_colors(frame, *first, options)
+               : picture_colors(frame, FrameOne(std::make_shared<const Frame>(frame)), options);
+}
+
 }  // namespace
 
 PerBubble<double> scale_positions(const Frame& frame,
@@ -110,11 +119,10 @@ PerBubble<double> scale_positions(const Frame& frame,
 PerBubble<LinearRgb> cell_colors(const Frame& frame,
                                  const FoamRecord& record,
                                  const AlbedoOptions& options,
-                                 const Frame* first) {
-    PerBubble<LinearRgb> colors =
-        options.color_by == ColorBy::Picture
-            ? picture_colors(frame, first != nullptr ? *first : frame, options)
-            : scale_colors(frame, record, options);
+                                 const FrameOne* first) {
+    PerBubble<LinearRgb> colors = options.color_by == ColorBy::Picture
+                                      ? colors_by_picture(frame, first, options)
+                                      : scale_colors(frame, record, options);
     const PerBubble<double> numbers = numbers_of(frame, IdentityStream::Second);
     for (std::size_t k = 0; k < colors.size(); ++k) {
         const LinearRgb color = colors[k];

@@ -5,6 +5,7 @@
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/bubble_values.h"
 #include "texgen/maps/cell_fill.h"
+#include "texgen/maps/frame_one.h"
 
 #include <vector>
 
@@ -30,6 +31,6 @@ PerBubble<double> scale_positions(const Frame& frame,
 PerBubble<LinearRgb> cell_colors(const Frame& frame,
                                  const FoamRecord& record,
                                  const AlbedoOptions& options,
-                                 const Frame* first = nullptr);
+                                 const FrameOne* first = nullptr);
 
 }  // namespace foam::texgen

@@ -6,6 +6,7 @@
 #include "texgen/maps/arc_distance.h"
 #include "texgen/maps/fade_border.h"
 #include "texgen/maps/foam_record.h"
+#include "texgen/maps/frame_one.h"
 #include "texgen/maps/maze_graph.h"
 #include "texgen/raster/distance/distance_field.h"
 #include "texgen/raster/outline/cell_arcs.h"
@@ -26,7 +27,7 @@ struct FrameInput {
     /// The cross-fade of which `frame` is one of the two foams; null if the frame shows only one
     /// foam.
     const CrossFade* fade = nullptr;
-    const Frame* first = nullptr;  // frame 1 of the animation; null if it is not known
+    const FrameOne* first = nullptr;  // frame 1 of the animation; null if it is not known
 };
 
 /// A frame on a raster grid, and the intermediate results that its maps share. Each result is
@@ -41,8 +42,8 @@ class FrameLayers {
     const FoamRecord& record() const { return input_.record; }
     /// Returns the next frame. Throws std::invalid_argument if there is none.
     const Frame& next() const;
-    /// Returns frame 1 of the animation, or the frame itself if frame 1 is not known.
-    const Frame& first() const { return input_.first != nullptr ? *input_.first : frame(); }
+    /// Returns frame 1 of the animation, or nullptr if it is not known.
+    const FrameOne* first() const { return input_.first; }
     const RasterGrid& grid() const { return grid_; }
     int threads() const { return threads_; }
     bool is_patch() const { return frame().domain.is_plane(); }

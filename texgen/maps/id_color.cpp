@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
-// With these lightnesses and this chroma, every hue is within sRGB.
+// Every hue with these lightnesses and this chroma is within sRGB.
 constexpr double kDarkest = 0.59;
 constexpr double kLightest = 0.80;
 constexpr double kChroma = 0.10;

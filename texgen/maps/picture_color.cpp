@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <unordered_map>
 #include <vector>
 
 // A bubble is sampled as a polygon: each arc is replaced by kChordsPerArc chords.
@@ -117,32 +116,60 @@ PlacedPicture placed(const SourcePicture& picture, const Frame& frame) {
     return {picture, origin, size};
 }
 
+// Returns the colors of a picture under the bubbles of frame 1.
+ColorsByIdentity colors_in_first(const SourcePicture& source, const Frame& first) {
+    const PlacedPicture picture = placed(source, first);
+    const PerBubble<Polygon> polygons = polygons_of(first);
+    const PerBubble<BubbleIdentity> identities = identities_of(first);
+    ColorsByIdentity colors;
+    for (std::size_t k = 0; k < polygons.size(); ++k) {
+        colors.emplace(identities[k], picture.mean_over(polygons[k]));
+    }
+    return colors;
+}
+
+// Returns the colors of a picture under the bubbles of a frame, except bubbles whose colors are
+// known.
+PerBubble<LinearRgb> colors_in_frame(const SourcePicture& source,
+                                     const Frame& frame,
+                                     const Frame& first,
+                                     const ColorsByIdentity& known) {
+    std::optional<PlacedPicture> picture;
+    const auto color = [&](BubbleIdentity identity, const auto& polygon) {
+        const auto found = known.find(identity);
+        if (found != known.end()) {
+            return found->second;
+        }
+        if (!picture) {
+            picture.emplace(placed(source, first));
+        }
+        return picture->mean_over(polygon());
+    };
+    return per_bubble<LinearRgb>(
+        frame,
+        [&](BubbleId bubble) {
+            return color(frame.bubbles[bubble].identity, [&] { return polygon_of(frame, bubble); });
+        },
+        [&](const LoneBubble& bubble) {
+            return color(bubble.identity, [&] { return polygon_of(bubble); });
+        });
+}
+
 }  // namespace
 
 PerBubble<LinearRgb> picture_colors(const Frame& frame,
-                                    const Frame& first,
+                                    const FrameOne& first,
                                     const AlbedoOptions& options) {
     if (!options.picture.is_set()) {
         throw std::invalid_argument("albedo.color_by = \"picture\" needs albedo.picture");
     }
-    const PlacedPicture picture = placed(*options.picture.picture, first);
-    std::unordered_map<BubbleIdentity, LinearRgb> known;
-    if (options.picture_sampling == PictureSampling::FirstFrame) {
-        const PerBubble<Polygon> polygons = polygons_of(first);
-        const PerBubble<BubbleIdentity> identities = identities_of(first);
-        for (std::size_t k = 0; k < polygons.size(); ++k) {
-            known.emplace(identities[k], picture.mean_over(polygons[k]));
-        }
+    const SourcePicture& picture = *options.picture.picture;
+    if (options.picture_sampling == PictureSampling::EveryFrame) {
+        return colors_in_frame(picture, frame, first.frame(), {});
     }
-    const PerBubble<Polygon> polygons = polygons_of(frame);
-    const PerBubble<BubbleIdentity> identities = identities_of(frame);
-    PerBubble<LinearRgb> colors;
-    colors.reserve(polygons.size());
-    for (std::size_t k = 0; k < polygons.size(); ++k) {
-        const auto found = known.find(identities[k]);
-        colors.push_back(found != known.end() ? found->second : picture.mean_over(polygons[k]));
-    }
-    return colors;
+    const auto known = first.colors_under(options.picture.picture,
+                                          [&] { return colors_in_first(picture, first.frame()); });
+    return colors_in_frame(picture, frame, first.frame(), *known);
 }
 
 }  // namespace foam::texgen

@@ -5,6 +5,7 @@
 #include "core/foam/frame.h"
 #include "texgen/image/color.h"
 #include "texgen/maps/albedo_options.h"
+#include "texgen/maps/frame_one.h"
 #include "texgen/maps/per_bubble.h"
 
 namespace foam::texgen {
@@ -13,10 +14,11 @@ namespace foam::texgen {
 /// options.picture_sampling selects. The picture is stretched over the torus, or over the bounding
 /// box of the patch in frame 1. The color of a bubble is the mean of samples in linear light, at
 /// most a pixel of the picture or 1/512 of its longer side apart, so that colors do not depend on
-/// the size of the image. `first` is frame 1. Transparent parts of the picture are white. Throws
+/// the size of the image. Those of
+/// frame 1 are computed once. Transparent parts of the picture are white. Throws
 /// std::invalid_argument if there is no picture.
 PerBubble<LinearRgb> picture_colors(const Frame& frame,
-                                    const Frame& first,
+                                    const FrameOne& first,
                                     const AlbedoOptions& options);
 
 }  // namespace foam::texgen

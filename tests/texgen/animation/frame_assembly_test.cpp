@@ -78,7 +78,7 @@ TEST(FrameAssembly, APingPongShowsStatesAgain) {
 TEST(FrameAssembly, EveryFrameHasFrameOne) {
     std::vector<int> firsts;
     FrameAssembly assembly({}, {2, 3}, NextFrames::Omitted, [&](const SimulatedFrame& frame) {
-        firsts.push_back(frame.first->number);
+        firsts.push_back(frame.first->frame().number);
     });
     for (const int state : assembly.states()) {
         assembly.add(state_of(state));

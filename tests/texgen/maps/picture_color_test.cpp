@@ -34,6 +34,10 @@ Frame hexagons() {
     return snapshot(foam::honeycomb(4, 4), 1);
 }
 
+FrameOne first_frame(const Frame& frame) {
+    return FrameOne(std::make_shared<const Frame>(frame));
+}
+
 // A honeycomb moved to the right by half of the torus.
 Frame moved_hexagons() {
     Foam foam = foam::honeycomb(4, 4);
@@ -47,7 +51,7 @@ Frame moved_hexagons() {
 TEST(PictureColor, IsTheMeanUnderABubble) {
     const AlbedoOptions options = steps(2);
     double sum = 0.0;
-    for (const LinearRgb& color : picture_colors(hexagons(), hexagons(), options)) {
+    for (const LinearRgb& color : picture_colors(hexagons(), first_frame(hexagons()), options)) {
         sum += color.r;
         EXPECT_GE(color.r, 0.0);
         EXPECT_LE(color.r, 1.0);
@@ -61,12 +65,12 @@ TEST(PictureColor, IsKeptForLifeOrSampledInEachFrame) {
     AlbedoOptions options = steps(64);
     const Frame first = hexagons();
     const Frame later = moved_hexagons();
-    const PerBubble<LinearRgb> kept = picture_colors(later, first, options);
-    EXPECT_EQ(kept, picture_colors(first, first, options));
+    const PerBubble<LinearRgb> kept = picture_colors(later, first_frame(first), options);
+    EXPECT_EQ(kept, picture_colors(first, first_frame(first), options));
     options.picture_sampling = PictureSampling::EveryFrame;
-    const PerBubble<LinearRgb> sampled = picture_colors(later, first, options);
+    const PerBubble<LinearRgb> sampled = picture_colors(later, first_frame(first), options);
     EXPECT_NE(kept, sampled);
-    EXPECT_EQ(sampled, picture_colors(later, later, options));
+    EXPECT_EQ(sampled, picture_colors(later, first_frame(later), options));
 }
 
 // A bubble that is not in frame 1 has the color under it.
@@ -74,8 +78,8 @@ TEST(PictureColor, OfALaterBubbleIsThatUnderIt) {
     const AlbedoOptions options = steps(64);
     Frame later = hexagons();
     later.bubbles[id_at<BubbleId>(3)].identity = 100;
-    EXPECT_EQ(picture_colors(later, hexagons(), options),
-              picture_colors(hexagons(), hexagons(), options));
+    EXPECT_EQ(picture_colors(later, first_frame(hexagons()), options),
+              picture_colors(hexagons(), first_frame(hexagons()), options));
 }
 
 // The picture covers the bounding box of a patch: some bubbles are nearly black, others nearly
@@ -86,7 +90,7 @@ TEST(PictureColor, CoversTheBoundingBoxOfAPatch) {
     const Frame patch = snapshot(seed_patch(rectangle_outline(2.0), seeding), 1);
     double darkest = 1.0;
     double lightest = 0.0;
-    for (const LinearRgb& color : picture_colors(patch, patch, steps(64))) {
+    for (const LinearRgb& color : picture_colors(patch, first_frame(patch), steps(64))) {
         darkest = std::min(darkest, color.g);
         lightest = std::max(lightest, color.g);
     }
@@ -94,10 +98,27 @@ TEST(PictureColor, CoversTheBoundingBoxOfAPatch) {
     EXPECT_GT(lightest, 0.95);
 }
 
+// The colors of frame 1 are computed once per picture.
+TEST(PictureColor, OfFrameOneAreShared) {
+    const FrameOne first = first_frame(hexagons());
+    const AlbedoOptions options = steps(8);
+    int computed = 0;
+    const auto compute = [&] {
+        ++computed;
+        return ColorsByIdentity();
+    };
+    const auto colors = first.colors_under(options.picture.picture, compute);
+    EXPECT_EQ(first.colors_under(options.picture.picture, compute), colors);
+    EXPECT_EQ(computed, 1);
+    first.colors_under(steps(8).picture.picture, compute);
+    EXPECT_EQ(computed, 2);
+}
+
 TEST(PictureColor, NeedsAPicture) {
     AlbedoOptions options;
     options.color_by = ColorBy::Picture;
-    EXPECT_THROW(picture_colors(hexagons(), hexagons(), options), std::invalid_argument);
+    EXPECT_THROW(picture_colors(hexagons(), first_frame(hexagons()), options),
+                 std::invalid_argument);
 }
 
 }  // namespace
