@@ -83,6 +83,10 @@ Srgb8 to_srgb8(const LinearRgb& color) {
     return {to_code(color.r), to_code(color.g), to_code(color.b)};
 }
 
+std::string color_text(Srgb8 color) {
+    return fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b);
+}
+
 Srgb8 parse_color(std::string_view text) {
     std::uint32_t packed = 0;
     if (text.size() != 7 || text.front() != '#' || !parse_hex(text.substr(1), packed)) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace foam::texgen {
@@ -45,6 +46,9 @@ LinearRgb mixed(const LinearRgb& a, const LinearRgb& b, double part);
 /// Returns the sRGB encoding of a color, rounded to the nearest 8-bit values. Each component of the
 /// color is clamped to [0, 1]; NaN becomes 0.
 Srgb8 to_srgb8(const LinearRgb& color);
+
+/// Returns the color as "#rrggbb".
+std::string color_text(Srgb8 color);
 
 /// Parses "#rrggbb", with six hexadecimal digits in either case. Throws std::invalid_argument for
 /// any other text.

@@ -244,7 +244,7 @@ Json Painter::pick(const Preset& preset, const PictureRequest& request, int x, i
     if (const auto* const colors = std::get_if<ColorPixels>(&map.image)) {
         const Image<std::uint8_t> codes = srgb_codes(*colors);
         const std::span<const std::uint8_t> pixel = codes.pixel(x, row);
-        picked["color"] = fmt::format("#{:02x}{:02x}{:02x}", pixel[0], pixel[1], pixel[2]);
+        picked["color"] = color_text({pixel[0], pixel[1], pixel[2]});
     }
     const std::scoped_lock lock(frame->mutex);
     FrameLayers& layers = frame->layers.layers;

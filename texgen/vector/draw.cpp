@@ -231,9 +231,8 @@ Box box_around(const Drawing& drawing) {
 PerBubble<std::string> bubble_colors(const FrameLayers& layers, const AlbedoOptions& options) {
     PerBubble<std::string> colors;
     for (const LinearRgb& color :
-         cell_colors(layers.frame(), layers.record(), options, &layers.first())) {
-        const Srgb8 code = to_srgb8(color);
-        colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", code.r, code.g, code.b));
+         cell_colors(layers.frame(), layers.record(), options, layers.first())) {
+        colors.push_back(color_text(to_srgb8(color)));
     }
     return colors;
 }
