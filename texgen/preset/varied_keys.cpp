@@ -2,7 +2,6 @@
 
 #include "texgen/preset/varied_keys.h"
 
-#include "texgen/keys/nearest.h"
 #include "texgen/preset/preset_keys.h"
 #include "texgen/preset/rejection.h"
 
@@ -32,12 +31,11 @@ const Key<Preset>& key_of(const std::string& path) {
     if (const Key<Preset>* const key = find_key(path)) {
         return *key;
     }
-    std::vector<std::string_view> paths;
-    for (const KeyInfo& key : preset_keys()) {
-        paths.push_back(key.path);
-    }
+    const std::string_view meant = nearest_key(path);
     throw std::invalid_argument(
-        fmt::format("'{}' is not a key{}", path, did_you_mean(path, paths)));
+        fmt::format("'{}' is not a key{}",
+                    path,
+                    meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)));
 }
 
 void check_value(const Key<Preset>& key, const Value& value) {

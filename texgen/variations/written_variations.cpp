@@ -6,6 +6,7 @@
 #include "texgen/image/png.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_extension.h"
+#include "texgen/preset/preset_keys.h"
 #include "texgen/sheet/contact_sheet.h"
 #include "texgen/variations/variation_labels.h"
 
@@ -19,12 +20,9 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns the path of a preset as a preset file in a folder names it.
-std::string base_of(const std::string& preset, const std::filesystem::path& folder) {
-    if (!is_preset_path(preset)) {
-        return preset;
-    }
-    const std::filesystem::path path = std::filesystem::absolute(preset);
+/// Returns the path of a file as a preset file in a folder names it.
+std::string path_from(const std::filesystem::path& folder, const std::string& file) {
+    const std::filesystem::path path = std::filesystem::absolute(file);
     const std::filesystem::path relative = path.lexically_normal().lexically_relative(
         std::filesystem::absolute(folder).lexically_normal());
     return relative.empty() ? path.string() : relative.string();
@@ -57,7 +55,9 @@ std::string preset_file(const VariationSet& set,
     std::vector<Assignment> assignments = set.assignments;
     assignments.insert(
         assignments.end(), variation.assignments.begin(), variation.assignments.end());
-    return extending_preset(base_of(set.preset, folder), assignments);
+    locate_files(assignments, [&](const std::string& path) { return path_from(folder, path); });
+    return extending_preset(is_preset_path(set.preset) ? path_from(folder, set.preset) : set.preset,
+                            assignments);
 }
 
 /// Removes the files of an earlier run that this run has not replaced.

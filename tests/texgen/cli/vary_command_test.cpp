@@ -3,10 +3,12 @@
 #include "tests/support/places.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/cli/exit_code.h"
+#include "texgen/image/png.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -46,6 +48,22 @@ TEST(VaryCommand, FilesExtendThePresetWhereverItIs) {
     EXPECT_EQ(file_content(folder.path() / "a" / "b" / "mine_1.toml").substr(kMark.size(), 33),
               "extends = \"../../mine.toml\"\n\n[foa");
     EXPECT_EQ(run_program("bake a/b/mine_1.toml --frames 1 -q", folder).code, 0);
+}
+
+// Paths on the command line are relative to the working directory, those in a preset file to the
+// folder of the file.
+TEST(VaryCommand, FilesNamePicturesFromTheirFolder) {
+    const TemporaryFolder folder;
+    write_png(folder.path() / "x.png", Image<std::uint8_t>(2, 2, 1).view());
+    ASSERT_EQ(
+        run_program(std::string("vary sea_foam --seeds 4 -q --set foam.density=x.png") + kSmall,
+                    folder)
+            .code,
+        0);
+    EXPECT_NE(
+        file_content(folder.path() / "out" / "sea_foam_1.toml").find("density = \"../x.png\"\n"),
+        std::string::npos);
+    EXPECT_EQ(run_program("bake out/sea_foam_1.toml --frames 1 -q", folder).code, 0);
 }
 
 TEST(VaryCommand, ReplacesTheFilesOfAnEarlierRunButNoOthers) {
