@@ -158,7 +158,7 @@ void on_combine(
     target.keep_exception([&] { *made = as_pointer(target.add_point({at[0], at[1]})); });
 }
 
-// With this callback, GLU makes separate triangles instead of fans and strips.
+// This callback makes GLU produce separate triangles instead of fans and strips.
 void on_edge_flag(GLboolean /*is_border*/, void* /*tessellation*/) {}
 
 void on_error(GLenum, void* tessellation) {

@@ -2,6 +2,8 @@
 
 #include "texgen/mesh/normals.h"
 
+#include "core/parallel/counting_sort.h"
+
 #include <array>
 #include <cstddef>
 #include <span>
@@ -20,31 +22,18 @@ Point3 to_float(const Vector3& vector) {
             static_cast<float>(vector[2])};
 }
 
-// The corners of all triangles, grouped by their point. Corner 3 t + k is corner k of triangle t.
-struct CornersOfPoints {
-    std::vector<std::uint32_t> begin;  // for each point, an index in `corners`; one more at the end
-    std::vector<std::uint32_t> corners;  // ascending for each point
-};
-
-CornersOfPoints corners_of(const Mesh& mesh) {
-    CornersOfPoints found{std::vector<std::uint32_t>(mesh.positions.size() + 1, 0),
-                          std::vector<std::uint32_t>(3 * mesh.triangles.size())};
-    for (const Triangle& triangle : mesh.triangles) {
-        for (const std::uint32_t point : triangle) {
-            ++found.begin[point + 1];
-        }
-    }
-    for (std::size_t point = 0; point < mesh.positions.size(); ++point) {
-        found.begin[point + 1] += found.begin[point];
-    }
-    std::vector<std::uint32_t> next(found.begin.begin(), found.begin.end() - 1);
-    std::uint32_t corner = 0;
-    for (const Triangle& triangle : mesh.triangles) {
-        for (const std::uint32_t point : triangle) {
-            found.corners[next[point]++] = corner++;
-        }
-    }
-    return found;
+// Returns the corners of all triangles, in one bucket per point. Corner 3 t + k is corner k of
+// triangle t.
+Buckets<std::uint32_t> corners_of(const Mesh& mesh) {
+    return counting_sort<std::uint32_t>(
+        mesh.positions.size(), 1, 1, [&](std::size_t, const auto& put) {
+            std::uint32_t corner = 0;
+            for (const Triangle& triangle : mesh.triangles) {
+                for (const std::uint32_t point : triangle) {
+                    put(point, corner++);
+                }
+            }
+        });
 }
 
 // Computes the normals of the corners at a point, and adds a point for each different normal.
@@ -105,16 +94,13 @@ class NormalsOfPoint {
 }  // namespace
 
 MeshWithNormals with_normals(const Mesh& mesh) {
-    const CornersOfPoints corners = corners_of(mesh);
+    const Buckets<std::uint32_t> corners = corners_of(mesh);
     MeshWithNormals result{{}, {}, std::vector<Triangle>(mesh.triangles.size())};
     result.positions.reserve(mesh.positions.size());
     result.normals.reserve(mesh.positions.size());
     NormalsOfPoint normals(mesh);
     for (std::uint32_t point = 0; point < mesh.positions.size(); ++point) {
-        const std::uint32_t begin = corners.begin[point];
-        normals.add(point,
-                    std::span(corners.corners).subspan(begin, corners.begin[point + 1] - begin),
-                    result);
+        normals.add(point, corners.items_of(point, point + 1), result);
     }
     return result;
 }

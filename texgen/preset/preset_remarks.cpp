@@ -4,6 +4,9 @@
 
 #include "texgen/preset/conditions.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace foam::texgen {
 
 DensityDomain density_domain(const Preset& preset) {
@@ -15,8 +18,10 @@ DensityDomain density_domain(const Preset& preset) {
 
 std::vector<std::string> remarks_on(const Preset& preset, std::span<const Assignment> assignments) {
     std::vector<std::string> remarks = unused_keys(preset, assignments);
-    const std::vector<std::string> more = density_remarks(preset.density, density_domain(preset));
-    remarks.insert(remarks.end(), more.begin(), more.end());
+    if (preset.density.source.picture.is_set()) {
+        std::ranges::copy(density_remarks(preset.density, density_domain(preset)),
+                          std::back_inserter(remarks));
+    }
     return remarks;
 }
 
