@@ -16,7 +16,7 @@ namespace {
 std::atomic<int> stop_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
-// What the signal handler writes. Changed only before the handlers are installed.
+// The text that the signal handler writes. It changes only before the handlers are installed.
 std::string_view note;
 
 // The signal handler: stores the signal and writes a note. Calls only functions that a signal

@@ -31,7 +31,7 @@ struct NamedMap {
 /// letters, digits, '_' and '-'.
 NamedMap parse_named_map(std::string_view text);
 
-/// What a bake joins its frames to, after the last frame.
+/// The kind of file to which a bake joins its frames after the last frame.
 enum class SheetKind {
     None,
     Grid,   // one image per map with all frames in rows

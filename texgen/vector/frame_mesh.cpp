@@ -36,7 +36,8 @@ VectorContent wall_content(const VectorSettings& settings) {
     return content == VectorContent::MazeSolution ? VectorContent::Maze : content;
 }
 
-// Where the columns or the rows of a slab are, and the columns or rows of the image that they show.
+// The positions of the columns or the rows of a slab, and the columns or rows of the image that
+// they show.
 struct Samples {
     std::vector<float> positions;
     std::vector<int> pixels;

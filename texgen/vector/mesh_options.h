@@ -6,7 +6,7 @@
 
 namespace foam::texgen {
 
-/// What a mesh shows.
+/// The kind of solid that a mesh shows.
 enum class MeshKind {
     Auto,    // walls if drawings show a maze or contours (VectorContent), otherwise the relief
     Relief,  // the map height on a slab

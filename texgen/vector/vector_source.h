@@ -22,7 +22,7 @@ struct VectorSettings {
     int height = 0;
 };
 
-/// What a vector file contains: a part of a frame, and the options. Borrows the frame.
+/// The content of a vector file: a part of a frame, and the options. Borrows the frame.
 struct VectorSource {
     FrameLayers& layers;
     VectorSettings settings;
