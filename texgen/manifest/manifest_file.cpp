@@ -15,7 +15,8 @@ namespace foam::texgen {
 
 std::filesystem::path manifest_path(const std::filesystem::path& path) {
     std::error_code error;  // ignored, since reading the manifest later reports the error
-    return std::filesystem::is_directory(path, error) ? path / kManifestName : path;
+    const bool is_folder = path.empty() || std::filesystem::is_directory(path, error);
+    return is_folder ? path / kManifestName : path;
 }
 
 Manifest read_manifest(const std::filesystem::path& path) {

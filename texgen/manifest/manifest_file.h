@@ -13,7 +13,8 @@ namespace foam::texgen {
 /// The file name of a manifest. The function manifest_folder (bake_recorder.h) returns its folder.
 inline constexpr std::string_view kManifestName = "manifest.json";
 
-/// Returns the path of a manifest. `path` is the manifest file or its folder.
+/// Returns the path of a manifest. `path` is the manifest file or its folder; an empty path is the
+/// working folder.
 std::filesystem::path manifest_path(const std::filesystem::path& path);
 
 /// Reads a manifest. `path` is the manifest file or its folder. Throws InputError if the file is

@@ -32,6 +32,14 @@ void add_frame(const std::filesystem::path& folder, int frame) {
                     [&](Manifest& manifest) { merge(manifest, small_set("a", {frame}, {frame})); });
 }
 
+// The folder of the pattern "{map}.png" is empty (FilePattern::folder).
+TEST(ManifestFile, OfAnEmptyPathIsInTheWorkingFolder) {
+    EXPECT_EQ(manifest_path(""), kManifestName);
+    const TemporaryFolder folder;
+    EXPECT_EQ(manifest_path(folder.path()), folder.path() / kManifestName);
+    EXPECT_EQ(manifest_path("a/other.json"), "a/other.json");
+}
+
 // Four threads change the manifest at the same time. No change gets lost.
 TEST(ManifestFile, OneChangeGoesOnAtATime) {
     const TemporaryFolder folder;
