@@ -21,7 +21,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kShortNames = {"preset", "map", "seed", "size"};
+constexpr std::array<std::string_view, 4> kShortWords = {"{preset}", "{map}", "{seed}", "{size}"};
 constexpr std::string_view kPatternKey = "output.pattern";
 constexpr std::string_view kSheetPatternKey = "output.sheet_pattern";
 
@@ -34,15 +34,17 @@ constexpr std::size_t kLongestText = 64;
 }
 
 [[noreturn]] void reject_unknown(std::string_view name) {
-    std::string_view meant = nearest_key(name);
-    if (const std::string_view word = nearest(name, kShortNames); !word.empty()) {
-        meant = word;
+    const std::string word = fmt::format("{{{}}}", name);
+    const std::string_view key = nearest_key(name);
+    std::string meant(nearest(word, kShortWords));
+    if (meant.empty() && !key.empty()) {
+        meant = fmt::format("{{{}}}", key);
     }
     throw std::invalid_argument(fmt::format(
-        "unknown placeholder '{{{}}}'; {}",
-        name,
+        "unknown placeholder '{}'; {}",
+        word,
         meant.empty() ? "must be {preset}, {map}, {seed}, {size} or a key such as {foam.bubbles}"
-                      : fmt::format("did you mean {{{}}}?", meant)));
+                      : fmt::format("did you mean {}?", meant)));
 }
 
 std::string size_text(const ImageOptions& image) {

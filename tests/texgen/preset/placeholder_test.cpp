@@ -53,6 +53,7 @@ TEST(PlaceholderText, NumbersAreShort) {
 
 TEST(PlaceholderText, AnUnknownNameSuggestsAnother) {
     EXPECT_EQ(failure("sede"), "unknown placeholder '{sede}'; did you mean {seed}?");
+    EXPECT_EQ(failure("maps"), "unknown placeholder '{maps}'; did you mean {map}?");
     EXPECT_EQ(failure("bubbles"), "unknown placeholder '{bubbles}'; did you mean {foam.bubbles}?");
     EXPECT_EQ(failure("loop.amplitud"),
               "unknown placeholder '{loop.amplitud}'; did you mean {loop.amplitude}?");
