@@ -20,8 +20,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kFramesToMeasure = 2;
-
 /// The times and the files of the frames that were baked.
 struct MeasuredFrames {
     std::vector<double> begins;  // when the frames were simulated, in seconds since the beginning
@@ -42,11 +40,12 @@ double share_of_fitting(const Preset& preset) {
            (image.reduction * image.reduction * static_cast<double>(drawn_images(preset).size()));
 }
 
-/// Returns the time of a bake with the given number of frames.
-double extrapolated(const MeasuredFrames& measured,
-                    const Preset& preset,
-                    double frames,
-                    int threads) {
+/// Stores the times of a bake with the given number of frames.
+void extrapolate(const MeasuredFrames& measured,
+                 const Preset& preset,
+                 double frames,
+                 int threads,
+                 BakeEstimate& estimate) {
     const auto count = static_cast<double>(measured.begins.size());
     const double preparation = measured.begins.front();
     const double step = (measured.begins.back() - preparation) / std::max(count - 1.0, 1.0);
@@ -55,7 +54,9 @@ double extrapolated(const MeasuredFrames& measured,
         return preparation + std::max((frames - 1.0) * step, frames * share * drawing);
     };
     const double share = share_of_fitting(preset);
-    return run(1.0) + drawing + (share > 0.0 ? run(share) : 0.0);
+    estimate.seconds = run(1.0) + drawing + (share > 0.0 ? run(share) : 0.0);
+    estimate.simulating = preparation + (frames - 1.0) * step;
+    estimate.drawing = frames * (1.0 + share) * drawing;
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ BakeEstimate estimate_bake(const Preset& preset,
     const std::string suffix = std::filesystem::path(preset.output.pattern).extension().string();
     first.output.pattern = (scratch.path() / ("{map}.######" + suffix)).string();
     BakeOptions some = options;
-    some.frames.resize(std::min(options.frames.size(), kFramesToMeasure));
+    some.frames.resize(std::min(options.frames.size(), kEstimatedFrames));
 
     MeasuredFrames measured;
     const auto begin = std::chrono::steady_clock::now();
@@ -93,8 +94,8 @@ BakeEstimate estimate_bake(const Preset& preset,
     if (summary.outcome.status == RunStatus::Complete) {
         estimate.files = measured.files * frames / some.frames.size();
         estimate.bytes = measured.bytes * frames / some.frames.size();
-        estimate.seconds = extrapolated(
-            measured, preset, static_cast<double>(frames), thread_count(options.threads));
+        extrapolate(
+            measured, preset, static_cast<double>(frames), thread_count(options.threads), estimate);
     }
     return estimate;
 }

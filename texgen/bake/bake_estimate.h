@@ -17,8 +17,13 @@ struct BakeEstimate {
     std::uint64_t bytes = 0;   // of these files
     std::uint64_t memory = 0;  // peak, in bytes (estimated_memory)
     double seconds = 0.0;      // wall time
+    double simulating = 0.0;   // seconds that a simulation of all frames takes
+    double drawing = 0.0;      // seconds that drawing all frames takes, with fitting of ranges
     RunOutcome outcome{};      // if the run failed, the members above except `memory` are 0
 };
+
+/// The number of frames that estimate_bake bakes, unless the bake has fewer.
+inline constexpr std::size_t kEstimatedFrames = 2;
 
 /// Bakes the first two frames into a scratch folder, which is removed, and extrapolates to all
 /// frames: the time before the first frame, the time from frame to frame, the time of drawing and

@@ -191,4 +191,15 @@ std::string FilePattern::fill(std::string_view map, std::optional<int> frame) co
     return filled;
 }
 
+std::string with_size_folder(std::string_view pattern) {
+    constexpr std::string_view kSize = "{size}";
+    std::string complete(pattern);
+    if (pattern.find(kSize) == std::string_view::npos) {
+        const std::size_t varying = std::min(pattern.find("{map}"), pattern.find_first_of("#@%"));
+        const std::size_t slash = pattern.substr(0, varying).rfind('/');
+        complete.insert(slash == std::string_view::npos ? 0 : slash + 1, fmt::format("{}/", kSize));
+    }
+    return complete;
+}
+
 }  // namespace foam::texgen

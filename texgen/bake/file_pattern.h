@@ -94,4 +94,9 @@ class FilePattern {
     std::vector<Piece> pieces_;
 };
 
+/// Returns a pattern that contains the placeholder {size}: the given pattern, if it does already;
+/// otherwise the pattern with a folder {size} in the deepest folder that contains the files of all
+/// maps and frames. For example, "out/{map}/####.png" becomes "out/{size}/{map}/####.png".
+std::string with_size_folder(std::string_view pattern);
+
 }  // namespace foam::texgen

@@ -1,41 +1,83 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "texgen/bake/bake_estimate.h"
+#include "texgen/cache/shared_simulation.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/image_run.h"
+#include "texgen/cli/image_sizes.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace foam::texgen {
 
 namespace {
 
 constexpr const char* kBakeExamples = R"(Examples:
-  foamtex bake sea_foam --size 2048 --seed 7 --out 'foam/{map}.####.png'
+  foamtex bake sea_foam --size 2048,512 --seed 7 --out 'foam/{size}_{map}.####.png'
   foamtex bake lava --for unreal --scene usda
   foamtex bake maze --frames 1 --out maze.svg --set vector.width_mm=200
 A loop has frames.count frames; foamtex presets keys lists this and all other keys for --set.
---progress json prints one JSON object per line: phase; done and total, in units of the phase;
-seconds since the start; seconds_left of the phase; frame; bubbles; and, in a loop that is closed,
-cycle and measure (its closing error in mean bubble diameters).)";
+--progress json prints JSON lines with phase, done, total (in units of the phase), seconds, seconds_left
+(of the phase), frame, bubbles and, in a loop, cycle and measure (closing error in bubble diameters).)";
 
 struct BakeArguments {
     RunArguments run;
     ImageArguments images;
 };
 
+/// Returns the frames that a simulation of all sizes computes.
+std::vector<int> simulated_frames(const std::vector<Preset>& presets,
+                                  const std::vector<int>& frames,
+                                  bool dry_run) {
+    if (dry_run) {
+        const std::size_t count = std::min(frames.size(), kEstimatedFrames);
+        return {frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(count)};
+    }
+    return frames_to_simulate(presets, frames);
+}
+
+/// Draws each of the presets, which differ in the size of their images.
+ExitCode bake_sizes(const std::vector<Preset>& presets,
+                    const std::vector<int>& frames,
+                    const BakeArguments& arguments) {
+    const bool is_dry = arguments.images.dry_run;
+    const bool is_single = presets.size() == 1;
+    SharedSimulation shared(
+        presets.front(), simulated_frames(presets, frames, is_dry), arguments.run.threads);
+    std::vector<ImageRun> runs;
+    for (const Preset& preset : presets) {
+        BakeOptions options{.frames = frames, .threads = arguments.run.threads};
+        // The estimate of the first size measures the time of the simulation.
+        if (!is_single && !(is_dry && runs.empty())) {
+            options.source = shared.source(preset);
+        }
+        runs.push_back({preset, std::move(options)});
+    }
+    if (!is_single && !is_dry && !arguments.run.quiet) {
+        const std::filesystem::path temporary = std::filesystem::temp_directory_path();
+        warn_of_full_disk(estimated_cache_size(presets.front(), frames, temporary), temporary);
+    }
+    return run_images(runs, arguments.images, progress_options(arguments.run, frames.size()));
+}
+
 ExitCode run_bake(const BakeArguments& arguments) {
-    const Preset preset = preset_of(arguments.run, assignments_of(arguments.images));
-    const BakeOptions options{.frames = frames_of(arguments.run, preset),
-                              .threads = arguments.run.threads};
-    const ExitCode code = run_images(
-        preset, options, arguments.images, progress_options(arguments.run, options.frames.size()));
+    const std::vector<Preset> presets = presets_of_sizes(
+        arguments.run,
+        [&](const RunArguments& run) { return preset_of(run, assignments_of(arguments.images)); });
+    const std::vector<int> frames = frames_of(arguments.run, presets.front());
+    const ExitCode code = bake_sizes(presets, frames, arguments);
     if (code == ExitCode::Success && !arguments.run.quiet && !arguments.images.json) {
-        note_open_loop(preset, options.frames);
-        note_late_events(preset, options.frames);
+        note_open_loop(presets.front(), frames);
+        note_late_events(presets.front(), frames);
     }
     return code;
 }
@@ -48,6 +90,7 @@ void add_bake_command(CLI::App& app, Action& action) {
     add_preset_options(*command, arguments->run);
     add_profile_option(*command, arguments->run);
     add_image_options(*command, arguments->images);
+    describe_several_sizes(*command);
     add_run_options(*command, arguments->run);
     command->footer(kBakeExamples);
     command->callback(

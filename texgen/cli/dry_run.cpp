@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <string>
 
 namespace foam::texgen {
@@ -24,16 +25,34 @@ std::string duration_text(double seconds) {
                            : long_duration(seconds);
 }
 
+/// Returns the estimate of all runs, or of the first run that fails.
+BakeEstimate estimate_of(std::span<const ImageRun> runs, const ProgressOptions& progress) {
+    BakeEstimate sum;
+    for (const auto& [preset, options] : runs) {
+        ProgressReporter reporter(progress);
+        const BakeEstimate one = estimate_bake(preset, options, reporter.callback());
+        if (one.outcome.status != RunStatus::Complete || runs.size() == 1) {
+            return one;
+        }
+        if (sum.files == 0) {
+            sum.seconds = one.simulating;
+            sum.outcome = one.outcome;
+        }
+        sum.files += one.files;
+        sum.bytes += one.bytes;
+        sum.memory = std::max(sum.memory, one.memory);
+        sum.seconds += one.drawing;
+    }
+    return sum;
+}
+
 }  // namespace
 
-ExitCode print_estimate(const Preset& preset,
-                        const BakeOptions& options,
+ExitCode print_estimate(std::span<const ImageRun> runs,
                         bool json,
                         const ProgressOptions& progress) {
-    const BakeEstimate estimate = [&] {
-        ProgressReporter reporter(progress);
-        return estimate_bake(preset, options, reporter.callback());
-    }();
+    const auto& [preset, options] = runs.front();
+    const BakeEstimate estimate = estimate_of(runs, progress);
     const std::string frames = format_frame_range(options.frames);
     if (json) {
         Json report = json_report(estimate.outcome);
@@ -51,9 +70,10 @@ ExitCode print_estimate(const Preset& preset,
     if (!json && progress.verbosity != Verbosity::Quiet) {
         const bool is_part =
             preset.output.sheets != SheetKind::None || !preset.output.scene.empty();
-        print_stdout("frames: {} ({})\nfiles: {}, {}{}\nmemory: {}\ntime: about {}{}\n",
+        print_stdout("frames: {} ({}){}\nfiles: {}, {}{}\nmemory: {}\ntime: about {}{}\n",
                      options.frames.size(),
                      frames,
+                     runs.size() > 1 ? fmt::format(" in {} sizes", runs.size()) : "",
                      estimate.files,
                      amount_of_bytes(estimate.bytes),
                      is_part ? ", and sheets or scene files" : "",

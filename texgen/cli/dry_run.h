@@ -2,18 +2,17 @@
 
 #pragma once
 
-#include "texgen/bake/bake.h"
 #include "texgen/cli/exit_code.h"
+#include "texgen/cli/image_run.h"
 #include "texgen/cli/progress.h"
-#include "texgen/preset/preset.h"
+
+#include <span>
 
 namespace foam::texgen {
 
-/// Prints what a bake would write and need (estimate_bake), as text or as a JSON object. Leaves no
-/// file. Throws the exceptions of estimate_bake.
-ExitCode print_estimate(const Preset& preset,
-                        const BakeOptions& options,
-                        bool json,
-                        const ProgressOptions& progress);
+/// Prints what runs would write and need (estimate_bake), as text or as a JSON object. Several runs
+/// draw the frames of one simulation, so its time counts once. Leaves no file. Throws the
+/// exceptions of estimate_bake. Precondition: there is a run.
+ExitCode print_estimate(std::span<const ImageRun> runs, bool json, const ProgressOptions& progress);
 
 }  // namespace foam::texgen

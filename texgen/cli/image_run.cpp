@@ -10,7 +10,6 @@
 #include "texgen/cli/dry_run.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
-#include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
@@ -26,14 +25,15 @@
 #include "texgen/stats/files.h"
 #include "texgen/stats/record.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <new>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -105,19 +105,42 @@ struct OtherFiles {
     StatisticsFiles statistics;
 };
 
-void print_report(const Preset& preset,
-                  const BakeOptions& options,
-                  const BakeSummary& summary,
-                  const OtherFiles& written) {
-    Json report = json_report(summary.outcome);
+/// A run that has ended.
+struct FinishedRun {
+    const ImageRun& run;
+    BakeSummary summary;
+    OtherFiles written;
+
+    bool is_complete() const { return summary.outcome.status == RunStatus::Complete; }
+};
+
+Json report_of(const FinishedRun& finished) {
+    const Preset& preset = finished.run.preset;
+    Json report = json_report(finished.summary.outcome);
     report["preset"] = preset.name;
-    report["frames"] = format_frame_range(options.frames);
-    report["kept"] = summary.kept;
+    report["frames"] = format_frame_range(finished.run.options.frames);
+    report["kept"] = finished.summary.kept;
     report["manifest"] = (manifest_folder(preset) / kManifestName).string();
-    report["files"] = path_list(summary.files);
-    report["sheets"] = path_list(written.sheets);
-    report["scenes"] = path_list(written.scenes);
-    report["statistics"] = path_list(written.statistics.paths);
+    report["files"] = path_list(finished.summary.files);
+    report["sheets"] = path_list(finished.written.sheets);
+    report["scenes"] = path_list(finished.written.scenes);
+    report["statistics"] = path_list(finished.written.statistics.paths);
+    return report;
+}
+
+/// Prints the JSON object of the runs that have ended. `count` is the number of all runs.
+void print_report(const std::vector<FinishedRun>& finished, std::size_t count) {
+    if (count == 1) {
+        print_json(report_of(finished.front()));
+        return;
+    }
+    Json report = json_report(finished.back().summary.outcome);
+    report["sizes"] = Json::array();
+    for (const FinishedRun& one : finished) {
+        Json of_size = report_of(one);
+        of_size["size"] = {one.run.preset.image.width, one.run.preset.image.height};
+        report["sizes"].push_back(std::move(of_size));
+    }
     print_json(report);
 }
 
@@ -126,23 +149,12 @@ std::filesystem::path statistics_folder(const Preset& preset, const FilePattern&
     return image.parent_path() / (preset.name + "_stats");
 }
 
-// Returns the assignment that the options --pack make.
-Assignment pack_assignment(const std::vector<std::string>& packings) {
-    Value::List list;
-    std::string location;
-    for (const std::string& packing : packings) {
-        location += fmt::format("{}--pack {}", location.empty() ? "" : " ", packing);
-        list.push_back({packing});
-    }
-    return {location, "output.pack", {std::move(list)}};
-}
-
-/// Draws the frames and writes the image files and their manifest.
-BakeSummary bake_images(const Preset& preset,
-                        const BakeOptions& options,
+/// Draws the frames and writes the image files and their manifest. `on_frame` may be empty.
+BakeSummary bake_images(const ImageRun& run,
                         const ImageArguments& arguments,
                         const ProgressOptions& progress,
-                        Recorder& recorder) {
+                        const FrameVisitor& on_frame) {
+    const auto& [preset, options] = run;
     std::function<void(const std::vector<ReplacedFiles>&)> on_replace;
     if (progress.verbosity != Verbosity::Quiet) {
         on_replace = warn_of_replaced_files;
@@ -152,8 +164,7 @@ BakeSummary bake_images(const Preset& preset,
         return bake_recorded(
             preset,
             options,
-            {.on_progress = reporter.callback(),
-             .on_frame = arguments.stats ? recorder.visitor() : FrameVisitor()},
+            {.on_progress = reporter.callback(), .on_frame = on_frame},
             {.resume = arguments.resume ? Resume::Yes : Resume::No, .on_replace = on_replace});
     } catch (const Interrupted&) {
         print_stderr("foamtex: to continue, run the same command with --resume");
@@ -165,132 +176,107 @@ BakeSummary bake_images(const Preset& preset,
 }
 
 /// Writes what output.sheets and output.scene ask for.
-OtherFiles write_sheets_and_scenes(const Preset& preset,
-                                   const BakeOptions& options,
-                                   const ProgressOptions& progress) {
+OtherFiles write_sheets_and_scenes(const ImageRun& run, const ProgressOptions& progress) {
     OtherFiles written;
-    if (preset.output.sheets != SheetKind::None) {
+    if (run.preset.output.sheets != SheetKind::None) {
         ProgressReporter reporter(progress);
-        written.sheets = write_sheets(preset, options.frames, reporter.callback()).files;
+        written.sheets = write_sheets(run.preset, run.options.frames, reporter.callback()).files;
     }
-    if (!preset.output.scene.empty()) {
-        written.scenes = write_scenes(preset);
+    if (!run.preset.output.scene.empty()) {
+        written.scenes = write_scenes(run.preset);
     }
     return written;
 }
 
-}  // namespace
-
-void add_image_options(CLI::App& command, ImageArguments& arguments) {
-    add_maps_option(command, arguments.maps, "Maps to draw, separated by commas");
-    command
-        .add_option(
-            "--pack", arguments.pack, "Also draw an image whose channels are maps; may be repeated")
-        ->allow_extra_args(false)
-        ->option_text("NAME=R,G,B[,A]");
-    command
-        .add_option(
-            "--normal-y", arguments.normal_y, "Direction of green in normals: gl (up) or dx (down)")
-        ->option_text("gl|dx");
-    command
-        .add_option(
-            "--out",
-            arguments.out,
-            "Files: .png .exr .dds .ktx2 .svg .dxf .pdf .stl .glb .csv .json; {map}, {seed}, "
-            "{KEY}, ####")
-        ->option_text("PATTERN");
-    command
-        .add_option(
-            "--scene", arguments.scene, "Also write the material as scene files: usda, mtlx, gltf")
-        ->option_text("A,B");
-    command
-        .add_option("--wrap", arguments.wrap, "Border of a drawing: cut bubbles, or whole bubbles")
-        ->option_text("cut|whole");
-    command
-        .add_flag(
-            "--stats", arguments.stats, "Also write statistics to {preset}_stats beside the images")
-        ->option_text(" ");
-    command
-        .add_flag("--resume",
-                  arguments.resume,
-                  "Keep existing frames that were made with the same settings")
-        ->option_text(" ");
-    command
-        .add_flag("--dry-run",
-                  arguments.dry_run,
-                  "Estimate the files of the frames, memory and time; write nothing")
-        ->option_text(" ");
-    add_json_option(command, arguments.json);
+/// Throws if one of the runs is not possible, before any of them begins.
+void check_runs(std::span<const ImageRun> runs) {
+    for (const auto& [preset, options] : runs) {
+        check_scenes(preset);
+        check_sheets(preset);
+        check_bake(preset, options);
+    }
 }
 
-std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
-    std::vector<Assignment> assignments;
-    if (arguments.maps) {
-        assignments.push_back(maps_assignment(*arguments.maps));
+/// Warns of a disk or a memory that is too small for the runs, which are made one after the other.
+void warn_of_resources(std::span<const ImageRun> runs) {
+    std::uint64_t size = 0;
+    std::uint64_t memory = 0;
+    for (const auto& [preset, options] : runs) {
+        size += estimated_size(preset, options.frames);
+        memory = std::max(memory, estimated_memory(preset, options.frames.size(), options.threads));
     }
-    if (!arguments.pack.empty()) {
-        assignments.push_back(pack_assignment(arguments.pack));
-    }
-    if (arguments.normal_y) {
-        assignments.push_back(
-            {"--normal-y " + *arguments.normal_y, "normal.y", {*arguments.normal_y}});
-    }
-    if (arguments.scene) {
-        assignments.push_back(
-            {"--scene " + *arguments.scene, "output.scene", list_value(*arguments.scene)});
-    }
-    if (arguments.wrap) {
-        assignments.push_back({"--wrap " + *arguments.wrap, "vector.wrap", {*arguments.wrap}});
-    }
-    if (arguments.out) {
-        assignments.push_back({"--out " + *arguments.out, "output.pattern", {*arguments.out}});
-    }
-    return assignments;
+    warn_of_full_disk(size, manifest_folder(runs.front().preset));
+    warn_of_little_memory(memory);
 }
 
-ExitCode run_images(const Preset& preset,
-                    const BakeOptions& options,
-                    const ImageArguments& arguments,
-                    const ProgressOptions& progress) {
-    const Verbosity verbosity = progress.verbosity;
-    check_scenes(preset);
-    check_sheets(preset);
-    if (verbosity != Verbosity::Quiet) {
-        note_unused_normal_y(arguments, preset);
-        warn_of_full_disk(estimated_size(preset, options.frames), manifest_folder(preset));
-        warn_of_little_memory(estimated_memory(preset, options.frames.size(), options.threads));
-    }
-    if (arguments.dry_run) {
-        return print_estimate(preset, options, arguments.json, progress);
-    }
+/// Makes a run. With `with_statistics`, also writes statistics.
+FinishedRun finish(const ImageRun& run,
+                   const ImageArguments& arguments,
+                   const ProgressOptions& progress,
+                   bool with_statistics) {
+    const Preset& preset = run.preset;
     Recorder recorder(preset);
-    const BakeSummary summary = bake_images(preset, options, arguments, progress, recorder);
-    OtherFiles written;
-    if (summary.outcome.status == RunStatus::Complete) {
-        written = write_sheets_and_scenes(preset, options, progress);
+    FinishedRun finished{
+        run,
+        bake_images(
+            run, arguments, progress, with_statistics ? recorder.visitor() : FrameVisitor()),
+        {}};
+    if (finished.is_complete()) {
+        finished.written = write_sheets_and_scenes(run, progress);
     }
-    if (arguments.stats) {
-        written.statistics =
+    if (with_statistics) {
+        finished.written.statistics =
             write_statistics(recorder.run(), statistics_folder(preset, FilePattern(preset)));
     }
-    if (verbosity != Verbosity::Quiet) {
-        note_clipped(summary, preset);
-        warn_of_missing_bubbles(preset, summary.outcome);
+    if (progress.verbosity != Verbosity::Quiet) {
+        note_clipped(finished.summary, preset);
+    }
+    return finished;
+}
+
+void print_names(const FinishedRun& finished) {
+    const Preset& preset = finished.run.preset;
+    const OtherFiles& written = finished.written;
+    print_images(preset, FilePattern(preset), finished.run.options.frames);
+    print_files(written.sheets);
+    print_files(written.scenes);
+    print_files(written.statistics.paths);
+    note_missing_charts(written.statistics);
+}
+
+}  // namespace
+
+ExitCode run_images(std::span<const ImageRun> runs,
+                    const ImageArguments& arguments,
+                    const ProgressOptions& progress) {
+    check_runs(runs);
+    const bool is_quiet = progress.verbosity == Verbosity::Quiet;
+    if (!is_quiet) {
+        note_unused_normal_y(arguments, runs.front().preset);
+        warn_of_resources(runs);
+    }
+    if (arguments.dry_run) {
+        return print_estimate(runs, arguments.json, progress);
+    }
+    std::vector<FinishedRun> finished;
+    for (const ImageRun& run : runs) {
+        const bool is_first = finished.empty();
+        finished.push_back(finish(run, arguments, progress, arguments.stats && is_first));
+        if (!is_quiet && is_first) {
+            warn_of_missing_bubbles(run.preset, finished.back().summary.outcome);
+        }
+        if (!finished.back().is_complete()) {
+            break;
+        }
+        if (!is_quiet && !arguments.json) {
+            print_names(finished.back());
+        }
     }
     if (arguments.json) {
-        print_report(preset, options, summary, written);
+        print_report(finished, runs.size());
     }
-    if (summary.outcome.status != RunStatus::Complete) {
-        return report_failure(summary.outcome);
-    }
-    if (verbosity != Verbosity::Quiet && !arguments.json) {
-        print_images(preset, FilePattern(preset), options.frames);
-        print_files(written.sheets);
-        print_files(written.scenes);
-        print_files(written.statistics.paths);
-        note_missing_charts(written.statistics);
-    }
-    return ExitCode::Success;
+    return finished.back().is_complete() ? ExitCode::Success
+                                         : report_failure(finished.back().summary.outcome);
 }
 
 }  // namespace foam::texgen

@@ -6,6 +6,7 @@
 #include "texgen/cli/command.h"
 #include "texgen/cli/image_folder.h"
 #include "texgen/cli/image_run.h"
+#include "texgen/cli/image_sizes.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 #include "texgen/image/file_io.h"
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -53,18 +55,26 @@ ExitCode run_render(const RenderArguments& arguments) {
     check_is_cache(arguments.run.preset);
     const Cache cache(arguments.run.preset);
     const CacheInfo& info = cache.info();
-    const Preset preset = changed(info.preset, arguments.run, assignments_of(arguments.images));
-    check_same_simulation(info.preset, preset);
+    const std::vector<Preset> presets =
+        presets_of_sizes(arguments.run, [&](const RunArguments& run) {
+            Preset preset = changed(info.preset, run, assignments_of(arguments.images));
+            check_same_simulation(info.preset, preset);
+            return preset;
+        });
     if (!arguments.run.quiet) {
         note_other_version(info, arguments.run.preset);
     }
-    const BakeOptions options{
-        .frames = arguments.run.frames ? frames_of(arguments.run, preset) : info.frames,
-        .threads = arguments.run.threads,
-        .source = cache.frames_of(preset),
-        .sequence = info.frames};
-    return run_images(
-        preset, options, arguments.images, progress_options(arguments.run, options.frames.size()));
+    const std::vector<int> frames =
+        arguments.run.frames ? frames_of(arguments.run, presets.front()) : info.frames;
+    std::vector<ImageRun> runs;
+    for (const Preset& preset : presets) {
+        runs.push_back({preset,
+                        {.frames = frames,
+                         .threads = arguments.run.threads,
+                         .source = cache.frames_of(preset),
+                         .sequence = info.frames}});
+    }
+    return run_images(runs, arguments.images, progress_options(arguments.run, frames.size()));
 }
 
 }  // namespace
@@ -78,6 +88,7 @@ void add_render_command(CLI::App& app, Action& action) {
     add_frame_options(*command, arguments->run);
     add_profile_option(*command, arguments->run);
     add_image_options(*command, arguments->images);
+    describe_several_sizes(*command);
     add_run_options(*command, arguments->run);
     command->footer(kRenderExamples);
     command->callback(

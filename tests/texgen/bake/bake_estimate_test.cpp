@@ -29,6 +29,8 @@ TEST(BakeEstimate, HasTheFilesOfABakeAndLeavesNone) {
     EXPECT_EQ(estimate.outcome.status, RunStatus::Complete);
     EXPECT_GT(estimate.seconds, 0.0);
     EXPECT_GT(estimate.memory, 1'000'000U);
+    EXPECT_GT(estimate.simulating, 0.0);
+    EXPECT_GT(estimate.drawing, 0.0);
 
     const BakeSummary baked = bake(preset, options);
     EXPECT_EQ(estimate.files, baked.files.size());

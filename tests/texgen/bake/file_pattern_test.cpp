@@ -157,5 +157,16 @@ TEST(FilePattern, WithoutAPresetOnlyTheMapIsAPlaceholder) {
     }
 }
 
+TEST(WithSizeFolder, AddsAFolderAboveAllMapsAndFrames) {
+    EXPECT_EQ(with_size_folder("out/{preset}_{map}.####.png"),
+              "out/{size}/{preset}_{map}.####.png");
+    EXPECT_EQ(with_size_folder("out/{map}/####.png"), "out/{size}/{map}/####.png");
+    EXPECT_EQ(with_size_folder("a/b%04d/{map}.png"), "a/{size}/b%04d/{map}.png");
+    EXPECT_EQ(with_size_folder("{preset}/a.png"), "{preset}/{size}/a.png");
+    EXPECT_EQ(with_size_folder("/####.png"), "/{size}/####.png");
+    EXPECT_EQ(with_size_folder("####.png"), "{size}/####.png");
+    EXPECT_EQ(with_size_folder("out/{map}_{size}.png"), "out/{map}_{size}.png");
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/preset/assignment.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library spells it so
+class App;
+}
+
+namespace foam::texgen {
+
+/// The options that `bake` and `render` share, apart from RunArguments, as given on the command
+/// line.
+struct ImageArguments {
+    std::optional<std::string> maps;
+    std::vector<std::string> pack;  // the values of all --pack
+    std::optional<std::string> normal_y;
+    std::optional<std::string> out;
+    std::optional<std::string> scene;  // formats, separated by commas
+    std::optional<std::string> wrap;
+    bool stats = false;
+    bool dry_run = false;
+    bool resume = false;
+    bool json = false;
+};
+
+/// Adds --maps, --pack, --normal-y, --out, --scene, --wrap, --stats, --resume, --dry-run and
+/// --json. The arguments must outlive the parsing.
+void add_image_options(CLI::App& command, ImageArguments& arguments);
+
+/// Returns one assignment for each of the options --maps, --pack, --normal-y, --scene, --wrap and
+/// --out that is given.
+std::vector<Assignment> assignments_of(const ImageArguments& arguments);
+
+}  // namespace foam::texgen

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/cli/run_arguments.h"
+#include "texgen/preset/preset.h"
+
+#include <functional>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Changes the option --size, which `command` must have, so that its help says that it accepts
+/// several sizes.
+void describe_several_sizes(CLI::App& command);
+
+/// Returns the preset of each size that --size lists, such as "2048,1024,512"; one preset if the
+/// option has at most one size. `load` returns the preset of arguments with a single size; it
+/// prints notes only for the first size.
+///
+/// With several sizes, the images of each size get a folder of their own, unless the pattern of
+/// their names contains {size}: with_size_folder changes output.pattern and output.sheet_pattern.
+///
+/// Throws the exceptions of `load`. Throws std::invalid_argument if a size occurs twice, if the
+/// sizes need different simulations (simulation_hash), because the aspect ratio of a torus differs,
+/// or if scene files of different sizes would have the same name.
+std::vector<Preset> presets_of_sizes(const RunArguments& arguments,
+                                     const std::function<Preset(const RunArguments&)>& load);
+
+}  // namespace foam::texgen
