@@ -7,6 +7,7 @@
 #include "texgen/cli/image_sizes.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/cli/watch.h"
 
 #include <CLI/CLI.hpp>
 
@@ -69,7 +70,7 @@ ExitCode bake_sizes(const std::vector<Preset>& presets,
     return run_images(runs, arguments.images, progress_options(arguments.run, frames.size()));
 }
 
-ExitCode run_bake(const BakeArguments& arguments) {
+ExitCode bake_once(const BakeArguments& arguments) {
     const std::vector<Preset> presets = presets_of_sizes(
         arguments.run,
         [&](const RunArguments& run) { return preset_of(run, assignments_of(arguments.images)); });
@@ -82,6 +83,13 @@ ExitCode run_bake(const BakeArguments& arguments) {
     return code;
 }
 
+ExitCode run_bake(const BakeArguments& arguments) {
+    if (arguments.images.watch) {
+        run_watching(arguments.run, [&] { bake_once(arguments); });
+    }
+    return bake_once(arguments);
+}
+
 }  // namespace
 
 void add_bake_command(CLI::App& app, Action& action) {
@@ -91,6 +99,7 @@ void add_bake_command(CLI::App& app, Action& action) {
     add_profile_option(*command, arguments->run);
     add_image_options(*command, arguments->images);
     describe_several_sizes(*command);
+    add_watch_option(*command, arguments->images.watch);
     add_run_options(*command, arguments->run);
     command->footer(kBakeExamples);
     command->callback(

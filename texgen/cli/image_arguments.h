@@ -27,6 +27,7 @@ struct ImageArguments {
     bool dry_run = false;
     bool resume = false;
     bool json = false;
+    bool watch = false;  // only of bake: images of the run before are replaced without a warning
 };
 
 /// Adds --maps, --pack, --normal-y, --out, --scene, --wrap, --stats, --resume, --dry-run and

@@ -156,7 +156,7 @@ BakeSummary bake_images(const ImageRun& run,
                         const FrameVisitor& on_frame) {
     const auto& [preset, options] = run;
     std::function<void(const std::vector<ReplacedFiles>&)> on_replace;
-    if (progress.verbosity != Verbosity::Quiet) {
+    if (progress.verbosity != Verbosity::Quiet && !arguments.watch) {
         on_replace = warn_of_replaced_files;
     }
     try {

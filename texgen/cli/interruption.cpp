@@ -12,7 +12,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The signal that arrived last, or 0.
+// The signal that arrived last, or 0. It is kept until the process ends, so that no signal is lost
+// between two parts of a run that both call handle_stop_signals.
 std::atomic<int> stop_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
@@ -41,7 +42,6 @@ Interrupted::Interrupted(int signal)
       signal_(signal) {}
 
 void handle_stop_signals(Stopping stopping) {
-    stop_signal = 0;
     note = stopping == Stopping::AfterStep
                ? "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
                : "\nfoamtex: stopping; the same signal again stops at once\n";

@@ -26,7 +26,7 @@ enum class Stopping { AfterStep, Soon };
 /// process immediately. If the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
 void handle_stop_signals(Stopping stopping = Stopping::AfterStep);
 
-/// Throws Interrupted if handle_stop_signals has been called and a signal has arrived since then.
+/// Throws Interrupted if a signal has arrived since the first call of handle_stop_signals.
 void throw_if_interrupted();
 
 }  // namespace foam::texgen

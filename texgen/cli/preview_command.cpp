@@ -10,6 +10,7 @@
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/cli/watch.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/scratch_folder.h"
 #include "texgen/manifest/manifest_file.h"
@@ -51,6 +52,7 @@ struct PreviewArguments {
     std::vector<std::string> kinds;
     int animation_size = PreviewOptions().size;
     bool json = false;
+    bool watch = false;
 };
 
 PreviewKind kind_of(const std::string& name) {
@@ -193,8 +195,14 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
 
 ExitCode run_preview(const PreviewArguments& arguments) {
     std::error_code ignored;  // a path that is not a folder is a preset
-    return std::filesystem::is_directory(arguments.run.preset, ignored) ? preview_folder(arguments)
-                                                                        : preview_preset(arguments);
+    const bool is_folder = std::filesystem::is_directory(arguments.run.preset, ignored);
+    if (arguments.watch && is_folder) {
+        throw std::invalid_argument("--watch is only allowed with a preset, not with a folder");
+    }
+    if (arguments.watch) {
+        run_watching(arguments.run, [&] { preview_preset(arguments); });
+    }
+    return is_folder ? preview_folder(arguments) : preview_preset(arguments);
 }
 
 void add_choices(CLI::App& command, PreviewArguments& arguments) {
@@ -233,6 +241,7 @@ void add_preview_command(CLI::App& app, Action& action) {
     add_preset_options(*command, arguments->run);
     add_choices(*command, *arguments);
     add_json_option(*command, arguments->json);
+    add_watch_option(*command, arguments->watch);
     add_run_options(*command, arguments->run);
     command->footer(kPreviewExamples);
     command->callback(

@@ -2,24 +2,17 @@
 
 #include "texgen/cli/program.h"
 
-#include "core/io/format_error.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/command_line_error.h"
-#include "texgen/cli/interruption.h"
+#include "texgen/cli/failure.h"
 #include "texgen/cli/standard_error.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/memory.h"
-#include "texgen/preset/assignment.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,12 +35,6 @@ Exit codes: 0 success, 1 internal failure or out of memory, 2 bad command line o
   143 terminated.
   The codes of compare are different: see foamtex compare --help)";
 
-/// Prints a message on stderr as one line. Returns the given exit code.
-ExitCode report(const std::string& message, ExitCode code) {
-    print_stderr("foamtex: {}", message);
-    return code;
-}
-
 /// Returns the exit code of a command for a failure. `code` is the code that all commands except
 /// `compare` return; `compare` uses the codes 1 and 2 for verdicts. `command` is empty if the
 /// command is not known.
@@ -61,13 +48,6 @@ ExitCode code_for_command(ExitCode code, std::string_view command) {
     return code;
 }
 
-/// Returns the exit code of a run that a signal has stopped: 128 plus the number of the signal, as
-/// a shell does.
-ExitCode code_of(const Interrupted& error) {
-    constexpr int kSignals = 128;
-    return static_cast<ExitCode>(kSignals + error.signal());
-}
-
 /// Reports an exception of the parser and returns the exit code. CLI11 also throws an exception for
 /// --help and --version; the code of this exception is 0.
 ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
@@ -75,14 +55,15 @@ ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
         app.exit(error);
         return ExitCode::Success;
     }
-    return report(command_line_error(app, error), ExitCode::BadRequest);
+    return report_failure(command_line_error(app, error), ExitCode::BadRequest);
 }
 
 /// Flushes stdout. Returns the given exit code, or OutputFailed if output was lost, for example on
 /// a full disk.
 ExitCode flushed(ExitCode code) {
     const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-    return arrived ? code : report("cannot write to standard output", ExitCode::OutputFailed);
+    return arrived ? code
+                   : report_failure("cannot write to standard output", ExitCode::OutputFailed);
 }
 
 /// Returns the name of the command that a command line selects; empty if it selects none.
@@ -102,7 +83,7 @@ ExitCode parse_and_run(int argc, char** argv, std::string& command) {
         add(app, action);
     }
     if (argc < 2) {
-        return report(
+        return report_failure(
             "a command is needed: 'foamtex studio' shows presets in the browser, 'foamtex bake "
             "sea_foam' bakes one (see foamtex --help)",
             ExitCode::BadRequest);
@@ -127,35 +108,10 @@ ExitCode run_program(int argc, char** argv) {
 
 ExitCode run_command_line(int argc, char** argv) {
     std::string command;
-    const auto fail = [&command](const std::string& message, ExitCode code) {
-        return report(message, code_for_command(code, command));
-    };
     try {
         return flushed(parse_and_run(argc, argv, command));
-    } catch (const Interrupted& error) {
-        return fail(error.what(), code_of(error));
-    } catch (const PresetError& error) {
-        return fail(error.what(), ExitCode::BadRequest);
-    } catch (const std::invalid_argument& error) {
-        return fail(error.what(), ExitCode::BadRequest);
-    } catch (const FormatError& error) {
-        return fail(error.what(), ExitCode::BadInput);
-    } catch (const InputError& error) {
-        return fail(error.what(), ExitCode::BadInput);
-    } catch (const OutputError& error) {
-        return fail(error.what(), ExitCode::OutputFailed);
-    } catch (const std::filesystem::filesystem_error& error) {
-        return fail(
-            fmt::format("cannot access '{}': {}", error.path1().string(), error.code().message()),
-            ExitCode::BadInput);
-    } catch (const OutOfMemory& error) {
-        return fail(std::string("out of memory: ") + error.what(), ExitCode::InternalFailure);
-    } catch (const std::bad_alloc&) {
-        return fail(
-            "out of memory: use smaller images, fewer maps, fewer bubbles or fewer --threads",
-            ExitCode::InternalFailure);
-    } catch (const std::exception& error) {
-        return fail(std::string("internal failure: ") + error.what(), ExitCode::InternalFailure);
+    } catch (const std::exception&) {
+        return code_for_command(report_exception(), command);
     }
 }
 

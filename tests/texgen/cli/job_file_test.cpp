@@ -62,7 +62,7 @@ stats = false
 // A job has no keys for options that concern the run as a whole.
 TEST(JobFile, HasAKeyForEveryOptionOfABake) {
     const std::set<std::string> others = {
-        "help", "resume", "dry-run", "json", "quiet", "verbose", "progress"};
+        "help", "resume", "dry-run", "json", "quiet", "verbose", "progress", "watch"};
     const std::string help = run_program("bake --help").out;
     std::string toml = "[[bake]]\npreset = \"lava\"\n";
     std::size_t options = 0;

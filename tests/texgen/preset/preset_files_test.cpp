@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/preset/preset_files.h"
+
+#include "tests/texgen/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PresetFiles : public testing::Test {
+  protected:
+    void write(const std::string& name, const std::string& toml) {
+        fs::create_directories((folder_.path() / name).parent_path());
+        std::ofstream(folder_.path() / name) << toml;
+    }
+
+    // Returns the files of a preset in the folder. Paths below the folder are relative to it.
+    std::vector<std::string> files(const std::string& name) {
+        std::vector<std::string> names;
+        for (const fs::path& file : preset_files((folder_.path() / name).string())) {
+            const fs::path relative = file.lexically_relative(folder_.path());
+            names.push_back(file.is_absolute() ? relative.string() : "./" + file.string());
+        }
+        return names;
+    }
+
+    TemporaryFolder folder_;
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(PresetFiles, AreThePresetAndThoseThatItExtends) {
+    write("a.toml", "extends = \"base/b.toml\"\n[foam]\nbubbles = 40\n");
+    write("base/b.toml", "extends = \"../c.toml\"\n");
+    write("c.toml", "extends = \"sea_foam\"\n");
+    EXPECT_EQ(files("a.toml"), (Names{"a.toml", "base/b.toml", "c.toml"}));
+}
+
+// A relative path may mean the folder of the preset or the working folder.
+TEST_F(PresetFiles, IncludePicturesThatAnyKeyNames) {
+    write("a.toml",
+          "[foam]\ndensity = \"cat.png\"\noutline = \"shapes/star.svg\"\n[albedo]\ncolors = { from "
+          "= \"photo.exr\" }\n[output]\npattern = \"out/{map}.png\"\n[image]\nmaps = [\"lit\", "
+          "\"x.png\"]\n");
+    EXPECT_EQ(files("a.toml"),
+              (Names{"a.toml",
+                     "cat.png",
+                     "./cat.png",
+                     "shapes/star.svg",
+                     "./shapes/star.svg",
+                     "photo.exr",
+                     "./photo.exr",
+                     "x.png",
+                     "./x.png"}));
+}
+
+TEST_F(PresetFiles, OfABrokenPresetAreWhatCanBeRead) {
+    write("broken.toml", "extends = \n");
+    EXPECT_EQ(files("broken.toml"), Names{"broken.toml"});
+    EXPECT_EQ(files("missing.toml"), Names{"missing.toml"});
+    write("circle.toml", "extends = \"circle.toml\"\n");
+    EXPECT_EQ(files("circle.toml"), Names{"circle.toml"});
+}
+
+TEST(PresetFilesOfNames, AreThoseOfTheAssignments) {
+    EXPECT_TRUE(preset_files("sea_foam").empty());
+    const std::array<Assignment, 2> more = {read_set_argument("foam.density=cat.png"),
+                                            read_set_argument("output.pattern=x.png")};
+    EXPECT_EQ(preset_files("sea_foam", more), (std::vector<fs::path>{"cat.png"}));
+}
+
+}  // namespace
+}  // namespace foam::texgen
