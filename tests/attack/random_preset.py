@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Random presets, drawn from the JSON schema of `foamtex presets keys --json-schema`."""
+import fnmatch
 import json
 import math
 
@@ -72,7 +73,7 @@ class PresetMaker:
         if condition:
             other = self.property_at(condition["key"])
             value = self.chosen.get(condition["key"], json.dumps(other.get("default")))
-            return json.loads(value) in condition["values"]
+            return any(fnmatch.fnmatchcase(str(json.loads(value)), pattern) for pattern in condition["values"])
         return True
 
     def property_at(self, path):

@@ -128,6 +128,17 @@ class FrameWriter {
     ProgressMeter meter_;
 };
 
+// Throws std::invalid_argument if the format of the files cannot store the primaries of colors.
+void check_primaries(const Preset& preset, const FilePattern& pattern) {
+    const bool has_numbers =
+        !pattern.is_vector() && pattern.format().samples == FormatSamples::Numbers;
+    if (preset.output.primaries != Primaries::Srgb && !has_numbers) {
+        throw std::invalid_argument(
+            fmt::format("output.primaries = \"acescg\" needs EXR files, but output.pattern is '{}'",
+                        preset.output.pattern));
+    }
+}
+
 // Throws std::invalid_argument if a format cannot store a packing.
 void check_packings(const std::vector<DrawnImage>& images, const ImageFormat& format) {
     for (const DrawnImage& image : images) {
@@ -152,6 +163,7 @@ void check_bake(const Preset& preset, const BakeOptions& options) {
     }
     const FilePattern pattern(preset);
     pattern.check_distinct(options.frames.size(), file_words(preset).size());
+    check_primaries(preset, pattern);
     check_vector_files(preset);
     if (!pattern.is_vector()) {
         check_file_words(preset);

@@ -6,6 +6,7 @@
 #include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
+#include "texgen/image/primaries.h"
 #include "texgen/image/texture_file.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/maps/number_channels.h"
@@ -165,11 +166,14 @@ Picture FrameFiles::picture_of(std::span<const DrawnImage> images,
     const ImageFormat& format = pattern_.format();
     const SampleType numbers = preset_.output.exr_numbers;
     Picture picture{{}, metadata_of(images)};
+    if (format.samples == FormatSamples::Numbers) {
+        picture.metadata.primaries = preset_.output.primaries;
+    }
     picture.metadata.periodic = tiles(shown.layers.frame().domain);
     for (const DrawnImage& image : images) {
         const MapTraits& traits = image.traits();
         MapImage pixels = image.draw(shown, preset_.maps);
-        written.images.emplace_back(image, describe_samples(image, pixels, format, numbers));
+        written.images.emplace_back(image, describe_samples(image, pixels, format, preset_.output));
         if (!written.displacement) {
             written.displacement = displacement_of(image, shown);
         }
@@ -180,7 +184,11 @@ Picture FrameFiles::picture_of(std::span<const DrawnImage> images,
             picture.groups.push_back(coded(pixels, code_bits(image, format)));
         } else {
             const ChannelNames names{images.size() > 1 ? traits.name : "", traits.channels};
+            const bool is_color = std::holds_alternative<ColorPixels>(pixels);
             picture.groups.push_back(number_channels(std::move(pixels), names, numbers));
+            if (is_color) {
+                convert_colors(picture, names.layer, Primaries::Srgb, preset_.output.primaries);
+            }
         }
     }
     return picture;

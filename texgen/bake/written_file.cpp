@@ -2,6 +2,7 @@
 
 #include "texgen/bake/written_file.h"
 
+#include "texgen/image/primaries.h"
 #include "texgen/maps/number_channels.h"
 
 #include <algorithm>
@@ -51,10 +52,10 @@ void describe_codes(const MapImage& image, int bits, MapSamples& samples) {
     }
 }
 
-void describe_numbers(const MapImage& image, SampleType numbers, MapSamples& samples) {
-    samples.type = name_of(number_type(image, numbers));
+void describe_numbers(const MapImage& image, const OutputOptions& output, MapSamples& samples) {
+    samples.type = name_of(number_type(image, output.exr_numbers));
     if (is_color(image)) {
-        samples.color_space = "linear sRGB";
+        samples.color_space = linear_space_name(output.primaries);
         samples.alpha = has_opacity(image) ? "premultiplied" : "none";
     }
 }
@@ -68,12 +69,12 @@ int code_bits(const DrawnImage& image, const ImageFormat& format) {
 MapSamples describe_samples(const DrawnImage& image,
                             const MapImage& pixels,
                             const ImageFormat& format,
-                            SampleType numbers) {
+                            const OutputOptions& output) {
     MapSamples samples = common_samples(image, pixels);
     if (format.samples == FormatSamples::Codes) {
         describe_codes(pixels, code_bits(image, format), samples);
     } else {
-        describe_numbers(pixels, numbers, samples);
+        describe_numbers(pixels, output, samples);
     }
     if (image.packs_colors()) {
         samples.alpha = "none";  // the channel A is no opacity

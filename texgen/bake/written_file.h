@@ -6,6 +6,7 @@
 #include "texgen/maps/drawn_image.h"
 #include "texgen/maps/map_image.h"
 #include "texgen/maps/number_extent.h"
+#include "texgen/preset/output_options.h"
 
 #include <array>
 #include <cstdint>
@@ -22,7 +23,7 @@ struct MapSamples {
     std::string kind;         // "color", "number" or "id"
     std::string channels;     // channels of the file, such as "R G B A"; "0" is a padding channel
     std::string type;         // name of the SampleType, such as "uint8"
-    std::string color_space;  // "sRGB", "linear sRGB" or "data"
+    std::string color_space;  // "sRGB", "linear sRGB", "ACEScg" or "data"
     std::string alpha;        // "none", "straight" or "premultiplied"
     // Only for kind "number": the number that the smallest code represents, and the number that the
     // largest code represents. (A code is an integer sample, as a PNG stores it.) Formats that
@@ -36,12 +37,12 @@ struct MapSamples {
 };
 
 /// Returns a description of the samples of an image in a file of the given format. `pixels` is the
-/// image of any frame. `numbers` is the sample type that is used in a format that stores
-/// floating-point numbers instead of codes.
+/// image of any frame. `output` gives the sample type of numbers and the primaries of colors in a
+/// format that stores floating-point numbers instead of codes.
 MapSamples describe_samples(const DrawnImage& image,
                             const MapImage& pixels,
                             const ImageFormat& format,
-                            SampleType numbers);
+                            const OutputOptions& output);
 
 /// Returns the number of bits of each code of an image in the given format; 0 if the format stores
 /// floating-point numbers.

@@ -128,6 +128,7 @@ Preset preset_to_bake(const PreviewArguments& arguments, const std::filesystem::
     preset.image.maps.resize(arguments.maps ? preset.image.maps.size() : 1);
     preset.output.pack.clear();
     preset.output.pattern = (folder / "{map}.######.png").string();
+    preset.output.primaries = Primaries::Srgb;
     return preset;
 }
 

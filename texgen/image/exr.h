@@ -50,11 +50,11 @@ struct ExrEncoding {
 /// the same width and height, and distinct names that are not empty. Their order does not matter.
 /// By convention colors are linear light, premultiplied by the opacity, which is the channel A.
 ///
-/// The members `color`, `periodic` and `frame_rate` of the metadata are stored in the attributes
-/// `chromaticities`, `wrapmodes` and `framesPerSecond`. Each text is stored in a string attribute.
-/// The keywords of texts must be distinct and have 1 to 31 characters. They must not be names of
-/// attributes that the header has anyway, such as `channels`, or names in the list kReservedNames
-/// in exr_encode.cpp.
+/// The members `color` with `primaries`, `periodic` and `frame_rate` of the metadata are stored in
+/// the attributes `chromaticities`, `wrapmodes` and `framesPerSecond`. Each text is stored in a
+/// string attribute. The keywords of texts must be distinct and have 1 to 31 characters. They must
+/// not be names of attributes that the header has anyway, such as `channels`, or names in the list
+/// kReservedNames in exr_encode.cpp.
 ///
 /// Throws std::invalid_argument for channels or texts that break these rules, and for a sample that
 /// is not finite or that its type cannot hold. Throws OutputError if OpenEXR fails.
@@ -69,11 +69,11 @@ Bytes encode_exr(const Picture& picture, const ExrEncoding& encoding = {});
 
 /// Decodes an EXR of rows or tiles. Each channel becomes a ChannelGroup of the picture, in
 /// alphabetical order of the channel names. The texts in the metadata of the picture are in
-/// alphabetical order of their keywords.
-/// `level` is the mip level to read; 0 is the full size. Throws InputError for a malformed stream,
-/// for an image above the limits in input_limits.h, for a level that does not exist, and if the
-/// file has several parts or has deep or subsampled channels. Throws OutOfMemory if the machine has
-/// too little memory for the image.
+/// alphabetical order of their keywords. Colors whose chromaticities are not close to those of
+/// ACEScg are taken for colors with the primaries of sRGB. `level` is the mip level to read; 0 is
+/// the full size. Throws InputError for a malformed stream, for an image above the limits in
+/// input_limits.h, for a level that does not exist, and if the file has several parts or has deep
+/// or subsampled channels. Throws OutOfMemory if the machine has too little memory for the image.
 Picture decode_exr(std::span<const std::byte> content, int level = 0);
 
 }  // namespace foam::texgen

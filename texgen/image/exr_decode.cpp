@@ -4,6 +4,7 @@
 #include "texgen/image/exr_header.h"
 #include "texgen/image/exr_stream.h"
 #include "texgen/image/memory.h"
+#include "texgen/image/primaries.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <new>
 #include <string_view>
@@ -113,9 +115,25 @@ Groups read_tiles(std::span<const std::byte> content, int level) {
     });
 }
 
+/// Returns true if chromaticities are those of a color space. Programs round them to three to five
+/// digits, and the white point of AP1 sometimes to D60.
+bool is_close(const Imf::Chromaticities& found, Primaries primaries) {
+    constexpr double kTolerance = 2e-3;
+    const Chromaticities wanted = chromaticities_of(primaries);
+    const auto is_near = [](const Imath::V2f& point, const Chromaticity& color) {
+        return std::abs(static_cast<double>(point.x) - color.x) < kTolerance &&
+               std::abs(static_cast<double>(point.y) - color.y) < kTolerance;
+    };
+    return is_near(found.red, wanted.red) && is_near(found.green, wanted.green) &&
+           is_near(found.blue, wanted.blue) && is_near(found.white, wanted.white);
+}
+
 ImageMetadata metadata_of(const Imf::Header& header) {
     ImageMetadata metadata;
     metadata.color = Imf::hasChromaticities(header);
+    if (metadata.color && is_close(Imf::chromaticities(header), Primaries::AcesCg)) {
+        metadata.primaries = Primaries::AcesCg;
+    }
     metadata.periodic = Imf::hasWrapmodes(header) && Imf::wrapmodes(header) == "periodic";
     if (Imf::hasFramesPerSecond(header)) {
         const Imf::Rational& rate = Imf::framesPerSecond(header);

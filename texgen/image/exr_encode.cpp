@@ -5,6 +5,7 @@
 #include "texgen/image/exr_planes.h"
 #include "texgen/image/exr_stream.h"
 #include "texgen/image/exr_zip.h"
+#include "texgen/image/primaries.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfHeader.h>
@@ -98,6 +99,13 @@ void add_texts(Imf::Header& header, const ImageMetadata& metadata) {
     }
 }
 
+Imf::Chromaticities attribute_of(const Chromaticities& colors) {
+    const auto point = [](const Chromaticity& color) {
+        return Imath::V2f(static_cast<float>(color.x), static_cast<float>(color.y));
+    };
+    return {point(colors.red), point(colors.green), point(colors.blue), point(colors.white)};
+}
+
 Imf::Header header_of(std::span<const ExrChannel> channels,
                       const ImageMetadata& metadata,
                       const ExrEncoding& encoding) {
@@ -112,7 +120,7 @@ Imf::Header header_of(std::span<const ExrChannel> channels,
         header.setTileDescription({kTileSide, kTileSide, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
     }
     if (metadata.color) {
-        Imf::addChromaticities(header, Imf::Chromaticities());
+        Imf::addChromaticities(header, attribute_of(chromaticities_of(metadata.primaries)));
     }
     if (metadata.periodic) {
         Imf::addWrapmodes(header, "periodic");

@@ -47,13 +47,18 @@ struct ChannelGroup {
     bool has_codes() const { return type == SampleType::Uint8 || type == SampleType::Uint16; }
 };
 
+/// The primaries and the white point of the colors of a picture (primaries.h): those of sRGB, which
+/// are those of ITU-R BT.709, or those of ACEScg.
+enum class Primaries : std::uint8_t { Srgb, AcesCg };
+
 /// Properties of a picture that its file records. A format omits the members that it cannot store.
 struct ImageMetadata {
-    /// True if the samples are colors with the primaries and the white point of sRGB. Codes are
-    /// encoded with the sRGB transfer function; numbers are linear light. False for data, such as
-    /// heights or ids: the file then carries no color space, so that readers do not convert the
-    /// values.
+    /// True if the samples are colors. Codes are encoded with the sRGB transfer function; numbers
+    /// are linear light. False for data, such as heights or ids: the file then carries no color
+    /// space, so that readers do not convert the values.
     bool color = false;
+    /// The primaries of the colors, if there are any. Only an EXR stores other primaries than Srgb.
+    Primaries primaries = Primaries::Srgb;
     bool periodic = false;  // the picture tiles in both directions
     std::optional<FrameRate> frame_rate = {};
     /// Keywords and UTF-8 texts. To be accepted by the encoders of all formats, a keyword must have

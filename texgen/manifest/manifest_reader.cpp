@@ -19,7 +19,7 @@ namespace {
 using Words = std::array<std::string_view, 3>;
 
 constexpr Words kKinds = {"color", "number", "id"};
-constexpr Words kColorSpaces = {"sRGB", "linear sRGB", "data"};
+constexpr std::array<std::string_view, 4> kColorSpaces = {"sRGB", "linear sRGB", "ACEScg", "data"};
 constexpr Words kAlphas = {"none", "straight", "premultiplied"};
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
 constexpr int kLargestExtent = 1 << 20;  // largest accepted width and height of images, pixels

@@ -22,6 +22,12 @@ std::string numbers(double x, double y, double z) {
     return fmt::format("{}, {}, {}", x, y, z);
 }
 
+// Returns the color space of the colors of an image, as MaterialX names it.
+const char* color_space_of(const SceneImage& image) {
+    const std::string& space = image.samples().color_space;
+    return space == "sRGB" ? "srgb_texture" : space == "ACEScg" ? "acescg" : "lin_rec709";
+}
+
 // Returns the type of the samples of an image.
 std::string type_of(const SceneImage& image) {
     const std::size_t channels = image.channels.size();
@@ -90,9 +96,7 @@ class MaterialXWriter {
             XmlWriter::Attributes file{
                 {"name", "file"}, {"type", "filename"}, {"value", image.paths.front()}};
             if (image.is_color()) {
-                file.emplace_back(
-                    "colorspace",
-                    image.samples().color_space == "sRGB" ? "srgb_texture" : "lin_rec709");
+                file.emplace_back("colorspace", color_space_of(image));
             }
             xml_.element("input", file);
             for (const char* const mode : {"uaddressmode", "vaddressmode"}) {

@@ -4,6 +4,7 @@
 
 #include "texgen/image/color.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/primaries.h"
 #include "texgen/sheet/map_frame.h"
 
 #include <fmt/core.h>
@@ -27,10 +28,13 @@ std::uint8_t to_code(double number) {
 }
 
 // Returns the channels of an image of the first frame in the order of SceneImage::channels. Codes
-// are numbers from 0 to 1.
+// are numbers from 0 to 1. Colors have the primaries of sRGB.
 Image<float> read_channels(const SceneImage& image) {
     const MapFile& file = image.sequence.files.front();
-    const Picture picture = read_map_frame(file, image.sequence.map.name);
+    Picture picture = read_map_frame(file, image.sequence.map.name);
+    if (image.is_color()) {
+        convert_colors(picture, "", picture.metadata.primaries, Primaries::Srgb);
+    }
     const std::vector<PictureChannel> all = channels_of(picture);
     Image<float> pixels(picture.width(), picture.height(), static_cast<int>(image.channels.size()));
     std::vector<double> row(static_cast<std::size_t>(picture.width()));

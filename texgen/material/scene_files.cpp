@@ -28,6 +28,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::string_view kGltf = "gltf";
+constexpr std::string_view kUsda = "usda";
 
 // Returns the suffix of the files of a format. A file of glTF in one piece ends in ".glb".
 std::string_view suffix_of(std::string_view format) {
@@ -38,7 +39,7 @@ Bytes content_of(std::string_view format, const SceneMaterial& material) {
     if (format == kGltf) {
         return glb(material, preview_textures(material));
     }
-    const std::string text = format == "usda" ? usda_text(material) : materialx_text(material);
+    const std::string text = format == kUsda ? usda_text(material) : materialx_text(material);
     Bytes content;
     append(content, std::as_bytes(std::span(text)));
     return content;
@@ -71,6 +72,14 @@ void check_scenes(const Preset& preset) {
                 "but output.pattern is '{}'; a scene of the format gltf is possible",
                 format,
                 preset.output.pattern));
+        }
+        if (format == kUsda && preset.output.primaries != Primaries::Srgb) {
+            throw std::invalid_argument(
+                "output.scene = \"usda\" cannot refer to colors with output.primaries = "
+                "\"acescg\", "
+                "because the textures of a UsdPreviewSurface have the primaries of sRGB; a scene "
+                "of "
+                "the format mtlx or gltf is possible");
         }
     }
 }

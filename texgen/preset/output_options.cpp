@@ -73,7 +73,15 @@ Keys<OutputOptions> exr_keys() {
         {{{"float", SampleType::Float}, {"half", SampleType::Half}}}};
     constexpr Choices<ExrLayout> kLayouts = {
         {{{"rows", ExrLayout::Rows}, {"mip-levels", ExrLayout::MipLevels}}}};
-    return {key("exr_compression",
+    constexpr Choices<Primaries> kPrimaries = {
+        {{{"srgb", Primaries::Srgb}, {"acescg", Primaries::AcesCg}}}};
+    return {key("primaries",
+                kPrimaries,
+                "primaries and white point of colors in EXR files: those of sRGB, or those of "
+                "ACEScg (AP1), to which light is then converted; data stay the same",
+                &OutputOptions::primaries)
+                .only_for("output.pattern", {"*.exr"}),
+            key("exr_compression",
                 kCompressions,
                 "compression of EXR files; all choices are lossless",
                 &OutputOptions::exr_compression)

@@ -3,6 +3,7 @@
 #include "texgen/image/color.h"
 #include "texgen/image/file_io.h"
 #include "texgen/image/picture.h"
+#include "texgen/image/primaries.h"
 #include "texgen/sheet/display_frame.h"
 #include "texgen/sheet/map_frame.h"
 
@@ -168,7 +169,10 @@ DisplayFrame shown_numbers(const Picture& picture, const MapFile& file, const Ma
 }  // namespace
 
 DisplayFrame read_display_frame(const MapFile& file, const ManifestMap& map) {
-    const Picture picture = read_map_frame(file, map.name);
+    Picture picture = read_map_frame(file, map.name);
+    if (is_light_in(map)) {
+        convert_colors(picture, "", picture.metadata.primaries, Primaries::Srgb);
+    }
     const Samples& samples = picture.groups.front().samples;
     if (const auto* const codes = std::get_if<Image<std::uint8_t>>(&samples)) {
         return shown_codes(*codes, is_light_in(map));

@@ -54,6 +54,7 @@ std::vector<Bytes> baked_frames(Preset preset,
     preset.output.pack.clear();
     preset.output.names.clear();
     preset.output.pattern = (scratch.path() / fmt::format("frame.######{}", suffix)).string();
+    preset.output.primaries = Primaries::Srgb;
     preset.output.sheets = SheetKind::None;
     const BakeSummary summary = bake(preset, {.frames = frames, .source = source});
     std::vector<Bytes> files;

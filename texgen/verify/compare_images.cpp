@@ -7,9 +7,12 @@
 #include "texgen/image/format.h"
 #include "texgen/image/picture_layers.h"
 #include "texgen/image/png.h"
+#include "texgen/image/primaries.h"
+#include "texgen/maps/all_maps.h"
 #include "texgen/verify/normal_maps.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <utility>
 
@@ -35,6 +38,28 @@ std::string first_known(std::initializer_list<std::string> texts) {
     const auto* const found =
         std::ranges::find_if(texts, [](const std::string& text) { return !text.empty(); });
     return found != texts.end() ? *found : std::string();
+}
+
+bool is_map_of_colors(std::string_view map) {
+    const auto maps = all_maps();
+    const auto found = std::ranges::find(maps, map, &Map::name);
+    return found != maps.end() && found->kind == MapKind::Color;
+}
+
+// Converts the colors of a picture to other primaries. `map` is the map of a picture without
+// layers; if it is empty, the picture may be one of colors. The name of a layer is the name of its
+// map.
+void change_primaries(Picture& picture, std::string_view map, Primaries to) {
+    const Primaries from = picture.metadata.primaries;
+    for (const PictureChannel& channel : channels_of(picture)) {
+        const std::size_t dot = channel.name.rfind('.');
+        if (channel.name == "R" && (map.empty() || is_map_of_colors(map))) {
+            convert_colors(picture, "", from, to);
+        } else if (channel.name.ends_with(".R") && is_map_of_colors(channel.name.substr(0, dot))) {
+            convert_colors(picture, channel.name.substr(0, dot), from, to);
+        }
+    }
+    picture.metadata.primaries = to;
 }
 
 // Compares the layers of two pictures that have the same layers.
@@ -67,6 +92,7 @@ std::vector<ComparedImage> compare_pictures(const ImagePair& pair,
     if (!have_same_layout(a, b)) {
         return {{pair, first_known({options.map, pair.map}), {}, Verdict::DifferentLayout}};
     }
+    change_primaries(b, first_known({options.map, pair.map}), a.metadata.primaries);
     if (options.difference) {
         write_png(
             *options.difference, difference_picture(a, b).view(), {}, {.filter = PngFilter::Up});

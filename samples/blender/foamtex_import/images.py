@@ -2,9 +2,12 @@
 """Image texture nodes: files, color spaces, and the settings that play a sequence."""
 import bpy
 
+from .model.fault import Fault
+
 COLOR_SPACES = {  # names that versions of Blender use, the newest first
     "sRGB": ("sRGB",),
     "linear sRGB": ("Linear Rec.709", "Linear"),
+    "ACEScg": ("ACEScg",),
     "data": ("Non-Color",),
 }
 ALPHA_MODES = {
@@ -42,7 +45,11 @@ def _set_color_space(image, color_space):
     settings = image.colorspace_settings
     known = {item.identifier for item in settings.bl_rna.properties["name"].enum_items}
     names = COLOR_SPACES.get(color_space, COLOR_SPACES["data"])
-    settings.name = next(name for name in names if name in known)
+    found = [name for name in names if name in known]
+    if not found:
+        raise Fault(f"'{image.filepath}': this version of Blender has no color space {color_space}; bake with --set "
+                    "output.primaries=srgb")
+    settings.name = found[0]
 
 
 def _extension(plan):

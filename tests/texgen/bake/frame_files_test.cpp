@@ -9,6 +9,7 @@
 #include "texgen/bake/bake.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/file_io.h"
+#include "texgen/image/primaries.h"
 #include "texgen/maps/map.h"
 
 #include <gtest/gtest.h>
@@ -67,6 +68,45 @@ TEST(FrameFiles, AMapAloneIsAnExrWithoutLayers) {
     const Image<std::uint8_t> codes = codes8(read_picture(coded.files.front()));
     for (std::size_t k = 0; k < codes.samples().size(); ++k) {
         EXPECT_NEAR(numbers.samples()[k], codes.samples()[k] / 255.0, 0.5001 / 255.0);
+    }
+}
+
+// The conversion itself is tested in tests/texgen/image/primaries_test.cpp. Half floats have a
+// relative error of up to 2^-11.
+TEST(FrameFiles, PrimariesChangeColorsButNoData) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"albedo", "height", "normal"};
+    preset.output.pattern = (folder.path() / "layers.exr").string();
+    const auto layers = [&](Primaries primaries) {
+        preset.output.primaries = primaries;
+        return read_picture(bake(preset, {.frames = {1}, .threads = 1}, {}).files.front());
+    };
+    Picture srgb = layers(Primaries::Srgb);
+    const Picture acescg = layers(Primaries::AcesCg);
+    EXPECT_EQ(acescg.metadata.primaries, Primaries::AcesCg);
+    ASSERT_EQ(channel_names(acescg), channel_names(srgb));
+    convert_colors(srgb, "albedo", Primaries::Srgb, Primaries::AcesCg);
+    for (std::size_t k = 0; k < srgb.groups.size(); ++k) {
+        const auto expected = floats(srgb.groups[k]).samples();
+        const auto found = floats(acescg.groups[k]).samples();
+        const bool is_color = acescg.groups[k].names.front().starts_with("albedo");
+        for (std::size_t sample = 0; sample < expected.size(); ++sample) {
+            EXPECT_NEAR(found[sample], expected[sample], is_color ? 1e-3 : 0.0);
+        }
+    }
+}
+
+TEST(FrameFiles, OnlyAnExrStoresOtherPrimaries) {
+    Preset preset = small_preset("x.####.png");
+    preset.output.primaries = Primaries::AcesCg;
+    try {
+        check_bake(preset, {.frames = {1}});
+        FAIL() << "accepted";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(),
+                     "output.primaries = \"acescg\" needs EXR files, but output.pattern is "
+                     "'x.####.png'");
     }
 }
 

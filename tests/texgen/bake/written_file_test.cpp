@@ -12,9 +12,11 @@
 namespace foam::texgen {
 namespace {
 
-MapSamples described(const char* map, const MapImage& image, const char* suffix) {
-    return describe_samples(
-        DrawnImage(find_map(map)), image, *find_format(suffix), SampleType::Float);
+MapSamples described(const char* map,
+                     const MapImage& image,
+                     const char* suffix,
+                     const OutputOptions& output = {}) {
+    return describe_samples(DrawnImage(find_map(map)), image, *find_format(suffix), output);
 }
 
 TEST(WrittenFile, DescribesColors) {
@@ -26,6 +28,8 @@ TEST(WrittenFile, DescribesColors) {
               (MapSamples{"color", "R G B A", "uint8", "sRGB", "straight", {}}));
     EXPECT_EQ(described("albedo", clear, ".exr"),
               (MapSamples{"color", "R G B A", "half", "linear sRGB", "premultiplied", {}}));
+    EXPECT_EQ(described("albedo", clear, ".exr", {.primaries = Primaries::AcesCg}).color_space,
+              "ACEScg");
 }
 
 TEST(WrittenFile, DescribesNumbersAndIds) {

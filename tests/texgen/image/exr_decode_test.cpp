@@ -34,6 +34,19 @@ Image<float> channel_of(const Image<float>& image, int channel) {
     return alone;
 }
 
+// Only colors have primaries.
+TEST(ExrDecode, PrimariesRoundTrip) {
+    const Image<float> image = numbered_floats(2, 2, 3);
+    const std::vector<ExrChannel> channels = {{"R", SampleType::Float, image.view(), 0}};
+    for (const Primaries primaries : {Primaries::Srgb, Primaries::AcesCg}) {
+        const Bytes colors = encode_exr(channels, {.color = true, .primaries = primaries});
+        EXPECT_EQ(decode_exr(colors).metadata.primaries, primaries);
+        const Bytes data = encode_exr(channels, {.primaries = primaries});
+        EXPECT_FALSE(decode_exr(data).metadata.color);
+        EXPECT_EQ(decode_exr(data).metadata.primaries, Primaries::Srgb);
+    }
+}
+
 RC_GTEST_PROP(ExrDecode, PixelsAndTextsRoundTrip, ()) {
     const int width = *rc::gen::inRange(1, 90);
     const int height = *rc::gen::inRange(1, 70);

@@ -83,6 +83,19 @@ TEST(SceneFiles, NeedFilesThatAFormatCanReferTo) {
     }
 }
 
+// The textures of OpenUSD's preview surface have the primaries of sRGB.
+TEST(SceneFiles, OfOpenUsdCannotReferToColorsOfAcesCg) {
+    const TemporaryFolder folder;
+    Preset preset = small_material(folder, {"albedo", "height"});
+    preset.output.pattern = "{map}.####.exr";
+    preset.output.primaries = Primaries::AcesCg;
+    preset.output.scene = {"mtlx", "gltf"};
+    EXPECT_EQ(fault_of(preset), "no error");
+    preset.output.scene = {"usda"};
+    EXPECT_NE(fault_of(preset).find("a scene of the format mtlx or gltf is possible"),
+              std::string::npos);
+}
+
 TEST(SceneFiles, NeedAMapOfAMaterial) {
     const TemporaryFolder folder;
     Preset preset = small_material(folder, {"id", "motion"});

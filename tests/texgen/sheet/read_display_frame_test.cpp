@@ -48,6 +48,22 @@ TEST(ReadDisplayFrame, ShowsNumbersOfAnExrInTheirRange) {
               (std::vector<std::uint8_t>{0, 0, 0, 64, 64, 64, 255, 255, 255, 255, 255, 255}));
 }
 
+// Light of ACEScg is shown as sRGB: the numbers of red in ACEScg are the first column of the matrix
+// of the conversion (tests/texgen/image/primaries_test.cpp).
+TEST(ReadDisplayFrame, ConvertsColorsToThePrimariesOfSrgb) {
+    const TemporaryFolder folder;
+    const MapFile file{.path = folder.path() / "a.exr"};
+    Image<float> red(1, 1, 3);
+    std::ranges::copy(std::vector{0.613097F, 0.070194F, 0.020616F}, red.samples().begin());
+    write_exr(file.path,
+              std::vector<ExrChannel>{{"R", SampleType::Float, red.view(), 0},
+                                      {"G", SampleType::Float, red.view(), 1},
+                                      {"B", SampleType::Float, red.view(), 2}},
+              {.color = true, .primaries = Primaries::AcesCg});
+    EXPECT_EQ(codes(read_display_frame(file, map_of("ACEScg"))),
+              (std::vector<std::uint8_t>{255, 0, 0}));
+}
+
 // Channels Y and A, as other programs write a gray picture with an opacity. Of Z alone nothing can
 // be shown.
 TEST(ReadDisplayFrame, ShowsTheChannelYAsGrayBesideOthers) {

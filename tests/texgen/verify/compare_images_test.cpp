@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -103,6 +104,29 @@ TEST_F(CompareImages, LayersAreComparedOneByOne) {
     EXPECT_EQ(images[1].verdict, Verdict::Failure);
     EXPECT_NEAR(images[1].found.angle.value(), 35.264, 1e-3);  // acos(1 / sqrt(1.5))
     EXPECT_EQ(worst_verdict(images), Verdict::Failure);
+}
+
+// A layer that is not a map of colors, such as a packed image, has no primaries.
+TEST_F(CompareImages, ConvertColorsToTheSamePrimaries) {
+    const auto write_red = [&](const std::string& name,
+                               const std::string& prefix,
+                               const std::vector<float>& red,
+                               Primaries primaries) {
+        Image<float> image(1, 1, 3);
+        std::ranges::copy(red, image.samples().begin());
+        write_exr(path(name),
+                  std::vector<ExrChannel>{{prefix + "R", SampleType::Float, image.view(), 0},
+                                          {prefix + "G", SampleType::Float, image.view(), 1},
+                                          {prefix + "B", SampleType::Float, image.view(), 2}},
+                  {.color = true, .primaries = primaries});
+    };
+    const std::vector<float> in_acescg = {0.613097F, 0.070194F, 0.020616F};
+    for (const std::string prefix : {"", "albedo.", "ORM."}) {
+        write_red("srgb.exr", prefix, {1.0F, 0.0F, 0.0F}, Primaries::Srgb);
+        write_red("acescg.exr", prefix, in_acescg, Primaries::AcesCg);
+        const ComparedImage image = compared({path("srgb.exr"), path("acescg.exr")});
+        EXPECT_EQ(image.found.largest < 1e-5, prefix != "ORM.") << prefix;
+    }
 }
 
 TEST_F(CompareImages, MissingAndUnreadableImagesAreResults) {
