@@ -32,7 +32,7 @@ check_colors() {
         -d half -o "$1_expected.exr"
     idiff -fail 0.0005 -warn 0.0005 "$1_expected.exr" "$1_acescg.exr" ||
         die "$1: OpenImageIO computes other colors"
-    ! idiff -q -fail 0.01 "$1_srgb.exr" "$1_acescg.exr" >/dev/null || die "$1: the colors were not converted"
+    ! idiff -q -fail 0.01 "$1_srgb.exr" "$1_acescg.exr" >/dev/null 2>&1 || die "$1: the colors were not converted"
     exrheader "$1_acescg.exr" | grep -A4 chromaticities >"$1.txt"
     grep -q 'red .*0\.713 0\.293' "$1.txt" && grep -q 'white .*0\.32168 0\.33767' "$1.txt" ||
         die "$1: the chromaticities are not those of AP1: $(cat "$1.txt")"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "texgen/cli/exit_code.h"
-#include "texgen/cli/image_run.h"
+#include "texgen/cli/image_arguments.h"
 #include "texgen/cli/progress.h"
 
 #include <span>

@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include "texgen/bake/bake.h"
 #include "texgen/preset/assignment.h"
+#include "texgen/preset/preset.h"
 
 #include <optional>
 #include <string>
@@ -28,6 +30,12 @@ struct ImageArguments {
     bool resume = false;
     bool json = false;
     bool watch = false;  // only of bake: images of the run before are replaced without a warning
+};
+
+/// The images of one preset to draw.
+struct ImageRun {
+    Preset preset;
+    BakeOptions options;
 };
 
 /// Adds --maps, --pack, --normal-y, --out, --scene, --wrap, --stats, --resume, --dry-run and

@@ -2,21 +2,13 @@
 
 #pragma once
 
-#include "texgen/bake/bake.h"
 #include "texgen/cli/exit_code.h"
 #include "texgen/cli/image_arguments.h"
 #include "texgen/cli/progress.h"
-#include "texgen/preset/preset.h"
 
 #include <span>
 
 namespace foam::texgen {
-
-/// The images of one preset to draw.
-struct ImageRun {
-    Preset preset;
-    BakeOptions options;
-};
 
 /// Draws the frames of each run, writes the image files and their manifest, and writes sheets and
 /// scene files if requested. The runs differ only in the size of their images and in the source of

@@ -60,7 +60,7 @@ struct OutputOptions {
     int exr_level = 2;
     SampleType exr_numbers = SampleType::Float;  // Float or Half; colors are always Half
     ExrLayout exr_layout = ExrLayout::Rows;
-    Primaries primaries = Primaries::Srgb;  // of the colors in EXR files
+    Primaries primaries = Primaries::Srgb;                        // of the colors in EXR files
     BlockCompression block_compression = BlockCompression::Auto;  // of DDS and KTX2 files
     bool mip_levels = true;                                       // of DDS and KTX2 files
 };
