@@ -99,7 +99,7 @@ TEST(ImageSizes, SheetsAndStatisticsDoNotCollide) {
     EXPECT_EQ(both.code, 0) << both.err;
     for (const char* const name : {"out/48/sea_foam_sheet_lit.png",
                                    "out/24/sea_foam_sheet_lit.png",
-                                   "out/48/sea_foam_stats/frames.csv"}) {
+                                   "out/48/sea_foam_stats/stats.csv"}) {
         EXPECT_TRUE(std::filesystem::exists(work.path() / name)) << name;
     }
     EXPECT_FALSE(std::filesystem::exists(work.path() / "out/24/sea_foam_stats"));
