@@ -5,10 +5,9 @@
 #include "texgen/image/content_text.h"
 #include "texgen/image/file_io.h"
 #include "texgen/preset/load_preset.h"
+#include "texgen/preset/preset_keys.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -17,15 +16,6 @@ namespace foam::texgen {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The endings of the names of files that a preset may read.
-constexpr std::array<std::string_view, 3> kPictureSuffixes = {".png", ".exr", ".svg"};
-
-bool is_picture(std::string_view text) {
-    return std::ranges::any_of(kPictureSuffixes, [&](std::string_view suffix) {
-        return text.size() > suffix.size() && text.ends_with(suffix);
-    });
-}
 
 // Collects the files of a preset.
 class FileList {
@@ -36,15 +26,7 @@ class FileList {
         }
         try {
             const Bytes content = read_file(path, kPresetInput);
-            const fs::path folder = path.parent_path();
-            for (const Assignment& one : read_assignments(text_of(content), path.string())) {
-                const auto* const text = std::get_if<std::string>(&one.value.data);
-                if (one.key == "extends" && text != nullptr && is_preset_path(*text)) {
-                    add_preset(folder / *text);
-                } else {
-                    add_pictures(one, folder);
-                }
-            }
+            add_named(read_assignments(text_of(content), path.string()), path.parent_path());
         } catch (const PresetError&) {
             return;
         } catch (const InputError&) {
@@ -52,27 +34,23 @@ class FileList {
         }
     }
 
-    void add_pictures(const Assignment& assignment, const fs::path& folder) {
-        if (!assignment.key.starts_with("output.")) {
-            add_pictures(assignment.value, folder);
+    // Adds the files that the assignments name. Their paths are relative to the folder.
+    void add_named(std::vector<Assignment> assignments, const fs::path& folder) {
+        for (const Assignment& one : assignments) {
+            const auto* const text = std::get_if<std::string>(&one.value.data);
+            if (one.key == "extends" && text != nullptr && is_preset_path(*text)) {
+                add_preset(folder / *text);
+            }
         }
+        locate_files(assignments, [&](const std::string& path) {
+            add(folder / path);
+            return path;
+        });
     }
 
     std::vector<fs::path> take() { return std::move(files_); }
 
   private:
-    void add_pictures(const Value& value, const fs::path& folder) {
-        if (const auto* const list = std::get_if<Value::List>(&value.data)) {
-            for (const Value& item : *list) {
-                add_pictures(item, folder);
-            }
-        } else if (const auto* const text = std::get_if<std::string>(&value.data);
-                   text != nullptr && is_picture(*text)) {
-            add(folder / *text);
-            add(*text);
-        }
-    }
-
     // Adds a file. Returns false if it is in the list already.
     bool add(const fs::path& path) {
         const fs::path normal = path.lexically_normal();
@@ -94,9 +72,7 @@ std::vector<fs::path> preset_files(const std::string& name_or_path,
     if (is_preset_path(name_or_path)) {
         files.add_preset(name_or_path);
     }
-    for (const Assignment& assignment : more) {
-        files.add_pictures(assignment, {});
-    }
+    files.add_named({more.begin(), more.end()}, {});
     return files.take();
 }
 

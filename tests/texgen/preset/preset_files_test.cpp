@@ -24,12 +24,11 @@ class PresetFiles : public testing::Test {
         std::ofstream(folder_.path() / name) << toml;
     }
 
-    // Returns the files of a preset in the folder. Paths below the folder are relative to it.
+    // Returns the files of a preset in the folder. Their paths are relative to it.
     std::vector<std::string> files(const std::string& name) {
         std::vector<std::string> names;
         for (const fs::path& file : preset_files((folder_.path() / name).string())) {
-            const fs::path relative = file.lexically_relative(folder_.path());
-            names.push_back(file.is_absolute() ? relative.string() : "./" + file.string());
+            names.push_back(file.lexically_relative(folder_.path()).string());
         }
         return names;
     }
@@ -46,22 +45,22 @@ TEST_F(PresetFiles, AreThePresetAndThoseThatItExtends) {
     EXPECT_EQ(files("a.toml"), (Names{"a.toml", "base/b.toml", "c.toml"}));
 }
 
-// A relative path may mean the folder of the preset or the working folder.
-TEST_F(PresetFiles, IncludePicturesThatAnyKeyNames) {
+TEST_F(PresetFiles, IncludePicturesRelativeToTheirPreset) {
     write("a.toml",
-          "[foam]\ndensity = \"cat.png\"\noutline = \"shapes/star.svg\"\n[albedo]\ncolors = { from "
-          "= \"photo.exr\" }\n[output]\npattern = \"out/{map}.png\"\n[image]\nmaps = [\"lit\", "
-          "\"x.png\"]\n");
-    EXPECT_EQ(files("a.toml"),
-              (Names{"a.toml",
-                     "cat.png",
-                     "./cat.png",
-                     "shapes/star.svg",
-                     "./shapes/star.svg",
-                     "photo.exr",
-                     "./photo.exr",
-                     "x.png",
-                     "./x.png"}));
+          "extends = \"base/b.toml\"\n[foam]\ndensity = \"cat.png\"\noutline = "
+          "\"shapes/star.svg\"\n[albedo]\ncolors = { from = \"photo.exr\" }\n[output]\npattern = "
+          "\"out/{map}.png\"\n");
+    write("base/b.toml", "[albedo]\npicture = \"dog.png\"\n");
+    EXPECT_EQ(
+        files("a.toml"),
+        (Names{
+            "a.toml", "base/b.toml", "base/dog.png", "cat.png", "shapes/star.svg", "photo.exr"}));
+}
+
+// The values of foam.density that are no files.
+TEST_F(PresetFiles, DoNotIncludeOtherValues) {
+    write("a.toml", "[foam]\ndensity = \"radial\"\n");
+    EXPECT_EQ(files("a.toml"), Names{"a.toml"});
 }
 
 TEST_F(PresetFiles, OfABrokenPresetAreWhatCanBeRead) {
