@@ -79,12 +79,13 @@ TEST(SharedSimulation, OfAFoamThatFailsGivesNoFrame) {
 
 TEST(FramesToSimulate, AreTheWholeAnimationIfARangeIsAutomatic) {
     const TemporaryFolder folder;
-    Preset preset = coarsening(folder, 16);
-    EXPECT_EQ(frames_to_simulate({preset}, {3, 1}), (std::vector<int>{1, 3}));
-    preset.image.maps = {"height"};
-    ASSERT_TRUE(preset.maps.height.full.is_automatic);
-    EXPECT_EQ(frames_to_simulate({coarsening(folder, 8), preset}, {5}),
-              (std::vector<int>{1, 2, 3, 5}));
+    Preset colors = coarsening(folder, 16);
+    colors.image.maps = {"albedo"};
+    EXPECT_EQ(frames_to_simulate({colors}, {3, 1}), (std::vector<int>{1, 3}));
+    Preset heights = coarsening(folder, 8);
+    heights.image.maps = {"height"};
+    ASSERT_TRUE(heights.maps.height.full.is_automatic);
+    EXPECT_EQ(frames_to_simulate({colors, heights}, {5}), (std::vector<int>{1, 2, 3, 5}));
 }
 
 }  // namespace
