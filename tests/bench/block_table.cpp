@@ -3,10 +3,10 @@
 // Prints a table of the quality and the speed of the block compression of images. The arguments are
 // PNG files of 8 bits. If BC7ENC names the program bc7enc, the table also has its results.
 
+#include "core/files/scratch_folder.h"
 #include "texgen/image/external_program.h"
 #include "texgen/image/format.h"
 #include "texgen/image/gpu_texture.h"
-#include "texgen/image/scratch_folder.h"
 
 #include <fmt/core.h>
 
@@ -122,7 +122,7 @@ void print_row(const std::filesystem::path& png,
 }  // namespace foam::texgen
 
 int main(int count, char** arguments) {
-    const foam::texgen::ScratchFolder scratch;
+    const foam::ScratchFolder scratch;
     fmt::print(
         "| image | format | RGB or x | RGBA or xy | time, one thread | bc7enc | | its time, all "
         "threads |\n"

@@ -3,8 +3,8 @@
 // Runs a fuzz target once for each given file, and for each file of the given folders. This needs
 // no libFuzzer, so every compiler can build it.
 
+#include "core/files/file_io.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "texgen/image/file_io.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
         for (const std::filesystem::path& file : files_of(argument)) {
             std::printf("%s\n", file.c_str());
             std::fflush(stdout);  // if the target aborts, the last line names the file
-            const foam::texgen::Bytes content = foam::texgen::read_file(file);
+            const foam::Bytes content = foam::read_file(file);
             target.run({reinterpret_cast<const char*>(content.data()), content.size()});
             ++runs;
         }

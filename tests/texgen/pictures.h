@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "core/files/file_io.h"
 #include "texgen/image/exr.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 
 #include <cstdint>

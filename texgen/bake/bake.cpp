@@ -2,6 +2,7 @@
 
 #include "texgen/bake/bake.h"
 
+#include "core/files/file_io.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/animation/seconds_since.h"
@@ -10,7 +11,6 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/vector_files.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/preset/drawn_images.h"
 

@@ -2,12 +2,12 @@
 
 #include "texgen/bake/bake_estimate.h"
 
+#include "core/files/scratch_folder.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/seconds_since.h"
 #include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/reduced_image.h"
-#include "texgen/image/scratch_folder.h"
 #include "texgen/preset/drawn_images.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 
 #include "texgen/bake/estimated_size.h"
 
+#include "core/files/file_io.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/vector_files.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/preset/drawn_images.h"
 

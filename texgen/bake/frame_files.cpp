@@ -2,8 +2,8 @@
 
 #include "texgen/bake/frame_files.h"
 
+#include "core/files/file_io.h"
 #include "texgen/bake/vector_files.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/image/primaries.h"

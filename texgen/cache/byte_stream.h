@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
 #include <bit>
 #include <cstddef>

@@ -2,8 +2,8 @@
 
 #include "texgen/cache/cache_files.h"
 
+#include "core/files/file_io.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/image/file_io.h"
 #include "texgen/json/json_value.h"
 #include "texgen/json/json_writer.h"
 #include "texgen/preset/assignment.h"

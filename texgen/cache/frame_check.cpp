@@ -2,7 +2,7 @@
 
 #include "texgen/cache/frame_check.h"
 
-#include "texgen/image/input_limits.h"
+#include "core/files/input_limits.h"
 
 #include <fmt/core.h>
 

@@ -2,9 +2,9 @@
 
 #pragma once
 
+#include "core/files/scratch_folder.h"
 #include "texgen/bake/bake.h"
 #include "texgen/cache/cache.h"
-#include "texgen/image/scratch_folder.h"
 #include "texgen/preset/preset.h"
 
 #include <optional>

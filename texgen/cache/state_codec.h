@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "core/files/file_io.h"
 #include "texgen/animation/simulate_frames.h"
-#include "texgen/image/file_io.h"
 
 #include <span>
 #include <vector>

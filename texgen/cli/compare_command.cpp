@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
+#include "core/files/shown_text.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
-#include "texgen/image/shown_text.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/verify/compare_images.h"
 #include "texgen/verify/comparison_report.h"

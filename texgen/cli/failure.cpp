@@ -2,10 +2,10 @@
 
 #include "texgen/cli/failure.h"
 
+#include "core/files/file_io.h"
 #include "core/io/format_error.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/standard_error.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/memory.h"
 #include "texgen/preset/assignment.h"
 

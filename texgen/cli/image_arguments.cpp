@@ -39,10 +39,11 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
             "--normal-y", arguments.normal_y, "Direction of green in normals: gl (up) or dx (down)")
         ->option_text("gl|dx");
     command
-        .add_option("--out",
-                    arguments.out,
-                    "Files: .png .exr .dds .ktx2 .svg .dxf .pdf .stl .glb .csv .json; {map}, {seed}, "
-                    "{KEY}, ####")
+        .add_option(
+            "--out",
+            arguments.out,
+            "Files: .png .exr .dds .ktx2 .svg .dxf .pdf .stl .glb .csv .json; {map}, {seed}, "
+            "{KEY}, ####")
         ->option_text("PATTERN");
     command
         .add_option(

@@ -2,10 +2,10 @@
 
 #include "texgen/cli/image_folder.h"
 
+#include "core/files/file_io.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
-#include "texgen/image/file_io.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/preset/shipped_presets.h"
 

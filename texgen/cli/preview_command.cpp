@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
+#include "core/files/scratch_folder.h"
 #include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/estimated_size.h"
 #include "texgen/bake/frame_files.h"
@@ -11,8 +13,6 @@
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 #include "texgen/cli/watch.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/scratch_folder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/sheet/preview.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/equilibrium/equilibrate_given.h"
+#include "core/files/file_io.h"
+#include "core/io/foam_file.h"
 #include "texgen/animation/seconds_since.h"
 #include "texgen/cli/command.h"
-#include "texgen/cli/foam_file.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
-#include "texgen/image/file_io.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cache/simulation_keys.h"
@@ -9,7 +10,6 @@
 #include "texgen/cli/image_sizes.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
-#include "texgen/image/file_io.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -2,10 +2,10 @@
 
 #include "texgen/cli/report.h"
 
+#include "core/files/file_io.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/memory.h"
 #include "texgen/manifest/set_choice.h"
 #include "texgen/preset/event_frames.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "texgen/animation/seconds_since.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/job_file.h"
@@ -8,8 +10,6 @@
 #include "texgen/cli/program.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
 
 #include <CLI/CLI.hpp>
 
@@ -107,7 +107,7 @@ void print_summary(const std::vector<FinishedJob>& finished,
 
 ExitCode run_jobs(const RunCommandArguments& arguments) {
     const Bytes content = read_file(arguments.file);
-    const std::vector<Job> jobs = read_jobs(text_of(content), arguments.file);
+    const std::vector<Job> jobs = read_jobs(as_text(content), arguments.file);
     if (arguments.job && *arguments.job > jobs.size()) {
         throw std::invalid_argument(
             fmt::format("--job {}: '{}' has {} jobs", *arguments.job, arguments.file, jobs.size()));

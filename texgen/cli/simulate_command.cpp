@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/cache.h"
@@ -12,7 +13,6 @@
 #include "texgen/cli/run_arguments.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
-#include "texgen/image/file_io.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "texgen/image/shown_text.h"
+#include "core/files/shown_text.h"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cache/simulation_keys.h"
@@ -8,7 +9,6 @@
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
-#include "texgen/image/file_io.h"
 #include "texgen/stats/files.h"
 #include "texgen/stats/measure_run.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
@@ -7,7 +8,6 @@
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
 #include "texgen/image/external_program.h"
-#include "texgen/image/file_io.h"
 #include "texgen/studio/handler.h"
 #include "texgen/studio/http_server.h"
 

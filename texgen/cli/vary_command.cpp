@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
@@ -7,7 +8,6 @@
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
 #include "texgen/cli/standard_error.h"
-#include "texgen/image/file_io.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/preset/preset_remarks.h"
 #include "texgen/preset/preset_schema.h"

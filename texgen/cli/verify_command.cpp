@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/shown_text.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/image_folder.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/progress.h"
 #include "texgen/cli/standard_output.h"
-#include "texgen/image/shown_text.h"
 #include "texgen/verify/verify.h"
 
 #include <CLI/CLI.hpp>

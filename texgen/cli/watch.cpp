@@ -2,10 +2,10 @@
 
 #include "texgen/cli/watch.h"
 
+#include "core/files/file_io.h"
 #include "texgen/cli/failure.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/standard_error.h"
-#include "texgen/image/file_io.h"
 #include "texgen/manifest/existing_frames.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_files.h"

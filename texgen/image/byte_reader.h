@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "core/files/file_io.h"
 #include "texgen/image/byte_order.h"
-#include "texgen/image/file_io.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 
 #include "texgen/image/exr_header.h"
 
+#include "core/files/input_limits.h"
 #include "texgen/image/exr_stream.h"
-#include "texgen/image/input_limits.h"
 #include "texgen/image/memory.h"
 
 #include <OpenEXR/ImfChannelList.h>

@@ -4,8 +4,8 @@
 
 // Converts samples to the layout that OpenEXR writes. Only exr_encode.cpp uses these declarations.
 
+#include "core/files/file_io.h"
 #include "texgen/image/exr.h"
-#include "texgen/image/file_io.h"
 
 #include <OpenEXR/ImfFrameBuffer.h>
 

@@ -4,7 +4,7 @@
 
 // OpenEXR streams in memory, shared by exr_encode.cpp, exr_decode.cpp and exr_header.cpp.
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
 #include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfIO.h>

@@ -5,8 +5,8 @@
 // The pixel data of an EXR of rows with the compression ZIP or ZIPS. Only exr_encode.cpp uses these
 // declarations.
 
+#include "core/files/file_io.h"
 #include "texgen/image/exr_planes.h"
-#include "texgen/image/file_io.h"
 
 namespace foam::texgen {
 

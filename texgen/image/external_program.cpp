@@ -2,7 +2,7 @@
 
 #include "texgen/image/external_program.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>

@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "core/files/file_io.h"
 #include "texgen/image/exr.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/gpu_texture.h"
 #include "texgen/image/picture.h"
 #include "texgen/image/png.h"

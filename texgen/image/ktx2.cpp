@@ -2,8 +2,8 @@
 
 #include "texgen/image/ktx2.h"
 
+#include "core/files/content_text.h"
 #include "texgen/image/byte_reader.h"
-#include "texgen/image/content_text.h"
 #include "texgen/image/data_format.h"
 #include "texgen/image/texture_limits.h"
 
@@ -58,7 +58,7 @@ std::string animation_value(const TextureAnimation& animation) {
     append(bytes, static_cast<std::uint32_t>(animation.rate.seconds));
     append(bytes, static_cast<std::uint32_t>(animation.rate.frames));
     append(bytes, animation.repeats ? 0U : 1U);
-    return std::string(text_of(bytes));
+    return std::string(as_text(bytes));
 }
 
 // Returns the keys and values of a file, sorted as the specification requires. Values that are
@@ -179,13 +179,13 @@ void read_values(std::span<const std::byte> data, GpuTexture& texture) {
         const auto end = std::ranges::find(entry, std::byte{0});
         check(end != entry.end(), "a key has no end");
         const auto key_size = static_cast<std::size_t>(end - entry.begin());
-        const std::string key(text_of(entry.first(key_size)));
+        const std::string key(as_text(entry.first(key_size)));
         const auto value_bytes = entry.subspan(key_size + 1);
         if (key == kAnimation) {
             texture.animation = animation_in(value_bytes);
             continue;
         }
-        std::string value(text_of(value_bytes));
+        std::string value(as_text(value_bytes));
         if (value.ends_with('\0')) {
             value.pop_back();
         }

@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "core/files/file_io.h"
 #include "texgen/image/deflate.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/picture.h"
 
 #include <cstddef>

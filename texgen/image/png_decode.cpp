@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/image/input_limits.h"
+#include "core/files/input_limits.h"
 #include "texgen/image/memory.h"
 #include "texgen/image/png.h"
 #include "texgen/image/png_chunk.h"

@@ -2,8 +2,8 @@
 
 #include "texgen/image/texture_limits.h"
 
-#include "texgen/image/file_io.h"
-#include "texgen/image/input_limits.h"
+#include "core/files/file_io.h"
+#include "core/files/input_limits.h"
 #include "texgen/image/pixel_format.h"
 
 #include <fmt/core.h>

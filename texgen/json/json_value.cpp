@@ -2,9 +2,9 @@
 
 #include "texgen/json/json_value.h"
 
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/shown_text.h"
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
+#include "core/files/shown_text.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -156,7 +156,7 @@ JsonDocument::~JsonDocument() = default;
 
 JsonDocument JsonDocument::read(const std::filesystem::path& path) {
     const Bytes bytes = read_file(path, kDescriptionInput);
-    return {text_of(bytes), path.string()};
+    return {as_text(bytes), path.string()};
 }
 
 JsonValue JsonDocument::root() const {

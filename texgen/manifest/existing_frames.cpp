@@ -2,9 +2,9 @@
 
 #include "texgen/manifest/existing_frames.h"
 
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "texgen/bake/vector_files.h"
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/manifest/describe.h"
@@ -55,7 +55,7 @@ std::vector<std::string> names_of(const Preset& preset) {
 }  // namespace
 
 std::string file_hash(const std::filesystem::path& path) {
-    return text_hash(text_of(read_file(path)));
+    return text_hash(as_text(read_file(path)));
 }
 
 std::set<int> existing_frames_of(const Preset& preset,

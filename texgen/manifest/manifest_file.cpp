@@ -2,8 +2,8 @@
 
 #include "texgen/manifest/manifest_file.h"
 
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "texgen/manifest/file_lock.h"
 #include "texgen/manifest/manifest_json.h"
 
@@ -22,7 +22,7 @@ std::filesystem::path manifest_path(const std::filesystem::path& path) {
 Manifest read_manifest(const std::filesystem::path& path) {
     const std::filesystem::path file = manifest_path(path);
     const Bytes bytes = read_file(file, kDescriptionInput);
-    return parse_manifest(text_of(bytes), file.string());
+    return parse_manifest(as_text(bytes), file.string());
 }
 
 Manifest manifest_in(const std::filesystem::path& folder) {

@@ -2,11 +2,11 @@
 
 #include "texgen/manifest/recorded_bake.h"
 
+#include "core/files/file_io.h"
+#include "core/files/shown_text.h"
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/shown_text.h"
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/existing_frames.h"

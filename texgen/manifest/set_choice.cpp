@@ -2,7 +2,7 @@
 
 #include "texgen/manifest/set_choice.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/keys/nearest.h"
 #include "texgen/manifest/manifest_file.h"
 

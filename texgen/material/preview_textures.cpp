@@ -2,8 +2,8 @@
 
 #include "texgen/material/preview_textures.h"
 
+#include "core/files/file_io.h"
 #include "texgen/image/color.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/primaries.h"
 #include "texgen/sheet/map_frame.h"
 

@@ -2,9 +2,9 @@
 
 #include "texgen/material/profile.h"
 
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "texgen/cache/simulation_keys.h"
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/material/shipped_profiles.h"
 #include "texgen/preset/load_preset.h"
@@ -59,7 +59,7 @@ Profile parse_profile(std::string_view toml, std::string name, const std::string
 std::string text_in(const std::string& path) {
     try {
         const Bytes content = read_file(path, kPresetInput);
-        return std::string(text_of(content));
+        return std::string(as_text(content));
     } catch (const InputError& error) {
         throw PresetError(error.what());
     }

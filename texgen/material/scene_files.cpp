@@ -2,9 +2,9 @@
 
 #include "texgen/material/scene_files.h"
 
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "texgen/bake/file_pattern.h"
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/image/texture_file.h"
@@ -95,7 +95,7 @@ std::vector<std::filesystem::path> write_scenes(const Preset& preset) {
         const std::string name = fmt::format("{}.{}", preset.name, suffix_of(format));
         const Bytes content = content_of(format, material);
         staged.emplace_back(folder / name, content);
-        scenes.push_back({name, format, content.size(), text_hash(text_of(content))});
+        scenes.push_back({name, format, content.size(), text_hash(as_text(content))});
         paths.push_back(folder / name);
     }
     for (StagedFile& file : staged) {

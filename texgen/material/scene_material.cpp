@@ -2,7 +2,7 @@
 
 #include "texgen/material/scene_material.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/material/identifier.h"
 #include "texgen/material/scene_sources.h"
 #include "texgen/preset/drawn_images.h"

@@ -2,11 +2,11 @@
 
 #include "texgen/pictures/outline_file.h"
 
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
+#include "core/files/input_limits.h"
 #include "texgen/image/file_suffix.h"
 #include "texgen/image/format.h"
-#include "texgen/image/input_limits.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/pictures/fill_coverage.h"
 #include "texgen/pictures/picture_file.h"
@@ -124,7 +124,7 @@ FileOutline outline_in(const std::string& path) {
         return {silhouette(*file.picture), file.hash};
     }
     const Bytes content = read_file(path, kDrawingInput);
-    const std::string_view document = text_of(content);
+    const std::string_view document = as_text(content);
     try {
         return {outlines_of_svg(document), text_hash(document)};
     } catch (const InputError& error) {

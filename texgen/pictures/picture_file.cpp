@@ -2,7 +2,7 @@
 
 #include "texgen/pictures/picture_file.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/memory.h"
 #include "texgen/image/pixel_hash.h"

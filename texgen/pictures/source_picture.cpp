@@ -2,7 +2,7 @@
 
 #include "texgen/pictures/source_picture.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/image/memory.h"
 
 #include <fmt/core.h>

@@ -2,8 +2,8 @@
 
 #include "texgen/pictures/svg_drawing.h"
 
-#include "texgen/image/file_io.h"
-#include "texgen/image/shown_text.h"
+#include "core/files/file_io.h"
+#include "core/files/shown_text.h"
 #include "texgen/pictures/svg_path.h"
 #include "texgen/pictures/svg_text.h"
 

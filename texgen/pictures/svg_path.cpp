@@ -2,9 +2,9 @@
 
 #include "texgen/pictures/svg_path.h"
 
+#include "core/files/file_io.h"
+#include "core/files/shown_text.h"
 #include "core/geometry/trigonometric.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/shown_text.h"
 #include "texgen/pictures/svg_text.h"
 
 #include <fmt/core.h>

@@ -2,7 +2,7 @@
 
 #include "texgen/preset/assignment.h"
 
-#include "texgen/image/shown_text.h"
+#include "core/files/shown_text.h"
 
 #include <fmt/core.h>
 #include <toml++/toml.h>

@@ -2,7 +2,7 @@
 
 #include "texgen/preset/foam_shape.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/memory.h"
 #include "texgen/keys/value_kinds.h"

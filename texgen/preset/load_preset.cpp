@@ -2,8 +2,8 @@
 
 #include "texgen/preset/load_preset.h"
 
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "texgen/preset/event_io.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_keys.h"
@@ -45,7 +45,7 @@ Document read_document(const std::string& path) {
         const Bytes content = read_file(path, kPresetInput);
         return {std::move(name),
                 path,
-                std::string(text_of(content)),
+                std::string(as_text(content)),
                 std::filesystem::path(path).parent_path()};
     } catch (const InputError& error) {
         throw PresetError(error.what());

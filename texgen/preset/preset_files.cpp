@@ -2,8 +2,8 @@
 
 #include "texgen/preset/preset_files.h"
 
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_keys.h"
 
@@ -26,7 +26,7 @@ class FileList {
         }
         try {
             const Bytes content = read_file(path, kPresetInput);
-            add_named(read_assignments(text_of(content), path.string()), path.parent_path());
+            add_named(read_assignments(as_text(content), path.string()), path.parent_path());
         } catch (const PresetError&) {
             return;
         } catch (const InputError&) {

@@ -2,7 +2,7 @@
 
 #include "texgen/preset/rejection.h"
 
-#include "texgen/image/shown_text.h"
+#include "core/files/shown_text.h"
 #include "texgen/keys/nearest.h"
 
 #include <fmt/core.h>

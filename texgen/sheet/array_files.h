@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "core/files/file_io.h"
 #include "texgen/animation/progress_meter.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/gpu_texture.h"
 #include "texgen/image/pixel_format.h"
 #include "texgen/sheet/map_sequence.h"

@@ -2,7 +2,7 @@
 
 #include "texgen/sheet/earlier_sheets.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
 #include <algorithm>
 #include <string_view>

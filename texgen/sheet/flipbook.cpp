@@ -2,9 +2,9 @@
 
 #include "texgen/sheet/flipbook.h"
 
+#include "core/files/file_io.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/bake/file_pattern.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/manifest_file.h"

@@ -2,8 +2,8 @@
 
 #include "texgen/sheet/layout.h"
 
+#include "core/files/input_limits.h"
 #include "core/geometry/elementary.h"
-#include "texgen/image/input_limits.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 
 #include "texgen/sheet/map_frame.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/image/format.h"
 
 #include <fmt/core.h>

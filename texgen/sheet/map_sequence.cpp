@@ -2,8 +2,8 @@
 
 #include "texgen/sheet/map_sequence.h"
 
+#include "core/files/file_io.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/image/file_io.h"
 #include "texgen/keys/nearest.h"
 
 #include <fmt/format.h>

@@ -2,10 +2,10 @@
 
 #include "texgen/sheet/preview.h"
 
+#include "core/files/file_io.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/image/apng.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/sheet/contact_sheet.h"
 #include "texgen/sheet/display_frame.h"

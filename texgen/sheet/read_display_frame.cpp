@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "texgen/image/color.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/picture.h"
 #include "texgen/image/primaries.h"
 #include "texgen/sheet/display_frame.h"

@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "core/files/file_io.h"
 #include "texgen/animation/progress_meter.h"
-#include "texgen/image/file_io.h"
 #include "texgen/sheet/layout.h"
 #include "texgen/sheet/map_sequence.h"
 

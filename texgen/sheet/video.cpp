@@ -2,8 +2,8 @@
 
 #include "texgen/sheet/video.h"
 
+#include "core/files/scratch_folder.h"
 #include "texgen/image/external_program.h"
-#include "texgen/image/scratch_folder.h"
 
 #include <fmt/core.h>
 

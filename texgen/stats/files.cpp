@@ -2,7 +2,7 @@
 
 #include "texgen/stats/files.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/stats/csv.h"
 
 #include <fmt/core.h>

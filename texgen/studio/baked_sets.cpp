@@ -2,7 +2,7 @@
 
 #include "texgen/studio/baked_sets.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/sheet/display_frame.h"
 #include "texgen/sheet/map_sequence.h"

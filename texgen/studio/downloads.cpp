@@ -2,13 +2,13 @@
 
 #include "texgen/studio/downloads.h"
 
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
+#include "core/files/scratch_folder.h"
 #include "texgen/bake/bake.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/bake/reduced_image.h"
 #include "texgen/image/apng.h"
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/scratch_folder.h"
 
 #include <fmt/core.h>
 
@@ -39,7 +39,7 @@ HttpResponse attachment(std::span<const std::byte> content,
     return {.content_type = type,
             .headers = {{"Content-Disposition",
                          fmt::format("attachment; filename=\"{}\"", header_word(name))}},
-            .body = std::string(text_of(content))};
+            .body = std::string(as_text(content))};
 }
 
 /// Bakes frames of one map into a scratch folder, as PNGs or SVGs, and returns the contents of

@@ -2,8 +2,8 @@
 
 #include "texgen/studio/folder.h"
 
-#include "texgen/image/file_io.h"
-#include "texgen/image/shown_text.h"
+#include "core/files/file_io.h"
+#include "core/files/shown_text.h"
 #include "texgen/manifest/manifest_file.h"
 
 #include <fmt/core.h>

@@ -2,8 +2,8 @@
 
 #include "texgen/studio/routes.h"
 
+#include "core/files/file_io.h"
 #include "texgen/animation/progress_text.h"
-#include "texgen/image/file_io.h"
 #include "texgen/json/json_value.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/studio/access.h"

@@ -2,10 +2,10 @@
 
 #include "texgen/variations/drawn_variations.h"
 
+#include "core/files/scratch_folder.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/bake/reduced_image.h"
-#include "texgen/image/scratch_folder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/sheet/display_frame.h"

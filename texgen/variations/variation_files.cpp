@@ -2,8 +2,8 @@
 
 #include "texgen/variations/variation_files.h"
 
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 
 #include <fmt/core.h>
 
@@ -22,7 +22,7 @@ constexpr std::string_view kSuffix = ".toml";
 
 bool has_mark(const std::filesystem::path& path) {
     const Bytes content = read_file(path);
-    return text_of(content).starts_with(kMark);
+    return as_text(content).starts_with(kMark);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "texgen/variations/written_variations.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_extension.h"

@@ -2,8 +2,8 @@
 
 #include "texgen/vector/svg.h"
 
+#include "core/files/shown_text.h"
 #include "core/geometry/elementary.h"
-#include "texgen/image/shown_text.h"
 #include "texgen/vector/number_text.h"
 
 #include <fmt/core.h>

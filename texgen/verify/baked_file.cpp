@@ -2,7 +2,7 @@
 
 #include "texgen/verify/baked_file.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/manifest/existing_frames.h"

@@ -2,8 +2,8 @@
 
 #include "texgen/verify/compare_images.h"
 
+#include "core/files/file_io.h"
 #include "texgen/image/compare.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/image/picture_layers.h"
 #include "texgen/image/png.h"

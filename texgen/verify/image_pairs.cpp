@@ -2,9 +2,9 @@
 
 #include "texgen/verify/image_pairs.h"
 
+#include "core/files/file_io.h"
 #include "texgen/bake/existing_sequence.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/format.h"
 #include "texgen/manifest/manifest_file.h"
 

@@ -2,7 +2,7 @@
 
 #include "texgen/verify/scene_check.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/manifest/existing_frames.h"
 
 #include <fmt/core.h>

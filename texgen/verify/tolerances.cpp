@@ -2,8 +2,8 @@
 
 #include "texgen/verify/tolerances.h"
 
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "texgen/keys/nearest.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/preset/assignment.h"
@@ -128,7 +128,7 @@ Tolerances parse_tolerances(std::string_view toml, const std::string& source) {
 Tolerances read_tolerances(const std::filesystem::path& path) {
     try {
         const Bytes content = read_file(path, kPresetInput);
-        return parse_tolerances(text_of(content), path.string());
+        return parse_tolerances(as_text(content), path.string());
     } catch (const InputError& error) {
         throw PresetError(error.what());
     }

@@ -20,9 +20,9 @@ constexpr std::string_view kSimulation = "0123456789abcdef0123456789abcdef";
 
 // Returns the bytes with a correct checksum. Without this correction, the reader would reject
 // nearly every input because of its checksum.
-texgen::Bytes with_checksum(std::string_view input) {
+Bytes with_checksum(std::string_view input) {
     const std::span<const std::byte> bytes = bytes_of(input);
-    texgen::Bytes file(bytes.begin(), bytes.end());
+    Bytes file(bytes.begin(), bytes.end());
     if (file.size() >= kHeaderSize) {
         const XXH64_hash_t sum = XXH3_64bits(file.data() + kHeaderSize, file.size() - kHeaderSize);
         std::memcpy(file.data() + kHeaderSize - sizeof(sum), &sum, sizeof(sum));
@@ -33,9 +33,9 @@ texgen::Bytes with_checksum(std::string_view input) {
 }  // namespace
 
 void fuzz_cache_file(std::string_view input) {
-    const texgen::Bytes file = with_checksum(input);
+    const Bytes file = with_checksum(input);
     unless_rejected<texgen::BadContent>([&] {
-        const texgen::Bytes content = texgen::unpack_file(file, {"state", kSimulation});
+        const Bytes content = texgen::unpack_file(file, {"state", kSimulation});
         return texgen::unpack_state(content, {0.0, 1.0});
     });
     unless_rejected<texgen::BadContent>([&] {

@@ -15,7 +15,7 @@ void fuzz_cache_state(std::string_view input) {
     if (!state) {
         return;
     }
-    const texgen::Bytes packed = texgen::pack_state(*state, first_pressures);
+    const Bytes packed = texgen::pack_state(*state, first_pressures);
     state.reset();  // two states of bubbles with large identities would exceed the limit of memory
     const texgen::SimulatedFrame again = texgen::unpack_state(packed, first_pressures);
     require(texgen::pack_state(again, first_pressures) == packed,

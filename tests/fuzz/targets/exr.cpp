@@ -17,7 +17,7 @@ void check_writing(const texgen::Picture& picture) {
         return;
     }
     // Fuzzed pictures often have numbers or texts that cannot be written.
-    const auto written = unless_rejected<std::invalid_argument, texgen::OutputError>(
+    const auto written = unless_rejected<std::invalid_argument, OutputError>(
         [&] { return texgen::encode_exr(picture); });
     if (!written) {
         return;
@@ -34,8 +34,8 @@ void check_writing(const texgen::Picture& picture) {
 
 void fuzz_exr(std::string_view input) {
     for (const int level : {0, 1}) {
-        const auto picture = unless_rejected<texgen::InputError>(
-            [&] { return texgen::decode_exr(bytes_of(input), level); });
+        const auto picture =
+            unless_rejected<InputError>([&] { return texgen::decode_exr(bytes_of(input), level); });
         if (picture) {
             check_writing(*picture);
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "texgen/image/file_io.h"
 #include "texgen/json/json_writer.h"
 #include "texgen/manifest/manifest_json.h"
 #include "texgen/sheet/flipbook_json.h"
@@ -21,7 +21,7 @@ void describe_sheets(const texgen::BakedSet& set) {
     const std::vector<int> frames = set.frames();
     std::vector<texgen::SheetImage> images;
     for (const texgen::ManifestMap& map : set.maps) {
-        auto sequence = unless_rejected<std::invalid_argument, texgen::InputError>(
+        auto sequence = unless_rejected<std::invalid_argument, InputError>(
             [&] { return texgen::map_sequence(set, "out", map.name, frames); });
         if (sequence) {
             images.push_back({map.name + ".png", std::move(*sequence)});
@@ -38,8 +38,8 @@ void describe_sheets(const texgen::BakedSet& set) {
 
 // Parses the input as a manifest and writes the JSON file of a flipbook for each of its sets.
 void fuzz_flipbook(std::string_view input) {
-    const auto manifest = unless_rejected<texgen::InputError>(
-        [&] { return texgen::parse_manifest(input, "manifest.json"); });
+    const auto manifest =
+        unless_rejected<InputError>([&] { return texgen::parse_manifest(input, "manifest.json"); });
     if (!manifest) {
         return;
     }

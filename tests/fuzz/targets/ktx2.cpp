@@ -8,7 +8,7 @@ namespace foam::fuzz {
 
 void fuzz_ktx2(std::string_view input) {
     const auto texture =
-        unless_rejected<texgen::InputError>([&] { return texgen::decode_ktx2(bytes_of(input)); });
+        unless_rejected<InputError>([&] { return texgen::decode_ktx2(bytes_of(input)); });
     if (!texture) {
         return;
     }
@@ -17,7 +17,7 @@ void fuzz_ktx2(std::string_view input) {
     const texgen::GpuTexture again = texgen::decode_ktx2(texgen::encode_ktx2(plain));
     require(again.layers == texture->layers && again.format == texture->format,
             "a KTX2 is read as it was written");
-    unless_rejected<texgen::InputError>([&] { return texgen::picture_of(*texture); });
+    unless_rejected<InputError>([&] { return texgen::picture_of(*texture); });
 }
 
 }  // namespace foam::fuzz

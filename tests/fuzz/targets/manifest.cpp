@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "texgen/image/file_io.h"
 #include "texgen/manifest/manifest_json.h"
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace foam::fuzz {
 
 void fuzz_manifest(std::string_view input) {
-    const auto manifest = unless_rejected<texgen::InputError>(
-        [&] { return texgen::parse_manifest(input, "manifest.json"); });
+    const auto manifest =
+        unless_rejected<InputError>([&] { return texgen::parse_manifest(input, "manifest.json"); });
     if (!manifest) {
         return;
     }

@@ -14,7 +14,7 @@ constexpr int kLargestEncoded = 1 << 16;  // pixels; larger images would take mo
 
 void fuzz_png(std::string_view input) {
     const auto picture =
-        unless_rejected<texgen::InputError>([&] { return texgen::decode_png(bytes_of(input)); });
+        unless_rejected<InputError>([&] { return texgen::decode_png(bytes_of(input)); });
     if (!picture || picture->width() > kLargestEncoded / picture->height()) {
         return;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/scratch_folder.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "texgen/image/scratch_folder.h"
 #include "texgen/studio/handler.h"
 
 #include <nlohmann/json.hpp>
@@ -53,7 +53,7 @@ class FuzzedStudio {
 
   private:
     static constexpr int kPort = 1;
-    texgen::ScratchFolder scratch_;
+    ScratchFolder scratch_;
     texgen::Studio studio_;
     std::string cookie_;
 };

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "texgen/image/file_io.h"
 #include "texgen/pictures/outline_file.h"
 
 namespace foam::fuzz {
 
 void fuzz_svg_outline(std::string_view input) {
-    const auto parts =
-        unless_rejected<texgen::InputError>([&] { return texgen::outlines_of_svg(input); });
+    const auto parts = unless_rejected<InputError>([&] { return texgen::outlines_of_svg(input); });
     if (!parts) {
         return;
     }

@@ -3,9 +3,9 @@
 #include "texgen/animation/simulation.h"
 
 #include "core/dynamics/restore_rafts.h"
+#include "core/files/file_io.h"
+#include "core/files/scratch_folder.h"
 #include "texgen/animation/seed.h"
-#include "texgen/image/file_io.h"
-#include "texgen/image/scratch_folder.h"
 #include "texgen/preset/assignment.h"
 #include "texgen/preset/preset_io.h"
 

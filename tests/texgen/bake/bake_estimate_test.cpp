@@ -2,7 +2,7 @@
 
 #include "texgen/bake/bake_estimate.h"
 
-#include "tests/texgen/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/preset/load_preset.h"
 

@@ -2,11 +2,11 @@
 
 #include "texgen/bake/bake.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/bake/baked_files.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/all_maps.h"
 

@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "core/files/file_io.h"
 #include "texgen/bake/bake.h"
-#include "texgen/image/file_io.h"
 
 #include <filesystem>
 #include <vector>

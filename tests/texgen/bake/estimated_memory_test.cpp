@@ -4,7 +4,7 @@
 
 #include "tests/support/places.h"
 #include "tests/support/sanitizers.h"
-#include "tests/texgen/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

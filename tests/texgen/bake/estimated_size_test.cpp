@@ -2,10 +2,10 @@
 
 #include "texgen/bake/estimated_size.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/bake.h"
-#include "texgen/image/file_io.h"
 #include "texgen/maps/all_maps.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 
 #include "texgen/bake/existing_sequence.h"
 
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -2,13 +2,13 @@
 
 #include "texgen/bake/frame_files.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/bake/baked_files.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/bake.h"
 #include "texgen/image/exr.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/primaries.h"
 #include "texgen/maps/map.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/bake.h"
 #include "texgen/image/png.h"
 #include "texgen/preset/load_preset.h"

@@ -2,10 +2,10 @@
 
 #include "texgen/cache/cache_files.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/cache/cache.h"
-#include "texgen/image/file_io.h"
 #include "texgen/maps/map.h"
 
 #include <gtest/gtest.h>

@@ -2,13 +2,13 @@
 
 #include "texgen/cache/cache.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/cache/small_simulation.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/packed_file.h"
 #include "texgen/cache/simulation_keys.h"
-#include "texgen/image/file_io.h"
 
 #include <gtest/gtest.h>
 

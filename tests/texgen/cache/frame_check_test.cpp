@@ -2,9 +2,9 @@
 
 #include "texgen/cache/frame_check.h"
 
+#include "core/files/input_limits.h"
 #include "core/foam/honeycomb.h"
 #include "texgen/cache/frame_codec.h"
-#include "texgen/image/input_limits.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 
 #include "texgen/cache/packed_file.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/cache/small_simulation.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/cache/cache.h"
-#include "texgen/image/file_io.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include "texgen/cache/shared_simulation.h"
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/simulation_keys.h"
 #include "texgen/image/format.h"

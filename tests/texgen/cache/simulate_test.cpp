@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/cache/small_simulation.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/cache/cache.h"
 
 #include <gtest/gtest.h>

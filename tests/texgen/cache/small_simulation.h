@@ -2,9 +2,9 @@
 
 #pragma once
 
+#include "core/files/file_io.h"
 #include "tests/texgen/small_preset.h"
 #include "texgen/cache/cache.h"
-#include "texgen/image/file_io.h"
 #include "texgen/maps/all_maps.h"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "tests/texgen/cli/run_program.h"
 #include "tests/texgen/pictures.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>

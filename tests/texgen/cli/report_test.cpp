@@ -2,9 +2,9 @@
 
 #include "texgen/cli/report.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/cli/run_program.h"
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tests/support/places.h"
-#include "tests/texgen/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "texgen/cli/exit_code.h"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "texgen/cli/watch.h"
 
 #include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/cli/run_program.h"
-#include "tests/texgen/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/image/numbered.h"
 #include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/exr.h"
 
 #include <gtest/gtest.h>

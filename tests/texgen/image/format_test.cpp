@@ -2,8 +2,8 @@
 
 #include "texgen/image/format.h"
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/compare.h"
 #include "texgen/image/pixel_hash.h"
 

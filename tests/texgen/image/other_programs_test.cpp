@@ -2,9 +2,9 @@
 
 // Our files, read by programs that share none of our code, and a file of such a program, read by
 // us. Where one is not installed its test is left out; tests/run.sh installs them all.
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/cli/run_program.h"
 #include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/apng.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/png.h"

@@ -2,7 +2,7 @@
 
 #include "texgen/image/png_chunk.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>

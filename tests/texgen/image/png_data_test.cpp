@@ -3,9 +3,9 @@
 #include "texgen/image/png_data.h"
 
 #include "tests/support/sample_foams.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/image/png_chunks.h"
 #include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/albedo.h"
 

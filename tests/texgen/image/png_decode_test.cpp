@@ -2,10 +2,10 @@
 
 #include "tests/support/sample_foams.h"
 #include "tests/support/sanitizers.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/image/numbered.h"
 #include "tests/texgen/image/png_chunks.h"
 #include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>

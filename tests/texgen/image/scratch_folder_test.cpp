@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/image/scratch_folder.h"
+#include "core/files/scratch_folder.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "texgen/image/texture_limits.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
 #include <gtest/gtest.h>
 

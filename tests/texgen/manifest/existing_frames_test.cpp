@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"

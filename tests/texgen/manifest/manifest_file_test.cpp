@@ -2,9 +2,9 @@
 
 #include "texgen/manifest/manifest_file.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/manifest/small_set.h"
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
 
 #include <gtest/gtest.h>
 

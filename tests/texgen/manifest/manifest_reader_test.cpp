@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
 #include "tests/texgen/manifest/small_set.h"
-#include "texgen/image/file_io.h"
 #include "texgen/manifest/manifest_json.h"
 
 #include <gtest/gtest.h>

@@ -2,11 +2,11 @@
 
 #include "texgen/manifest/recorded_bake.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/exr.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/image/png.h"
 #include "texgen/manifest/manifest_file.h"

@@ -2,9 +2,9 @@
 
 #include "texgen/maps/albedo_options.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/keys/limits.h"
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>

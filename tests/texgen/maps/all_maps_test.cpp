@@ -3,12 +3,12 @@
 // Tests of properties that all maps have in common.
 #include "texgen/maps/all_maps.h"
 
+#include "core/files/file_io.h"
 #include "tests/support/places.h"
 #include "tests/support/readme_table.h"
 #include "tests/texgen/maps/map_subjects.h"
 #include "tests/texgen/maps/seam.h"
 #include "tests/texgen/pictures.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/quantize.h"
 #include "texgen/verify/verify.h"

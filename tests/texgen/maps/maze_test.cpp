@@ -4,9 +4,9 @@
 
 #include "tests/support/places.h"
 #include "tests/support/sample_foams.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/keys/limits.h"
 #include "tests/texgen/maps/lone_circle.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/external_program.h"
 #include "texgen/maps/maze_graph.h"
 

@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/material/scene_material.h"

@@ -2,7 +2,7 @@
 
 #include "texgen/material/profile.h"
 
-#include "tests/texgen/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_io.h"
 

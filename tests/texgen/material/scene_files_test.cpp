@@ -2,8 +2,8 @@
 
 #include "texgen/material/scene_files.h"
 
+#include "core/files/file_io.h"
 #include "tests/texgen/material/baked_material.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/pixel_hash.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 
 #include "texgen/material/scene_material.h"
 
+#include "core/files/file_io.h"
 #include "tests/texgen/material/baked_material.h"
-#include "texgen/image/file_io.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include "texgen/pictures/outline_file.h"
 
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "texgen/pictures/picture_file.h"
 
-#include "tests/texgen/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 
 #include "texgen/preset/preset_io.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/preset/rejection.h"
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 #include "texgen/preset/conditions.h"
 #include "texgen/preset/preset_keys.h"

@@ -3,7 +3,7 @@
 #include "texgen/preset/preset_schema.h"
 
 #include "tests/support/places.h"
-#include "tests/texgen/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "texgen/image/external_program.h"
 #include "texgen/json/json_writer.h"
 #include "texgen/preset/assignment.h"

@@ -2,9 +2,9 @@
 
 #include "texgen/sheet/array_files.h"
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/sheet/small_bake.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/dds.h"
 #include "texgen/image/ktx2.h"
 #include "texgen/sheet/flipbook.h"

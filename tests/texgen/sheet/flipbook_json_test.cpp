@@ -2,10 +2,10 @@
 
 #include "texgen/sheet/flipbook_json.h"
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/cli/run_program.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/sheet/small_bake.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/png.h"
 #include "texgen/sheet/flipbook.h"

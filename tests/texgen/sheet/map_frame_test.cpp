@@ -2,9 +2,9 @@
 
 #include "texgen/sheet/map_frame.h"
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/sheet/sheet_cells.h"
 #include "tests/texgen/sheet/small_bake.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/exr.h"
 #include "texgen/sheet/flipbook.h"
 

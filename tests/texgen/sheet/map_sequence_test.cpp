@@ -2,8 +2,8 @@
 
 #include "texgen/sheet/map_sequence.h"
 
+#include "core/files/file_io.h"
 #include "tests/texgen/manifest/small_set.h"
-#include "texgen/image/file_io.h"
 
 #include <gtest/gtest.h>
 

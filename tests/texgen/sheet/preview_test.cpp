@@ -2,11 +2,11 @@
 
 #include "texgen/sheet/preview.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/image/png_chunks.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/sheet/small_bake.h"
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>

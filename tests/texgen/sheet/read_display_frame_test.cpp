@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/sheet/shown_pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/color.h"
 #include "texgen/image/exr.h"
-#include "texgen/image/file_io.h"
 #include "texgen/sheet/display_frame.h"
 
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 
 #include "texgen/sheet/sheet_files.h"
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/sheet/sheet_cells.h"
 #include "tests/texgen/sheet/small_bake.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/png.h"
 #include "texgen/sheet/flipbook.h"
 

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "tests/texgen/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "texgen/image/png.h"
 #include "texgen/sheet/display_frame.h"
 

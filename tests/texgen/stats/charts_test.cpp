@@ -2,10 +2,10 @@
 
 #include "texgen/stats/charts.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/stats/runs.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/image/external_program.h"
-#include "texgen/image/file_io.h"
 #include "texgen/stats/files.h"
 
 #include <gtest/gtest.h>

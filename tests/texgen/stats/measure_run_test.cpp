@@ -2,7 +2,7 @@
 
 #include "texgen/stats/measure_run.h"
 
-#include "tests/texgen/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include "texgen/studio/folder.h"
 
-#include "texgen/image/file_io.h"
-#include "texgen/image/scratch_folder.h"
+#include "core/files/file_io.h"
+#include "core/files/scratch_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 
 #include "texgen/studio/handler.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
+#include "core/files/scratch_folder.h"
 #include "texgen/image/png.h"
-#include "texgen/image/scratch_folder.h"
 #include "texgen/studio/page_files.h"
 #include "texgen/studio/samples.h"
 

@@ -2,7 +2,7 @@
 
 #include "texgen/studio/http_server.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
 #include <arpa/inet.h>
 #include <fmt/core.h>

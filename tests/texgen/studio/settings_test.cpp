@@ -2,8 +2,8 @@
 
 #include "texgen/studio/settings.h"
 
+#include "core/files/scratch_folder.h"
 #include "texgen/image/png.h"
-#include "texgen/image/scratch_folder.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/shipped_presets.h"
 

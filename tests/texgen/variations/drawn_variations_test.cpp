@@ -2,8 +2,8 @@
 
 #include "texgen/variations/drawn_variations.h"
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 #include "texgen/bake/bake.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/sheet/display_frame.h"

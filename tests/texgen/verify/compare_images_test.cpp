@@ -2,8 +2,8 @@
 
 #include "texgen/verify/compare_images.h"
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
-#include "tests/texgen/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

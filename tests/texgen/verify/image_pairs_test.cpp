@@ -2,9 +2,9 @@
 
 #include "texgen/verify/image_pairs.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/manifest/small_set.h"
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
 #include "texgen/manifest/manifest_json.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
 #include "tests/texgen/verify/breathing_loop.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/image/png.h"

@@ -2,12 +2,12 @@
 
 #include "texgen/verify/verify.h"
 
+#include "core/files/file_io.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
 #include "tests/texgen/small_preset.h"
-#include "tests/texgen/temporary_folder.h"
 #include "tests/texgen/verify/breathing_loop.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/image/file_io.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/image/png.h"
 #include "texgen/manifest/manifest_file.h"

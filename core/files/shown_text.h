@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace foam::texgen {
+namespace foam {
 
 /// The largest number of characters of a message, and the largest number of characters of a value
 /// that a message quotes.
@@ -39,4 +39,4 @@ std::string shown_lines(std::string_view text);
 /// characters, followed by "...".
 std::string cut_text(std::string_view text, std::size_t longest = kLongestQuote);
 
-}  // namespace foam::texgen
+}  // namespace foam

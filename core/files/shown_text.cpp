@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/image/shown_text.h"
+#include "core/files/shown_text.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace foam::texgen {
+namespace foam {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::string cut_text(std::string_view text, std::size_t longest) {
     return std::string(text.substr(0, static_cast<std::size_t>(end - text.data()))) + "...";
 }
 
-}  // namespace foam::texgen
+}  // namespace foam

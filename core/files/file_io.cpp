@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
-#include "texgen/image/shown_text.h"
+#include "core/files/shown_text.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -18,7 +18,7 @@
 #include <system_error>
 #include <utility>
 
-namespace foam::texgen {
+namespace foam {
 
 namespace {
 
@@ -268,4 +268,4 @@ void make_folders(const std::filesystem::path& folder) {
     }
 }
 
-}  // namespace foam::texgen
+}  // namespace foam

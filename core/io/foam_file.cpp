@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/cli/foam_file.h"
+#include "core/io/foam_file.h"
 
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "core/io/evolver_file.h"
 #include "core/io/foam_json.h"
-#include "texgen/image/content_text.h"
-#include "texgen/image/file_io.h"
 
 #include <fmt/core.h>
 
@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-namespace foam::texgen {
+namespace foam {
 
 namespace {
 
@@ -56,9 +56,9 @@ LoadedFoam load_foam(const std::filesystem::path& path) {
     const FoamFormat format = format_of(path);
     const Bytes bytes = read_file(path, kFoamInput);
     if (format == FoamFormat::Json) {
-        return {read_foam_json(text_of(bytes), path.string()), {}};
+        return {read_foam_json(as_text(bytes), path.string()), {}};
     }
-    EvolverFoam read = read_evolver(text_of(bytes), path.string());
+    EvolverFoam read = read_evolver(as_text(bytes), path.string());
     return {std::move(read.foam), std::move(read.notes)};
 }
 
@@ -67,4 +67,4 @@ void save_foam(const std::filesystem::path& path, const Foam& foam) {
     write_file(path, std::as_bytes(std::span(text)));
 }
 
-}  // namespace foam::texgen
+}  // namespace foam

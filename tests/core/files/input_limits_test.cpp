@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/image/input_limits.h"
+#include "core/files/input_limits.h"
 
 #include "core/geometry/domain.h"
 #include "tests/support/places.h"
@@ -11,7 +11,7 @@
 #include <iterator>
 #include <string>
 
-namespace foam::texgen {
+namespace foam {
 namespace {
 
 std::string security_page() {
@@ -41,4 +41,4 @@ TEST(InputLimits, AreThoseOfTheSecurityPage) {
 }
 
 }  // namespace
-}  // namespace foam::texgen
+}  // namespace foam

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace foam::texgen {
+namespace foam {
 
 /// A foam that was read from a file.
 struct LoadedFoam {
@@ -29,4 +29,4 @@ LoadedFoam load_foam(const std::filesystem::path& path);
 /// exceptions of check_foam_name.
 void save_foam(const std::filesystem::path& path, const Foam& foam);
 
-}  // namespace foam::texgen
+}  // namespace foam

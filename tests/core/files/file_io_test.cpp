@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
-#include "tests/texgen/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace foam::texgen {
+namespace foam {
 namespace {
 
 /// Limits the size of the files that this process writes, in order to simulate a full disk.
@@ -196,4 +196,4 @@ TEST(FileIo, ReadingNamesFileAndReason) {
 }
 
 }  // namespace
-}  // namespace foam::texgen
+}  // namespace foam

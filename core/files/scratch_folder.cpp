@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/image/scratch_folder.h"
+#include "core/files/scratch_folder.h"
 
-#include "texgen/image/file_io.h"
+#include "core/files/file_io.h"
 
 #include <fmt/core.h>
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
@@ -11,7 +11,7 @@
 #include <string>
 #include <system_error>
 
-namespace foam::texgen {
+namespace foam {
 
 namespace {
 
@@ -37,4 +37,4 @@ ScratchFolder::~ScratchFolder() {
     std::filesystem::remove_all(path_, ignored);
 }
 
-}  // namespace foam::texgen
+}  // namespace foam

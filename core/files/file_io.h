@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "texgen/image/input_limits.h"
+#include "core/files/input_limits.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace foam::texgen {
+namespace foam {
 
 /// Reports input that is unreadable or malformed. The message gives the reason. It also names the
 /// file if the function that throws has its path.
@@ -109,4 +109,4 @@ void check_writable(const std::filesystem::path& folder);
 /// which means the working directory. Throws OutputError if a folder cannot be created.
 void make_folders(const std::filesystem::path& folder);
 
-}  // namespace foam::texgen
+}  // namespace foam

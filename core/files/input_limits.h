@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace foam::texgen {
+namespace foam {
 
 // The limits of files that the program reads. They bound the memory and the time that a file from
 // an untrusted source can cost. SECURITY.md lists them.
@@ -44,4 +44,4 @@ inline constexpr std::int64_t kMaxImageExtent = 1'000'000;
 /// proportion to the largest identity.
 inline constexpr std::uint32_t kMaxIdentity = 1U << 23U;
 
-}  // namespace foam::texgen
+}  // namespace foam

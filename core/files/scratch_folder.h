@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace foam::texgen {
+namespace foam {
 
 /// A new empty folder in the system's folder for temporary files. The destructor removes the folder
 /// with its content.
@@ -22,4 +22,4 @@ class ScratchFolder {
     std::filesystem::path path_;
 };
 
-}  // namespace foam::texgen
+}  // namespace foam

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/cli/foam_file.h"
+#include "core/io/foam_file.h"
 
+#include "core/files/file_io.h"
 #include "core/foam/honeycomb.h"
 #include "core/io/format_error.h"
-#include "tests/texgen/temporary_folder.h"
-#include "texgen/image/file_io.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace foam::texgen {
+namespace foam {
 namespace {
 
 TEST(FoamFile, TheNameSelectsTheFormat) {
@@ -42,4 +42,4 @@ TEST(FoamFile, AFoamThatTheFormatCannotStoreIsAnOutputError) {
 }
 
 }  // namespace
-}  // namespace foam::texgen
+}  // namespace foam

@@ -2,14 +2,14 @@
 
 #pragma once
 
-#include "texgen/image/scratch_folder.h"
+#include "core/files/scratch_folder.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace foam::texgen {
+namespace foam {
 
 /// A new empty folder for a test. The destructor removes the folder with its content.
 class TemporaryFolder : public ScratchFolder {
@@ -28,4 +28,4 @@ class TemporaryFolder : public ScratchFolder {
     }
 };
 
-}  // namespace foam::texgen
+}  // namespace foam

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/image/shown_text.h"
+#include "core/files/shown_text.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace foam::texgen {
+namespace foam {
 namespace {
 
 TEST(ShownText, KeepsOrdinaryText) {
@@ -71,4 +71,4 @@ RC_GTEST_PROP(ShownText, AnyBytesBecomeHarmless, (const std::string& bytes)) {
 }
 
 }  // namespace
-}  // namespace foam::texgen
+}  // namespace foam
