@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "core/dynamics/shear.h"
+#include "core/dynamics/step.h"
+#include "core/equilibrium/equilibrate_given.h"
+#include "core/foam/measure.h"
+#include "core/foam/patch.h"
+#include "core/foam/seeding.h"
+#include "core/io/foam_file.h"
+#include "core/io/foam_json.h"
+#include "core/library/foam_records.h"
+#include "core/library/with_public_errors.h"
+
+#include <foamtex/foam.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace foamtex {
+
+struct Foam::State {
+    foam::Foam foam;
+};
+
+namespace {
+
+void require(bool holds, const std::string& message) {
+    if (!holds) {
+        throw ArgumentError(message);
+    }
+}
+
+bool is_positive(double number) {
+    return std::isfinite(number) && number > 0.0;
+}
+
+void check(const StepSettings& settings) {
+    require(std::isfinite(settings.kappa) && settings.kappa >= 0.0,
+            "kappa: must be a number of at least 0");
+    require(is_positive(settings.tolerance), "tolerance: must be a positive number");
+    require(is_positive(settings.t1_distance), "t1_distance: must be a positive number");
+    require(is_positive(settings.t2_area), "t2_area: must be a positive number");
+}
+
+void check_threads(int threads) {
+    require(threads >= 0, "threads: must be at least 0");
+}
+
+foam::StepOptions options_of(const StepSettings& settings) {
+    foam::StepOptions options;
+    options.coarsening.kappa = settings.kappa;
+    options.equilibrium.tolerance = settings.tolerance;
+    options.equilibrium.thresholds = {settings.t1_distance, settings.t2_area};
+    options.equilibrium.threads = settings.threads;
+    return options;
+}
+
+foam::Vec2 vector_of(const Point& point) {
+    return {point.x, point.y};
+}
+
+// Returns the change that a drive means for a foam. Throws ArgumentError.
+foam::StateChange change_of(const Drive& drive, const foam::Domain& domain) {
+    require(std::isfinite(drive.strain), "strain: must be a number");
+    require(drive.strain == 0.0 || !domain.is_plane(), "strain: only a torus can be sheared");
+    foam::StateChange change{.strain = drive.strain};
+    for (const DrivenArea& driven : drive.areas) {
+        require(is_positive(driven.target_area), "target_area: must be a positive number");
+        change.driven.push_back({.bubble = static_cast<foam::BubbleIdentity>(driven.identity),
+                                 .target_area = driven.target_area});
+    }
+    for (const Push& push : drive.pushes) {
+        require(is_positive(push.radius), "radius: must be a positive number");
+        require(domain.is_plane() || push.radius <= 0.5 * std::min(domain.width, domain.height),
+                "radius: on a torus, must be at most half of its shorter side");
+        require(std::isfinite(push.center.x) && std::isfinite(push.center.y) &&
+                    std::isfinite(push.by.x) && std::isfinite(push.by.y),
+                "push: must consist of numbers");
+        change.pushes.push_back({vector_of(push.center), push.radius, vector_of(push.by)});
+    }
+    return change;
+}
+
+Equilibrium result_of(const foam::EquilibriumSummary& summary) {
+    return {.converged = summary.converged(),
+            .iterations = summary.iterations,
+            .t1 = summary.t1,
+            .t2 = summary.t2,
+            .area_error = summary.area_error,
+            .angle_error = summary.angle_error};
+}
+
+// Returns seed(). Throws ArgumentError if the options give no valid foam.
+template <class Seed>
+Foam seeded(const Seed& seed) {
+    try {
+        return foam::with_public_errors(seed);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw ArgumentError(error.what());
+    }
+}
+
+}  // namespace
+
+Foam::Foam(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Foam::Foam(const Foam& other) : state_(std::make_unique<State>(*other.state_)) {}
+Foam::Foam(Foam&& other) noexcept = default;
+Foam& Foam::operator=(Foam&& other) noexcept = default;
+Foam::~Foam() = default;
+
+Foam& Foam::operator=(const Foam& other) {
+    return *this = Foam(other);
+}
+
+Foam Foam::torus(const SeedOptions& options) {
+    return seeded([&] {
+        const foam::SeedingOptions seeding{.bubbles = options.bubbles,
+                                           .aspect = options.aspect,
+                                           .lloyd_iterations = options.lloyd_iterations,
+                                           .area_ratio = options.area_ratio,
+                                           .surface_tension = options.surface_tension,
+                                           .seed = options.seed};
+        return Foam(std::make_unique<State>(State{foam::seed_foam(seeding)}));
+    });
+}
+
+Foam Foam::disk(const SeedOptions& options) {
+    return seeded([&] {
+        const foam::PatchOptions patch{.bubbles = options.bubbles,
+                                       .lloyd_iterations = options.lloyd_iterations,
+                                       .area_ratio = options.area_ratio,
+                                       .surface_tension = options.surface_tension,
+                                       .seed = options.seed};
+        return Foam(std::make_unique<State>(State{foam::seed_patch(foam::disc_outline(), patch)}));
+    });
+}
+
+Foam Foam::read(const std::string& file) {
+    return foam::with_public_errors(
+        [&] { return Foam(std::make_unique<State>(State{foam::load_foam(file).foam})); });
+}
+
+Foam Foam::from_state(const std::string& json) {
+    return foam::with_public_errors(
+        [&] { return Foam(std::make_unique<State>(State{foam::read_foam_json(json, "state")})); });
+}
+
+std::string Foam::state() const {
+    return foam::write_foam_json(state_->foam);
+}
+
+void Foam::write(const std::string& file) const {
+    foam::with_public_errors([&] { foam::save_foam(file, state_->foam); });
+}
+
+Equilibrium Foam::relax(int threads) {
+    check_threads(threads);
+    return result_of(foam::equilibrate_given(state_->foam, threads));
+}
+
+Equilibrium Foam::step(double time, const Drive& drive, const StepSettings& settings) {
+    require(std::isfinite(time) && time >= 0.0, "time: must be a number of at least 0");
+    check(settings);
+    check_threads(settings.threads);
+    const foam::StateChange change = change_of(drive, state_->foam.domain);
+    if (time == 0.0 && change.empty()) {
+        return {.converged = true};
+    }
+    return result_of(foam::step(state_->foam, time, change, options_of(settings)).equilibrium);
+}
+
+void Foam::shear(double strain) {
+    require(std::isfinite(strain), "strain: must be a number");
+    require(extent().is_torus(), "shear: only a torus can be sheared");
+    foam::shear(state_->foam, strain);
+}
+
+double Foam::time() const {
+    return state_->foam.time;
+}
+
+double Foam::film_tension() const {
+    return state_->foam.film_tension;
+}
+
+Extent Foam::extent() const {
+    return foam::extent_of(state_->foam.domain);
+}
+
+std::int64_t Foam::bubble_count() const {
+    return static_cast<std::int64_t>(state_->foam.network.bubble_count() +
+                                     state_->foam.lone_bubbles.size());
+}
+
+double Foam::energy() const {
+    return foam::energy(state_->foam);
+}
+
+Stress Foam::stress() const {
+    return foam::stress_record(foam::snapshot(state_->foam, 0));
+}
+
+FoamRecords Foam::records() const {
+    return foam::records_of(foam::snapshot(state_->foam, 0));
+}
+
+}  // namespace foamtex

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "core/library/foam_records.h"
+
+#include "core/foam/bubble_centroid.h"
+#include "core/foam/measure.h"
+#include "core/foam/stress.h"
+
+#include <numbers>
+
+namespace foam {
+
+namespace {
+
+using foamtex::Bubble;
+using foamtex::Film;
+using foamtex::FoamRecords;
+using foamtex::Point;
+
+// The index of a bubble among the records, or -1 for the ghost.
+std::int64_t bubble_index(const Frame& frame, BubbleId bubble) {
+    return bubble == frame.network.ghost() ? -1 : static_cast<std::int64_t>(index_of(bubble));
+}
+
+Film film_record(const Frame& frame, FilmId film) {
+    const Network& network = frame.network;
+    const HalfEdgeId side = forward_side(film);
+    const Vec2& tail = frame.positions[network.tail(side)];
+    const FilmArc& arc = frame.arcs[film];
+    return {.left = bubble_index(frame, network.left(side)),
+            .right = bubble_index(frame, network.right(side)),
+            .tail = static_cast<std::int64_t>(index_of(network.tail(side))),
+            .head = static_cast<std::int64_t>(index_of(network.head(side))),
+            .x = tail.x(),
+            .y = tail.y(),
+            .chord_x = arc.chord.x(),
+            .chord_y = arc.chord.y(),
+            .half_angle = arc.half_angle,
+            .length = arc_length(arc)};
+}
+
+Bubble bubble_record(const Frame& frame, BubbleId bubble) {
+    const FrameBubble& values = frame.bubbles[bubble];
+    const Vec2 center = bubble_centroid(frame, bubble);
+    Bubble record{.identity = values.identity,
+                  .sides = frame.network.sides(bubble),
+                  .x = center.x(),
+                  .y = center.y(),
+                  .area = values.area,
+                  .target_area = values.target_area,
+                  .pressure = values.pressure};
+    for (const HalfEdgeId h : frame.network.around(bubble)) {
+        record.perimeter += arc_length(frame.arc(h));
+    }
+    return record;
+}
+
+Bubble lone_record(const LoneBubble& bubble, double film_tension) {
+    const double radius = lone_radius(bubble);
+    return {.identity = bubble.identity,
+            .sides = 0,
+            .x = bubble.center.x(),
+            .y = bubble.center.y(),
+            .area = bubble.target_area,
+            .target_area = bubble.target_area,
+            .pressure = film_tension / radius,
+            .perimeter = 2.0 * std::numbers::pi * radius};
+}
+
+}  // namespace
+
+FoamRecords records_of(const Frame& frame) {
+    FoamRecords records;
+    for (const BubbleId bubble : frame.network.bubbles()) {
+        records.bubbles.push_back(bubble_record(frame, bubble));
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        records.bubbles.push_back(lone_record(bubble, frame.film_tension));
+    }
+    for (const FilmId film : frame.network.films()) {
+        records.films.push_back(film_record(frame, film));
+    }
+    for (const JunctionId junction : frame.network.junctions()) {
+        const Vec2& position = frame.positions[junction];
+        records.junctions.push_back({position.x(), position.y()});
+    }
+    return records;
+}
+
+foamtex::Extent extent_of(const Domain& domain) {
+    return {domain.width, domain.height, domain.shear};
+}
+
+foamtex::Stress stress_record(const Frame& frame) {
+    const Mat2 tensor = stress(frame);
+    return {tensor(0, 0), tensor(0, 1), tensor(1, 1)};
+}
+
+}  // namespace foam

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <foamtex/export.h>
+
+#include <stdexcept>
+
+namespace foamtex {
+
+/// The base of all errors that functions of the library throw on purpose. The message is one line.
+class FOAMTEX_EXPORT Error : public std::runtime_error {
+  public:
+    using runtime_error::runtime_error;
+};
+
+/// An argument or the value of a key is not allowed.
+class FOAMTEX_EXPORT ArgumentError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// A file cannot be read, or its content is malformed. The message names the file and, where there
+/// is one, the line.
+class FOAMTEX_EXPORT InputError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// A file cannot be written. The message names the file.
+class FOAMTEX_EXPORT OutputError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// No equilibrium was found, or a loop did not close.
+class FOAMTEX_EXPORT EquilibriumError : public Error {
+  public:
+    using Error::Error;
+};
+
+}  // namespace foamtex

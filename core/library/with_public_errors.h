@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/files/file_io.h"
+#include "core/io/format_error.h"
+
+#include <foamtex/errors.h>
+
+#include <stdexcept>
+
+namespace foam {
+
+/// Returns work(). Exceptions that the program throws on purpose become those that users of the
+/// library know.
+template <class Work>
+auto with_public_errors(const Work& work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        throw foamtex::InputError(error.what());
+    } catch (const FormatError& error) {
+        throw foamtex::InputError(error.what());
+    } catch (const OutputError& error) {
+        throw foamtex::OutputError(error.what());
+    } catch (const std::invalid_argument& error) {
+        throw foamtex::ArgumentError(error.what());
+    }
+}
+
+}  // namespace foam

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <foamtex/errors.h>
+#include <foamtex/export.h>
+#include <foamtex/foam.h>
+#include <foamtex/records.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Presets, their animations, and the images (maps) of their frames.
+namespace foamtex {
+
+/// Returns the version of the library, such as "1.2.3".
+FOAMTEX_EXPORT std::string version();
+
+/// Returns the names of the shipped presets.
+FOAMTEX_EXPORT std::vector<std::string> preset_names();
+
+/// Returns the JSON Schema of preset files, which documents every key.
+FOAMTEX_EXPORT std::string key_schema();
+
+/// A map: an image that can be drawn of a frame.
+struct MapInfo {
+    std::string name;      // such as "height"
+    std::string meaning;   // in a few words
+    std::string unit;      // of the numbers
+    std::string channels;  // such as "R G B"
+};
+
+/// Returns all maps.
+FOAMTEX_EXPORT std::vector<MapInfo> maps();
+
+/// Width, height and number of channels of an image.
+struct ImageShape {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+
+    /// Returns the number of samples.
+    std::size_t size() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+               static_cast<std::size_t>(channels);
+    }
+};
+
+/// A preset: all options of an animation. A value: a copy is another preset.
+class FOAMTEX_EXPORT Preset {
+  public:
+    /// Loads a shipped preset, such as "sea_foam", or a preset file, whose path ends in .toml or
+    /// contains a '/'. Then sets keys as `foamtex bake --set` does: `values` maps a key, such as
+    /// "foam.bubbles", to its value as TOML, in which words need no quotes. Throws ArgumentError
+    /// for an unknown preset or key, or for a value that is not allowed.
+    explicit Preset(const std::string& name_or_path,
+                    const std::map<std::string, std::string>& values = {});
+
+    Preset(const Preset& other);
+    Preset(Preset&& other) noexcept;
+    Preset& operator=(const Preset& other);
+    Preset& operator=(Preset&& other) noexcept;
+    ~Preset();
+
+    /// Sets keys, all or none of them. Throws as the constructor does.
+    void set(const std::map<std::string, std::string>& values);
+
+    /// Returns the value of a key as TOML, or nothing if the key is unset. Throws ArgumentError for
+    /// an unknown key.
+    std::optional<std::string> get(const std::string& key) const;
+
+    std::string name() const;
+    std::string description() const;
+    int frame_count() const;                // of the animation; loops repeat after so many frames
+    std::vector<std::string> maps() const;  // the maps of image.maps
+    int width() const;                      // of images, in pixels
+    int height() const;
+
+    /// Returns the whole preset as the text of a preset file.
+    std::string toml() const;
+
+    /// Returns the foam from which the animation starts: a raw Voronoi diagram (Foam::torus).
+    Foam seeded_foam() const;
+
+    /// Fits the automatic ranges of maps, such as height.full = "auto", to the whole animation, as
+    /// `foamtex bake` does. Only integer samples (Frame::draw) need this. Throws EquilibriumError
+    /// if the animation fails. `threads`: 0 for all threads of the machine.
+    void fit_ranges(int threads = 0);
+
+    struct State;  // of the library
+
+    /// Returns the state, for other classes of the library.
+    const State& state() const { return *state_; }
+
+  private:
+    std::shared_ptr<const State> state_;
+};
+
+/// One frame of an animation: a foam, and its images. A copy refers to the same frame. All
+/// functions may be called by several threads at the same time.
+class FOAMTEX_EXPORT Frame {
+  public:
+    int number() const;   // from 1
+    double time() const;  // foam time (E6)
+    Extent extent() const;
+    double energy() const;               // film tension times the length of all films
+    Stress stress() const;               // mean stress (E11)
+    const FoamRecords& records() const;  // valid as long as a copy of this frame exists
+
+    /// Returns the shape of the image of a map. `integers` is true for integer samples, which store
+    /// two channels as three. Throws ArgumentError for an unknown map.
+    ImageShape shape(const std::string& map, bool integers = false) const;
+
+    /// Draws a map into a caller's buffer: the rows from top to bottom, with interleaved channels.
+    /// Numbers are in the unit of the map; colors are linear light from 0 to 1, multiplied by the
+    /// opacity if there is one. Throws ArgumentError for an unknown map, if the size of the buffer
+    /// is not that of shape(map), or if the map needs the next frame but is not one of the preset's
+    /// own maps (Preset::maps). `threads`: 0 for all threads of the machine.
+    void draw(const std::string& map, std::span<float> samples, int threads = 1) const;
+
+    /// Draws a map as integers, exactly as a PNG of `foamtex bake` stores it; with 16 bits for maps
+    /// whose PNG has 16 bits. Throws as above, for shape(map, true); also throws ArgumentError if a
+    /// range of the map is automatic (Preset::fit_ranges), or for 16 bits of a map of colors.
+    void draw(const std::string& map, std::span<std::uint8_t> samples, int threads = 1) const;
+    void draw(const std::string& map, std::span<std::uint16_t> samples, int threads = 1) const;
+
+    struct State;  // of the library
+
+    /// Makes a frame; only the library can.
+    explicit Frame(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+    const State& state() const { return *state_; }
+
+  private:
+    std::shared_ptr<const State> state_;
+};
+
+/// A running simulation of a preset, which a thread of its own computes a few frames ahead. One
+/// thread at a time may use it.
+class FOAMTEX_EXPORT Simulation {
+  public:
+    /// Starts the simulation. `frames` are the numbers of the frames that are wanted, such as
+    /// "1-48" or "1-10x3,20" (the notation of `foamtex bake --frames`); all frames if it is empty.
+    /// Throws ArgumentError. `threads`: 0 for all threads of the machine; no result depends on it.
+    explicit Simulation(const Preset& preset, const std::string& frames = {}, int threads = 0);
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+    ~Simulation();  // stops the simulation if it is still running
+
+    /// Waits for the next frame and returns it; nothing after the last one. Frames come in
+    /// increasing order, except in a loop of the kind pingpong. Throws EquilibriumError if the foam
+    /// finds no equilibrium or the loop does not close. While it waits, calls `poll` ten times per
+    /// second, if there is one; an exception of `poll` ends the simulation.
+    std::optional<Frame> next(const std::function<void()>& poll = {});
+
+  private:
+    struct Stream;
+    std::unique_ptr<Stream> stream_;
+};
+
+/// How far a bake is.
+struct Progress {
+    std::string phase;  // such as "frames"; `foamtex bake --progress json` prints the same words
+    int done = 0;
+    int total = 0;  // 0 if unknown
+    int frame = 0;  // the frame that was done last; 0 if there is none
+};
+
+struct BakeSettings {
+    std::string frames{};  // such as "1-48"; empty for the whole animation
+    int threads = 0;       // 0: all threads of the machine
+    bool resume = false;   // keeps frames that an earlier bake of the same preset has written
+    // Called now and then, by one thread at a time; an exception ends the bake.
+    std::function<void(const Progress&)> on_progress{};
+};
+
+/// Writes the images of a preset, and what else `foamtex bake` writes: the manifest, sheets and
+/// scene files. `out` is a folder, or a pattern of file names such as "out/{map}.####.exr". Returns
+/// the names of all images. Throws ArgumentError, OutputError, and EquilibriumError if the
+/// animation fails; the frames before the failure have been written then.
+FOAMTEX_EXPORT std::vector<std::string> bake(const Preset& preset,
+                                             const std::string& out,
+                                             const BakeSettings& settings = {});
+
+/// The largest differences that `compare` allows. Integer samples are scaled so that the largest
+/// integer is 1. Of samples, 1e-6 is allowed unless another limit is given.
+struct Limits {
+    std::optional<double> sample{};  // of any sample
+    std::optional<double> rms{};     // root mean square over all samples
+    std::optional<double> angle{};   // of normals, in degrees
+    double allowed_percent = 0.0;    // of the pixels that may exceed `sample`
+};
+
+/// The comparison of two images, or of one layer of two images.
+struct Difference {
+    bool is_within = false;  // true if no limit is exceeded
+    std::string map{};       // empty if it is not known
+    std::string layer{};     // empty if the images have no layers
+    double largest = 0.0;    // largest difference of two samples
+    double mean = 0.0;
+    double rms = 0.0;
+    std::string channel{};  // of the largest difference; empty if all samples are equal
+    int x = 0;              // column of the largest difference
+    int y = 0;              // row of the largest difference, from the top
+    std::vector<std::string> reasons{};  // the limits that are exceeded, in words
+};
+
+/// Compares two image files, such as a golden image and a new one. If `picture` is not empty,
+/// writes a PNG of the differences with this name. Throws InputError if an image is unreadable, and
+/// OutputError.
+FOAMTEX_EXPORT std::vector<Difference> compare(const std::string& a,
+                                               const std::string& b,
+                                               const Limits& limits = {},
+                                               const std::string& picture = {});
+
+}  // namespace foamtex

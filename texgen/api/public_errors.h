@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/library/with_public_errors.h"
+#include "texgen/animation/simulate_frames.h"
+#include "texgen/preset/assignment.h"
+
+namespace foam::texgen {
+
+/// Returns work(), like with_public_errors. Invalid presets become foamtex::ArgumentError.
+template <class Work>
+auto with_texture_errors(const Work& work) {
+    return with_public_errors([&] {
+        try {
+            return work();
+        } catch (const PresetError& error) {
+            throw foamtex::ArgumentError(error.what());
+        }
+    });
+}
+
+/// Throws foamtex::EquilibriumError if a run has not reached its last frame.
+inline void throw_if_failed(const RunOutcome& outcome) {
+    if (outcome.status != RunStatus::Complete) {
+        throw foamtex::EquilibriumError(failure_of(outcome));
+    }
+}
+
+}  // namespace foam::texgen

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/animation/simulate_frames.h"
+#include "texgen/api/public_errors.h"
+#include "texgen/api/state.h"
+#include "texgen/bake/frame_range.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/preset/drawn_images.h"
+
+#include <foamtex/texture.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+// A thread simulates the preset and passes its frames to the caller through a queue. The queue is
+// bounded, so that memory does not grow with the number of frames.
+
+namespace foamtex {
+
+namespace {
+
+constexpr std::size_t kQueuedFrames = 3;
+constexpr std::chrono::milliseconds kPollPeriod{100};
+
+std::vector<int> frames_of(const Preset& preset, const std::string& frames) {
+    return frames.empty() ? foam::texgen::frames_to(preset.frame_count())
+                          : foam::texgen::parse_frame_range(frames);
+}
+
+foam::texgen::NextFrames next_frames_of(const foam::texgen::Preset& preset) {
+    const auto maps = foam::texgen::source_maps(preset);
+    return std::ranges::any_of(maps, &foam::texgen::Map::needs_next)
+               ? foam::texgen::NextFrames::Included
+               : foam::texgen::NextFrames::Omitted;
+}
+
+// Ends the simulation of a caller who needs no more frames.
+struct Stopped {};
+
+}  // namespace
+
+struct Simulation::Stream {
+    Stream(Preset of, std::vector<int> numbers, int threads)
+        : preset(std::move(of)),
+          thread([this, numbers = std::move(numbers), threads] { run(numbers, threads); }) {}
+
+    ~Stream() {
+        {
+            const std::scoped_lock lock(mutex);
+            stops = true;
+        }
+        changed.notify_all();
+        thread.join();
+    }
+
+    Stream(const Stream&) = delete;
+    Stream& operator=(const Stream&) = delete;
+
+    // Simulates all frames. Runs on the thread.
+    void run(const std::vector<int>& numbers, int threads) {
+        std::exception_ptr caught;
+        try {
+            foam::texgen::with_texture_errors([&] {
+                foam::texgen::throw_if_failed(foam::texgen::simulate_frames(
+                    preset.state().preset,
+                    threads,
+                    numbers,
+                    next_frames_of(preset.state().preset),
+                    [this](const foam::texgen::SimulatedFrame& frame) { add(frame); },
+                    [this](const foam::texgen::RunProgress&) { throw_if_stopped(); }));
+            });
+        } catch (const Stopped&) {
+            return;
+        } catch (...) {
+            caught = std::current_exception();
+        }
+        {
+            const std::scoped_lock lock(mutex);
+            error = caught;
+            has_ended = true;
+        }
+        changed.notify_all();
+    }
+
+    void add(const foam::texgen::SimulatedFrame& shown) {
+        Frame frame(std::make_shared<const Frame::State>(shown, preset));
+        {
+            std::unique_lock lock(mutex);
+            changed.wait(lock, [&] { return stops || frames.size() < kQueuedFrames; });
+            if (stops) {
+                throw Stopped();
+            }
+            frames.push_back(std::move(frame));
+        }
+        changed.notify_all();
+    }
+
+    void throw_if_stopped() {
+        const std::scoped_lock lock(mutex);
+        if (stops) {
+            throw Stopped();
+        }
+    }
+
+    std::optional<Frame> next(const std::function<void()>& poll) {
+        std::unique_lock lock(mutex);
+        while (!changed.wait_for(lock, kPollPeriod, [&] { return has_ended || !frames.empty(); })) {
+            if (poll) {
+                lock.unlock();
+                poll();
+                lock.lock();
+            }
+        }
+        if (frames.empty()) {
+            if (error) {
+                std::rethrow_exception(error);
+            }
+            return std::nullopt;
+        }
+        Frame frame = std::move(frames.front());
+        frames.pop_front();
+        lock.unlock();
+        changed.notify_all();
+        return frame;
+    }
+
+    Preset preset;
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::deque<Frame> frames;  // simulated, and not yet taken
+    bool has_ended = false;    // true after the last frame, or after an error
+    bool stops = false;        // true if the caller needs no more frames
+    std::exception_ptr error;  // why the simulation has ended early
+    std::thread thread;        // last, because it uses the other members
+};
+
+Simulation::Simulation(const Preset& preset, const std::string& frames, int threads)
+    : stream_(foam::texgen::with_texture_errors(
+          [&] { return std::make_unique<Stream>(preset, frames_of(preset, frames), threads); })) {}
+
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
+
+std::optional<Frame> Simulation::next(const std::function<void()>& poll) {
+    return stream_->next(poll);
+}
+
+}  // namespace foamtex

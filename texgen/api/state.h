@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/animation/simulated_frame.h"
+#include "texgen/preset/preset.h"
+
+#include <foamtex/texture.h>
+
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace foamtex {
+
+struct Preset::State {
+    foam::texgen::Preset preset;
+    bool has_fitted_ranges = false;  // true after Preset::fit_ranges
+};
+
+struct Frame::State {
+    State(foam::texgen::SimulatedFrame frame, Preset of)
+        : shown(std::move(frame)), preset(std::move(of)) {}
+
+    foam::texgen::SimulatedFrame shown;
+    Preset preset;  // of the simulation
+    // Computed when first needed.
+    mutable std::once_flag has_records;
+    mutable FoamRecords records;
+};
+
+}  // namespace foamtex
