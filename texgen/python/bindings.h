@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+// Every source of the module includes this header first, as pybind11 recommends.
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+namespace foam::texgen {
+
+/// Add parts of the module: records and errors, settings and results of steps, the class Foam,
+/// presets with their images, and functions that read and write files. A class must be added before
+/// functions whose default arguments are its objects.
+void bind_records(pybind11::module_& module);
+void bind_steps(pybind11::module_& module);
+void bind_foam(pybind11::module_& module);
+void bind_texture(pybind11::module_& module);
+void bind_files(pybind11::module_& module);
+
+}  // namespace foam::texgen

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/api/frame_images.h"
+#include "texgen/api/public_errors.h"
+#include "texgen/python/arrays.h"
+#include "texgen/python/bindings.h"
+
+#include <foamtex/texture.h>
+
+#include <string>
+
+namespace foam::texgen {
+
+namespace {
+
+namespace py = pybind11;
+
+// Returns a value of Python as the text of a TOML value: True becomes true, and a list or a tuple
+// becomes a list. A text stays as it is, as on the command line.
+std::string value_text(const py::handle& value) {
+    if (py::isinstance<py::str>(value)) {
+        return value.cast<std::string>();
+    }
+    if (py::isinstance<py::bool_>(value)) {
+        return value.cast<bool>() ? "true" : "false";
+    }
+    if (py::isinstance<py::sequence>(value)) {
+        std::string text;
+        for (const py::handle item : value) {
+            const bool is_text = py::isinstance<py::str>(item);
+            text += (text.empty() ? "" : ", ") +
+                    (is_text ? py::repr(item).cast<std::string>() : value_text(item));
+        }
+        return "[" + text + "]";
+    }
+    return py::str(value).cast<std::string>();
+}
+
+std::map<std::string, std::string> values_of(const py::dict& values) {
+    std::map<std::string, std::string> texts;
+    for (const auto& [key, value] : values) {
+        texts[key.cast<std::string>()] = value_text(value);
+    }
+    return texts;
+}
+
+// Ends a wait for the next frame if the user has pressed Ctrl-C. Precondition: this thread does not
+// hold the GIL.
+void throw_if_interrupted() {
+    const py::gil_scoped_acquire python;
+    if (PyErr_CheckSignals() != 0) {
+        throw py::error_already_set();
+    }
+}
+
+foamtex::Frame next_frame(foamtex::Simulation& simulation) {
+    std::optional<foamtex::Frame> frame;
+    {
+        const py::gil_scoped_release others_may_run;
+        frame = simulation.next(throw_if_interrupted);
+    }
+    if (!frame) {
+        throw py::stop_iteration();
+    }
+    return *std::move(frame);
+}
+
+template <class Draw>
+py::array drawn(const Draw& draw) {
+    auto image = [&] {
+        const py::gil_scoped_release others_may_run;
+        return with_texture_errors(draw);
+    }();
+    return array_of(std::move(image));
+}
+
+py::array draw_map(const foamtex::Frame& frame,
+                   const std::string& map,
+                   const py::object& dtype,
+                   int threads) {
+    const py::dtype type = py::dtype::from_args(dtype);
+    const foamtex::Frame::State& state = frame.state();
+    if (type.is(py::dtype::of<float>())) {
+        return drawn([&] { return number_image(state, map, threads); });
+    }
+    if (type.is(py::dtype::of<std::uint8_t>())) {
+        return drawn([&] { return code_image<std::uint8_t>(state, map, threads); });
+    }
+    if (type.is(py::dtype::of<std::uint16_t>())) {
+        return drawn([&] { return code_image<std::uint16_t>(state, map, threads); });
+    }
+    throw foamtex::ArgumentError("dtype must be float32, uint8 or uint16");
+}
+
+template <auto member>
+py::array frame_table(const py::object& self) {
+    return view_of(self.cast<const foamtex::Frame&>().records().*member, self);
+}
+
+void bind_preset(py::module_& module) {
+    py::class_<foamtex::Preset>(module,
+                                "Preset",
+                                "All options of an animation: a shipped preset, such as "
+                                "\"sea_foam\", or a preset file, with values for keys.")
+        .def(py::init([](const std::string& name_or_path, const py::dict& values) {
+                 return foamtex::Preset(name_or_path, values_of(values));
+             }),
+             py::arg("name_or_path"),
+             py::arg("values") = py::dict())
+        .def(
+            "set",
+            [](foamtex::Preset& self, const py::dict& values) { self.set(values_of(values)); },
+            "Sets keys, all or none of them: {\"foam.bubbles\": 300}.",
+            py::arg("values"))
+        .def("get",
+             &foamtex::Preset::get,
+             "The value of a key as TOML; None if the key is unset.",
+             py::arg("key"))
+        .def_property_readonly("name", &foamtex::Preset::name)
+        .def_property_readonly("description", &foamtex::Preset::description)
+        .def_property_readonly(
+            "frame_count", &foamtex::Preset::frame_count, "Number of frames of the animation.")
+        .def_property_readonly("maps", &foamtex::Preset::maps, "Names of the maps of image.maps.")
+        .def_property_readonly("width", &foamtex::Preset::width, "Width of images, in pixels.")
+        .def_property_readonly("height", &foamtex::Preset::height, "Height of images, in pixels.")
+        .def("toml", &foamtex::Preset::toml, "The whole preset as the text of a preset file.")
+        .def(
+            "simulate",
+            [](const foamtex::Preset& self, const std::optional<std::string>& frames, int threads) {
+                return foamtex::Simulation(self, frames.value_or(""), threads);
+            },
+            "Starts the simulation and returns an iterator of its frames. `frames` are numbers "
+            "such "
+            "as \"1-48\"; by default all. A thread computes a few frames ahead.",
+            py::arg("frames") = py::none(),
+            py::kw_only(),
+            py::arg("threads") = 0)
+        .def(
+            "fit_ranges",
+            &foamtex::Preset::fit_ranges,
+            py::call_guard<py::gil_scoped_release>(),
+            "Fits the automatic ranges of maps to the whole animation, which integer samples need.",
+            py::kw_only(),
+            py::arg("threads") = 0)
+        .def("__repr__", [](const foamtex::Preset& self) {
+            return py::str("Preset({!r})").format(self.name());
+        });
+}
+
+}  // namespace
+
+void bind_texture(py::module_& module) {
+    bind_preset(module);
+    py::class_<foamtex::Simulation>(module, "Simulation", "An iterator of the frames of a preset.")
+        .def("__iter__", [](const py::object& self) { return self; })
+        .def("__next__", &next_frame);
+    py::class_<foamtex::Frame>(
+        module,
+        "Frame",
+        "One frame of an animation: a foam, and its images. Several threads may use it.")
+        .def("map",
+             &draw_map,
+             "Draws a map: an array of height x width x channels, with the top row first. float32: "
+             "numbers in the unit of the map, or linear light from 0 to 1, multiplied by the "
+             "opacity "
+             "if there is one. uint8 or uint16: the samples of the PNG that `foamtex bake` writes.",
+             py::arg("name"),
+             py::arg("dtype") = py::dtype::of<float>(),
+             py::kw_only(),
+             py::arg("threads") = 1)
+        .def_property_readonly("number", &foamtex::Frame::number, "Number of the frame, from 1.")
+        .def_property_readonly("time", &foamtex::Frame::time, "Foam time.")
+        .def_property_readonly(
+            "energy", &foamtex::Frame::energy, "Film tension times the length of all films.")
+        .def_property_readonly("bubbles",
+                               &frame_table<&foamtex::FoamRecords::bubbles>,
+                               "Structured array, as Foam.bubbles; a view that cannot be written.")
+        .def_property_readonly("films",
+                               &frame_table<&foamtex::FoamRecords::films>,
+                               "Structured array, as Foam.films; a view that cannot be written.")
+        .def_property_readonly(
+            "junctions",
+            &frame_table<&foamtex::FoamRecords::junctions>,
+            "Structured array, as Foam.junctions; a view that cannot be written.")
+        .def(
+            "stress",
+            [](const foamtex::Frame& self) { return matrix_of(self.stress()); },
+            "The mean stress as an array of shape (2, 2); tension is positive.")
+        .def("__repr__",
+             [](const foamtex::Frame& self) { return py::str("Frame({})").format(self.number()); });
+}
+
+}  // namespace foam::texgen
