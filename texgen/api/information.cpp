@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "texgen/maps/all_maps.h"
+#include "texgen/preset/algorithm_version.h"
 #include "texgen/preset/preset_schema.h"
 #include "texgen/preset/shipped_presets.h"
 
@@ -10,6 +11,10 @@ namespace foamtex {
 
 std::string version() {
     return FOAMTEX_VERSION;
+}
+
+int algorithm_version() {
+    return foam::texgen::kAlgorithmVersion;
 }
 
 std::vector<std::string> preset_names() {

@@ -12,9 +12,11 @@ namespace foam::texgen {
 
 namespace {
 
-// The signal that arrived last, or 0. It is kept until the process ends, so that no signal is lost
-// between two parts of a run that both call handle_stop_signals.
+// The signal that arrived last, or 0.
 std::atomic<int> stop_signal{0};
+// True if throw_if_interrupted has thrown because of this signal. Otherwise the next call of
+// handle_stop_signals keeps the signal, so that none is lost between two parts of a run.
+std::atomic<bool> is_reported{false};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
 // The text that the signal handler writes. It changes only before the handlers are installed.
@@ -42,6 +44,9 @@ Interrupted::Interrupted(int signal)
       signal_(signal) {}
 
 void handle_stop_signals(Stopping stopping) {
+    if (is_reported.exchange(false)) {
+        stop_signal = 0;
+    }
     note = stopping == Stopping::AfterStep
                ? "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
                : "\nfoamtex: stopping; the same signal again stops at once\n";
@@ -60,6 +65,7 @@ void handle_stop_signals(Stopping stopping) {
 
 void throw_if_interrupted() {
     if (const int signal = stop_signal; signal != 0) {
+        is_reported = true;
         throw Interrupted(signal);
     }
 }

@@ -26,7 +26,8 @@ enum class Stopping { AfterStep, Soon };
 /// process immediately. If the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
 void handle_stop_signals(Stopping stopping = Stopping::AfterStep);
 
-/// Throws Interrupted if a signal has arrived since the first call of handle_stop_signals.
+/// Throws Interrupted if a signal has arrived since the first call of handle_stop_signals. A signal
+/// for which this function has thrown counts until the next call of handle_stop_signals.
 void throw_if_interrupted();
 
 }  // namespace foam::texgen

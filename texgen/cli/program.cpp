@@ -7,6 +7,7 @@
 #include "texgen/cli/command_line_error.h"
 #include "texgen/cli/failure.h"
 #include "texgen/cli/standard_error.h"
+#include "texgen/cli/version_text.h"
 #include "texgen/image/memory.h"
 
 #include <CLI/CLI.hpp>
@@ -21,9 +22,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kVersion = "foamtex " FOAMTEX_VERSION R"(
-License: Apache-2.0. Presets, and the images that they make: CC0-1.0 (public domain).)";
-
 constexpr const char* kFooter = R"(Examples:
   foamtex studio                               try presets in the browser
   foamtex bake sea_foam                        48 frames of a tileable texture, in out/
@@ -32,8 +30,7 @@ constexpr const char* kFooter = R"(Examples:
 Exit codes: 0 success, 1 internal failure or out of memory, 2 bad command line or preset,
   3 the foam did not reach equilibrium, or its loop does not close, 4 bad input file,
   5 an output could not be written, 6 a check of verify failed, 129 hung up, 130 interrupted,
-  143 terminated.
-  The codes of compare are different: see foamtex compare --help)";
+  143 terminated. The codes of compare are different: see foamtex compare --help)";
 
 /// Returns the exit code of a command for a failure. `code` is the code that all commands except
 /// `compare` return; `compare` uses the codes 1 and 2 for verdicts. `command` is empty if the
@@ -76,7 +73,11 @@ std::string command_of(const CLI::App& app) {
 ExitCode parse_and_run(int argc, char** argv, std::string& command) {
     CLI::App app("Animated, tileable foam textures from real foam physics", "foamtex");
     Action action;
-    app.set_version_flag("--version", kVersion);
+    const CLI::Option* const verbose = app.add_flag("--verbose")->group("");
+    app.set_version_flag(
+        "--version",
+        [verbose] { return version_text(verbose->count() > 0); },
+        "Print the version; with --verbose, facts of the build");
     app.require_subcommand(1);
     app.footer(kFooter);
     for (const AddCommand add : all_commands()) {

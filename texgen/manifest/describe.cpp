@@ -6,6 +6,7 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/vector_files.h"
 #include "texgen/image/pixel_hash.h"
+#include "texgen/preset/algorithm_version.h"
 #include "texgen/preset/drawn_images.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_keys.h"
@@ -158,7 +159,8 @@ BakedSet describe(const Preset& preset, const std::vector<int>& frames) {
             .maps = maps_of(preset, frames),
             .files = {},
             .frame_statistics = {},
-            .failure = {}};
+            .failure = {},
+            .algorithm_version = kAlgorithmVersion};
 }
 
 void add_frame(BakedSet& set, const BakedFrame& baked, const std::filesystem::path& folder) {

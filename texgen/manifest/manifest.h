@@ -134,6 +134,8 @@ struct BakedSet {
     // The reason why the last bake ended early; empty if it did not end early, or if complete().
     std::string failure;
     std::vector<ManifestScene> scenes{};
+    // kAlgorithmVersion of the program; 0 in manifests of older programs, which did not record it.
+    int algorithm_version = 0;
 
     /// Returns true if every map has a file of each of its requested frames.
     bool complete() const;

@@ -217,6 +217,10 @@ BakedSet set_in(const JsonValue& value) {
     if (const auto scenes = value.find("scenes")) {
         set.scenes = list_in(*scenes, scene_in);
     }
+    if (const auto version = value.find("algorithm_version")) {
+        set.algorithm_version =
+            static_cast<int>(version->integer(0, std::numeric_limits<int>::max()));
+    }
     check_maps(set, value["files"]);
     return set;
 }

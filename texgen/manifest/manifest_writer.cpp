@@ -115,6 +115,7 @@ std::string lines_of(const std::vector<Item>& items) {
 std::string to_text(const BakedSet& set) {
     std::vector<std::pair<const char*, std::string>> members{
         {"foamtex", json_text(Json(set.version))},
+        {"algorithm_version", json_text(Json(set.algorithm_version))},
         {"preset", json_text(Json(set.preset))},
         {"description", json_text(Json(set.description))},
         {"seed", json_text(Json(set.seed))},

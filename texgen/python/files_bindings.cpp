@@ -156,6 +156,7 @@ void bind_files(py::module_& module) {
     module.def("maps", &foamtex::maps, "All maps, as a list of MapInfo.");
     module.def("_key_schema", &foamtex::key_schema);
     module.attr("__version__") = foamtex::version();
+    module.attr("ALGORITHM_VERSION") = foamtex::algorithm_version();
 }
 
 }  // namespace foam::texgen

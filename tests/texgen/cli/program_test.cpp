@@ -35,6 +35,17 @@ TEST(Program, PrintsItsVersionAndLicenses) {
     EXPECT_NE(out.find("CC0-1.0"), std::string::npos);
 }
 
+// What a report about a fault needs.
+TEST(Program, PrintsTheFactsOfItsBuild) {
+    for (const char* const arguments : {"--version --verbose", "--verbose --version"}) {
+        const std::string out = run_program(arguments).out;
+        for (const char* const word :
+             {"\ncommit ", "\ncompiler ", "OpenEXR 3.", "libpng 1.", "\ninstructions ", "baseline"}) {
+            EXPECT_NE(out.find(word), std::string::npos) << word << " in " << out;
+        }
+    }
+}
+
 TEST(Program, ABadCommandLineIsOneLineAndCode2) {
     expect_rejected("",
                     "a command is needed: 'foamtex studio' shows presets in the browser, 'foamtex "

@@ -45,5 +45,5 @@ def test_a_program_passes_mypy(tmp_path):
 
 
 def test_everything_has_a_docstring():
-    for name in foamtex.__all__:
+    for name in set(foamtex.__all__) - {"ALGORITHM_VERSION"}:
         assert getattr(foamtex, name).__doc__, name

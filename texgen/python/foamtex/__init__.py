@@ -12,6 +12,7 @@ Lengths are in foam units: the mean bubble area of a seeded foam is 1. All funct
 import json as _json
 
 from ._foamtex import (
+    ALGORITHM_VERSION,
     ArgumentError,
     Difference,
     Equilibrium,
@@ -36,7 +37,7 @@ from ._foamtex import (
 )
 
 __all__ = [
-    "ArgumentError", "Difference", "Equilibrium", "EquilibriumError", "Error", "Foam", "Frame", "InputError", "MapInfo",
+    "ALGORITHM_VERSION", "ArgumentError", "Difference", "Equilibrium", "EquilibriumError", "Error", "Foam", "Frame", "InputError", "MapInfo",
     "OutputError", "Preset", "Progress", "Simulation", "StepSettings", "bake", "compare", "key_schema", "maps",
     "presets", "write_png",
 ]

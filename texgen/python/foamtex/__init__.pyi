@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 __version__: str
+ALGORITHM_VERSION: int  # as long as it is the same, a preset and a seed give the same pixels
 
 class Error(Exception): ...
 class ArgumentError(Error, ValueError): ...

@@ -22,6 +22,10 @@ namespace foamtex {
 /// Returns the version of the library, such as "1.2.3".
 FOAMTEX_EXPORT std::string version();
 
+/// Returns the version of the algorithms on which pixels depend: as long as it is the same, a
+/// preset and a seed give the same pixels.
+FOAMTEX_EXPORT int algorithm_version();
+
 /// Returns the names of the shipped presets.
 FOAMTEX_EXPORT std::vector<std::string> preset_names();
 
