@@ -16,7 +16,7 @@ foam_test_packages=(
     pngcheck apngdis ffmpeg imagemagick openexr openimageio-tools python3 python3-jsonschema
     libnvtt-bin python3-numpy python3-pil chromium libxml2-utils
     librsvg2-bin poppler-utils python3-ezdxf admesh
-    clang python3-dev pybind11-dev python3-pytest python3-build python3-wheel python3-matplotlib mypy
+    clang python3-dev pybind11-dev python3-pytest python3-build python3-wheel python3-matplotlib mypy doxygen
 )
 foam_python_packages=(python3-dev pybind11-dev python3-numpy)
 foam_check_packages=(clang libclang-rt-14-dev clang-format clang-tidy ccache python3 reuse)

@@ -16,55 +16,55 @@ namespace foamtex {
 /// How a foam is seeded: the Voronoi diagram of random points. The same options give the same foam
 /// on every machine.
 struct SeedOptions {
-    int bubbles = 1000;        // also the area of the torus, because the mean area is 1
-    double aspect = 1.0;       // width of the torus divided by its height; unused for a disk
-    int lloyd_iterations = 0;  // of Lloyd's algorithm, which makes the cells rounder
-    // Largest divided by smallest target area; 0 keeps the areas of the diagram.
+    int bubbles = 1000;        ///< also the area of the torus, because the mean area is 1
+    double aspect = 1.0;       ///< width of the torus divided by its height; unused for a disk
+    int lloyd_iterations = 0;  ///< of Lloyd's algorithm, which makes the cells rounder
+    /// Largest divided by smallest target area; 0 keeps the areas of the diagram.
     double area_ratio = 0.0;
-    double surface_tension = 0.5;  // gamma; a film has the tension 2 gamma
-    std::uint64_t seed = 1;
+    double surface_tension = 0.5;  ///< gamma; a film has the tension 2 gamma
+    std::uint64_t seed = 1;        ///< another seed gives another foam
 };
 
 /// How a time step is computed. No result depends on the number of threads.
 struct StepSettings {
-    double kappa = 0.01;        // diffusion constant (E6), in foam units; 0 for no diffusion
-    double tolerance = 1e-9;    // largest error of areas (relative) and of angles (radians)
-    double t1_distance = 0.05;  // a film with a shorter chord may flip (E7), foam units
-    double t2_area = 0.01;      // smaller bubbles of two or three sides vanish (E8), foam units
-    int threads = 0;            // 0: all threads of the machine
+    double kappa = 0.01;        ///< diffusion constant (E6), in foam units; 0 for no diffusion
+    double tolerance = 1e-9;    ///< largest error of areas (relative) and of angles (radians)
+    double t1_distance = 0.05;  ///< a film with a shorter chord may flip (E7), foam units
+    double t2_area = 0.01;      ///< smaller bubbles of two or three sides vanish (E8), foam units
+    int threads = 0;            ///< 0: all threads of the machine
 };
 
 /// The work and the result of `relax` or `step`.
 struct Equilibrium {
-    bool converged = false;
-    int iterations = 0;        // of Newton's method
-    int t1 = 0;                // number of T1s: films that swapped neighbors
-    int t2 = 0;                // number of T2s: bubbles that vanished
-    double area_error = 0.0;   // largest |area / target area - 1|
-    double angle_error = 0.0;  // largest deviation of an angle from 120 degrees, radians
+    bool converged = false;    ///< true if an equilibrium was reached
+    int iterations = 0;        ///< of Newton's method
+    int t1 = 0;                ///< number of T1s: films that swapped neighbors
+    int t2 = 0;                ///< number of T2s: bubbles that vanished
+    double area_error = 0.0;   ///< largest |area / target area - 1|
+    double angle_error = 0.0;  ///< largest deviation of an angle from 120 degrees, radians
 };
 
 /// A bubble whose target area is imposed during a step.
 struct DrivenArea {
-    std::int64_t identity = 0;
-    double target_area = 0.0;  // at the end of the step; positive
+    std::int64_t identity = 0;  ///< of the bubble (Bubble::identity)
+    double target_area = 0.0;   ///< at the end of the step; positive
 };
 
 /// A push: a junction at the distance r from the center moves by (1 - r²/R²)² times `by` if r is
 /// less than the radius R.
 struct Push {
-    Point center;
-    double radius = 1.0;  // positive; on a torus, at most half of its shorter side
-    Point by;
+    Point center;         ///< moves with the push
+    double radius = 1.0;  ///< positive; on a torus, at most half of its shorter side
+    Point by;             ///< displacement of the center
 };
 
 /// What acts on a foam from outside during a step (E9).
 struct Drive {
-    // Areas of bubbles, which change evenly during the step. On a torus, the other bubbles give and
-    // take the gas. Bubbles that have vanished are ignored.
+    /// Areas of bubbles, which change evenly during the step. On a torus, the other bubbles give
+    /// and take the gas. Bubbles that have vanished are ignored.
     std::vector<DrivenArea> areas{};
-    double strain = 0.0;  // simple shear of a torus: every point moves to the right by strain * y
-    std::vector<Push> pushes{};
+    double strain = 0.0;  ///< simple shear of a torus: every point moves to the right by strain * y
+    std::vector<Push> pushes{};  ///< made in small steps
 };
 
 /// A two-dimensional dry foam, on a torus or as a free patch in the plane. A value: a copy is
@@ -86,11 +86,11 @@ class FOAMTEX_EXPORT Foam {
     /// Reads a foam from the text of a state (`state`). Throws InputError.
     static Foam from_state(const std::string& json);
 
-    Foam(const Foam& other);
-    Foam(Foam&& other) noexcept;
-    Foam& operator=(const Foam& other);
-    Foam& operator=(Foam&& other) noexcept;
-    ~Foam();
+    Foam(const Foam& other);                 ///< Copies.
+    Foam(Foam&& other) noexcept;             ///< Moves.
+    Foam& operator=(const Foam& other);      ///< Copies.
+    Foam& operator=(Foam&& other) noexcept;  ///< Moves.
+    ~Foam();                                 ///< Destroys.
 
     /// Writes the foam to a file. The ending of the name selects the format, as in `read`. Throws
     /// OutputError.
@@ -114,10 +114,10 @@ class FOAMTEX_EXPORT Foam {
     /// patch.
     void shear(double strain);
 
-    double time() const;          // foam time (E6)
-    double film_tension() const;  // 2 gamma
-    Extent extent() const;
-    std::int64_t bubble_count() const;
+    double time() const;                ///< foam time (E6)
+    double film_tension() const;        ///< 2 gamma
+    Extent extent() const;              ///< the torus, or zeros for a patch
+    std::int64_t bubble_count() const;  ///< the number of bubbles
 
     /// Returns the film tension times the length of all films.
     double energy() const;

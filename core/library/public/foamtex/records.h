@@ -12,66 +12,69 @@ namespace foamtex {
 
 /// A point or a vector of the plane.
 struct Point {
-    double x = 0.0;
-    double y = 0.0;
+    double x = 0.0;  ///< to the right, foam units
+    double y = 0.0;  ///< upward, foam units
 
+    /// Returns true if all coordinates are equal.
     friend bool operator==(const Point&, const Point&) = default;
 };
 
 /// A bubble.
 struct Bubble {
-    std::int64_t identity = 0;  // never changes, and no later bubble gets it
-    std::int64_t sides = 0;     // number of films; 0 for a bubble that touches no other bubble
-    double x = 0.0;             // center of its area; on a torus, perhaps beyond the border
-    double y = 0.0;
-    double area = 0.0;         // within its curved films
-    double target_area = 0.0;  // its area in equilibrium: represents the amount of gas
-    double pressure = 0.0;     // on a torus determined only up to a common constant
-    double perimeter = 0.0;    // total length of its films
+    std::int64_t identity = 0;  ///< never changes, and no later bubble gets it
+    std::int64_t sides = 0;     ///< number of films; 0 for a bubble that touches no other bubble
+    double x = 0.0;             ///< center of its area; on a torus, perhaps beyond the border
+    double y = 0.0;             ///< likewise
+    double area = 0.0;          ///< within its curved films
+    double target_area = 0.0;   ///< its area in equilibrium: represents the amount of gas
+    double pressure = 0.0;      ///< on a torus determined only up to a common constant
+    double perimeter = 0.0;     ///< total length of its films
 };
 
 /// A film: a circular arc between two bubbles, from its tail to its head.
 struct Film {
-    std::int64_t left = -1;   // index of the bubble on the left; -1 outside of a patch
-    std::int64_t right = -1;  // index of the bubble on the right; -1 outside of a patch
-    std::int64_t tail = 0;    // index of the junction at which the film begins
-    std::int64_t head = 0;    // index of the junction at which it ends, or of a periodic copy
-    double x = 0.0;           // position of the tail
-    double y = 0.0;
-    double chord_x = 0.0;  // vector from the tail to the head
-    double chord_y = 0.0;
-    // Half of the angle by which the arc turns, in radians. Positive if the arc bulges to the
-    // right, that is, if the pressure is higher on the left (E1).
+    std::int64_t left = -1;   ///< index of the bubble on the left; -1 outside of a patch
+    std::int64_t right = -1;  ///< index of the bubble on the right; -1 outside of a patch
+    std::int64_t tail = 0;    ///< index of the junction at which the film begins
+    std::int64_t head = 0;    ///< index of the junction at which it ends, or of a periodic copy
+    double x = 0.0;           ///< position of the tail
+    double y = 0.0;           ///< position of the tail
+    double chord_x = 0.0;     ///< vector from the tail to the head
+    double chord_y = 0.0;     ///< vector from the tail to the head
+    /// Half of the angle by which the arc turns, in radians. Positive if the arc bulges to the
+    /// right, that is, if the pressure is higher on the left (E1).
     double half_angle = 0.0;
-    double length = 0.0;
+    double length = 0.0;  ///< of the arc
 };
 
 /// A foam at one instant. Indices refer to elements of these vectors.
 struct FoamRecords {
-    // First the bubbles of the network, then those that touch no other bubble.
+    /// First the bubbles of the network, then those that touch no other bubble.
     std::vector<Bubble> bubbles;
-    std::vector<Film> films;
-    std::vector<Point> junctions;
+    std::vector<Film> films;       ///< each film once
+    std::vector<Point> junctions;  ///< the points at which three films meet
 };
 
 /// The domain of a foam. A torus is the plane modulo its two periods, the vectors (width, 0) and
 /// (shear, height). For a patch in the plane, all numbers are 0.
 struct Extent {
-    double width = 0.0;
-    double height = 0.0;
-    double shear = 0.0;
+    double width = 0.0;   ///< x of the first period
+    double height = 0.0;  ///< y of the second period
+    double shear = 0.0;   ///< x of the second period
 
+    /// Returns false for a patch.
     bool is_torus() const { return width > 0.0; }
 
+    /// Returns true if all numbers are equal.
     friend bool operator==(const Extent&, const Extent&) = default;
 };
 
 /// The stress tensor of a foam (E11), in units of film tension per foam unit. It is symmetric.
 /// Tension is positive.
 struct Stress {
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
+    double xx = 0.0;  ///< normal stress along x
+    double xy = 0.0;  ///< shear stress
+    double yy = 0.0;  ///< normal stress along y
 };
 
 }  // namespace foamtex

@@ -34,10 +34,10 @@ FOAMTEX_EXPORT std::string key_schema();
 
 /// A map: an image that can be drawn of a frame.
 struct MapInfo {
-    std::string name;      // such as "height"
-    std::string meaning;   // in a few words
-    std::string unit;      // of the numbers
-    std::string channels;  // such as "R G B"
+    std::string name;      ///< such as "height"
+    std::string meaning;   ///< in a few words
+    std::string unit;      ///< of the numbers
+    std::string channels;  ///< such as "R G B"
 };
 
 /// Returns all maps.
@@ -45,9 +45,9 @@ FOAMTEX_EXPORT std::vector<MapInfo> maps();
 
 /// Width, height and number of channels of an image.
 struct ImageShape {
-    int width = 0;
-    int height = 0;
-    int channels = 0;
+    int width = 0;     ///< pixels
+    int height = 0;    ///< pixels
+    int channels = 0;  ///< samples of a pixel
 
     /// Returns the number of samples.
     std::size_t size() const {
@@ -66,11 +66,11 @@ class FOAMTEX_EXPORT Preset {
     explicit Preset(const std::string& name_or_path,
                     const std::map<std::string, std::string>& values = {});
 
-    Preset(const Preset& other);
-    Preset(Preset&& other) noexcept;
-    Preset& operator=(const Preset& other);
-    Preset& operator=(Preset&& other) noexcept;
-    ~Preset();
+    Preset(const Preset& other);                 ///< Copies.
+    Preset(Preset&& other) noexcept;             ///< Moves.
+    Preset& operator=(const Preset& other);      ///< Copies.
+    Preset& operator=(Preset&& other) noexcept;  ///< Moves.
+    ~Preset();                                   ///< Destroys.
 
     /// Sets keys, all or none of them. Throws as the constructor does.
     void set(const std::map<std::string, std::string>& values);
@@ -79,12 +79,12 @@ class FOAMTEX_EXPORT Preset {
     /// an unknown key.
     std::optional<std::string> get(const std::string& key) const;
 
-    std::string name() const;
-    std::string description() const;
-    int frame_count() const;                // of the animation; loops repeat after so many frames
-    std::vector<std::string> maps() const;  // the maps of image.maps
-    int width() const;                      // of images, in pixels
-    int height() const;
+    std::string name() const;               ///< such as "sea_foam"
+    std::string description() const;        ///< in one sentence
+    int frame_count() const;                ///< of the animation; loops repeat after so many frames
+    std::vector<std::string> maps() const;  ///< the maps of image.maps
+    int width() const;                      ///< of images, in pixels
+    int height() const;                     ///< of images, in pixels
 
     /// Returns the whole preset as the text of a preset file.
     std::string toml() const;
@@ -97,7 +97,7 @@ class FOAMTEX_EXPORT Preset {
     /// if the animation fails. `threads`: 0 for all threads of the machine.
     void fit_ranges(int threads = 0);
 
-    struct State;  // of the library
+    struct State;  ///< of the library
 
     /// Returns the state, for other classes of the library.
     const State& state() const { return *state_; }
@@ -110,12 +110,12 @@ class FOAMTEX_EXPORT Preset {
 /// functions may be called by several threads at the same time.
 class FOAMTEX_EXPORT Frame {
   public:
-    int number() const;   // from 1
-    double time() const;  // foam time (E6)
-    Extent extent() const;
-    double energy() const;               // film tension times the length of all films
-    Stress stress() const;               // mean stress (E11)
-    const FoamRecords& records() const;  // valid as long as a copy of this frame exists
+    int number() const;                  ///< from 1
+    double time() const;                 ///< foam time (E6)
+    Extent extent() const;               ///< the torus, or zeros for a patch
+    double energy() const;               ///< film tension times the length of all films
+    Stress stress() const;               ///< mean stress (E11)
+    const FoamRecords& records() const;  ///< valid as long as a copy of this frame exists
 
     /// Returns the shape of the image of a map. `integers` is true for integer samples, which store
     /// two channels as three. Throws ArgumentError for an unknown map.
@@ -132,12 +132,14 @@ class FOAMTEX_EXPORT Frame {
     /// whose PNG has 16 bits. Throws as above, for shape(map, true); also throws ArgumentError if a
     /// range of the map is automatic (Preset::fit_ranges), or for 16 bits of a map of colors.
     void draw(const std::string& map, std::span<std::uint8_t> samples, int threads = 1) const;
+    /// Draws a map as integers of 16 bits, likewise.
     void draw(const std::string& map, std::span<std::uint16_t> samples, int threads = 1) const;
 
-    struct State;  // of the library
+    struct State;  ///< of the library
 
     /// Makes a frame; only the library can.
     explicit Frame(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+    /// Returns the state, for other classes of the library.
     const State& state() const { return *state_; }
 
   private:
@@ -152,9 +154,9 @@ class FOAMTEX_EXPORT Simulation {
     /// "1-48" or "1-10x3,20" (the notation of `foamtex bake --frames`); all frames if it is empty.
     /// Throws ArgumentError. `threads`: 0 for all threads of the machine; no result depends on it.
     explicit Simulation(const Preset& preset, const std::string& frames = {}, int threads = 0);
-    Simulation(Simulation&&) noexcept;
-    Simulation& operator=(Simulation&&) noexcept;
-    ~Simulation();  // stops the simulation if it is still running
+    Simulation(Simulation&& other) noexcept;             ///< Moves.
+    Simulation& operator=(Simulation&& other) noexcept;  ///< Moves.
+    ~Simulation();  ///< stops the simulation if it is still running
 
     /// Waits for the next frame and returns it; nothing after the last one. Frames come in
     /// increasing order, except in a loop of the kind pingpong. Throws EquilibriumError if the foam
@@ -169,17 +171,18 @@ class FOAMTEX_EXPORT Simulation {
 
 /// How far a bake is.
 struct Progress {
-    std::string phase;  // such as "frames"; `foamtex bake --progress json` prints the same words
-    int done = 0;
-    int total = 0;  // 0 if unknown
-    int frame = 0;  // the frame that was done last; 0 if there is none
+    std::string phase;  ///< such as "frames"; `foamtex bake --progress json` prints the same words
+    int done = 0;       ///< units that are done
+    int total = 0;      ///< 0 if unknown
+    int frame = 0;      ///< the frame that was done last; 0 if there is none
 };
 
+/// How a bake runs.
 struct BakeSettings {
-    std::string frames{};  // such as "1-48"; empty for the whole animation
-    int threads = 0;       // 0: all threads of the machine
-    bool resume = false;   // keeps frames that an earlier bake of the same preset has written
-    // Called now and then, by one thread at a time; an exception ends the bake.
+    std::string frames{};  ///< such as "1-48"; empty for the whole animation
+    int threads = 0;       ///< 0: all threads of the machine
+    bool resume = false;   ///< keeps frames that an earlier bake of the same preset has written
+    /// Called now and then, by one thread at a time; an exception ends the bake.
     std::function<void(const Progress&)> on_progress{};
 };
 
@@ -194,24 +197,24 @@ FOAMTEX_EXPORT std::vector<std::string> bake(const Preset& preset,
 /// The largest differences that `compare` allows. Integer samples are scaled so that the largest
 /// integer is 1. Of samples, 1e-6 is allowed unless another limit is given.
 struct Limits {
-    std::optional<double> sample{};  // of any sample
-    std::optional<double> rms{};     // root mean square over all samples
-    std::optional<double> angle{};   // of normals, in degrees
-    double allowed_percent = 0.0;    // of the pixels that may exceed `sample`
+    std::optional<double> sample{};  ///< of any sample
+    std::optional<double> rms{};     ///< root mean square over all samples
+    std::optional<double> angle{};   ///< of normals, in degrees
+    double allowed_percent = 0.0;    ///< of the pixels that may exceed `sample`
 };
 
 /// The comparison of two images, or of one layer of two images.
 struct Difference {
-    bool is_within = false;  // true if no limit is exceeded
-    std::string map{};       // empty if it is not known
-    std::string layer{};     // empty if the images have no layers
-    double largest = 0.0;    // largest difference of two samples
-    double mean = 0.0;
-    double rms = 0.0;
-    std::string channel{};  // of the largest difference; empty if all samples are equal
-    int x = 0;              // column of the largest difference
-    int y = 0;              // row of the largest difference, from the top
-    std::vector<std::string> reasons{};  // the limits that are exceeded, in words
+    bool is_within = false;  ///< true if no limit is exceeded
+    std::string map{};       ///< empty if it is not known
+    std::string layer{};     ///< empty if the images have no layers
+    double largest = 0.0;    ///< largest difference of two samples
+    double mean = 0.0;       ///< mean difference of all samples
+    double rms = 0.0;        ///< root mean square of the differences
+    std::string channel{};   ///< of the largest difference; empty if all samples are equal
+    int x = 0;               ///< column of the largest difference
+    int y = 0;               ///< row of the largest difference, from the top
+    std::vector<std::string> reasons{};  ///< the limits that are exceeded, in words
 };
 
 /// Compares two image files, such as a golden image and a new one. If `picture` is not empty,
