@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/dynamics/shear.h"
+#include "core/dynamics/shear_modulus.h"
 #include "core/dynamics/step.h"
 #include "core/equilibrium/equilibrate_given.h"
 #include "core/foam/measure.h"
@@ -199,6 +200,15 @@ std::int64_t Foam::bubble_count() const {
 
 double Foam::energy() const {
     return foam::energy(state_->foam);
+}
+
+std::optional<double> Foam::shear_modulus(int threads) const {
+    check_threads(threads);
+    return foam::shear_modulus(state_->foam, threads);
+}
+
+std::vector<Event> Foam::take_events() {
+    return foam::event_records(std::exchange(state_->foam.events, {}));
 }
 
 Stress Foam::stress() const {

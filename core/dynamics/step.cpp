@@ -232,6 +232,7 @@ StepSummary step(Foam& foam, double time, const StateChange& change, const StepO
         if (used == 0.0) {
             break;
         }
+        summary.strain += used * change.strain;
         left -= used;
     }
     return summary;

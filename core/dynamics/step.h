@@ -18,12 +18,13 @@ struct StepOptions {
     int max_halvings = 12;       // largest number of times that a failed substep is halved
 };
 
-/// The result of a step. The counts are sums over all substeps that found an equilibrium. The
-/// errors and the energy describe the foam at the end of the step; they are 0 if no substep found
-/// an equilibrium.
+/// The result of a step. The counts and the strain are sums over all substeps that found an
+/// equilibrium. The errors and the energy describe the foam at the end of the step; they are 0 if
+/// no substep found an equilibrium.
 struct StepSummary {
     int substeps = 0;
     EquilibriumSummary equilibrium;
+    double strain = 0.0;  // by which the foam was sheared (StateChange::strain)
 };
 
 /// Advances a foam in equilibrium by the given time: diffusion (E6), T2 (E8), T1 (E7) and

@@ -4,6 +4,8 @@
 
 #include "core/foam/measure.h"
 
+#include <algorithm>
+#include <cstdint>
 namespace foam {
 
 Frame snapshot(const Foam& foam, int number) {
@@ -24,6 +26,35 @@ Frame snapshot(const Foam& foam, int number) {
     frame.positions = std::move(dense.positions);
     frame.lone_bubbles = std::move(dense.lone_bubbles);
     return frame;
+}
+
+Foam foam_of(const Frame& frame) {
+    Foam foam;
+    foam.domain = frame.domain;
+    foam.film_tension = frame.film_tension;
+    foam.time = frame.time;
+    foam.network = frame.network;
+    foam.positions = frame.positions;
+    for (const FrameBubble& bubble : frame.bubbles) {
+        foam.pressures.push_back(bubble.pressure);
+        foam.target_areas.push_back(bubble.target_area);
+        foam.identities.push_back(bubble.identity);
+        foam.next_identity = std::max(foam.next_identity, bubble.identity + 1);
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        foam.next_identity = std::max(foam.next_identity, bubble.identity + 1);
+    }
+    foam.t1_armed = Indexed<FilmId, std::uint8_t>(frame.network.film_slots(), 1);
+    foam.lone_bubbles = frame.lone_bubbles;
+    if (frame.domain.is_plane()) {
+        complete_patch(foam);
+        for (const FilmId film : foam.network.films()) {
+            if (foam.network.is_outer(film)) {
+                set_half_angle(foam, forward_side(film), frame.arcs[film].half_angle);
+            }
+        }
+    }
+    return foam;
 }
 
 }  // namespace foam

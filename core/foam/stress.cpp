@@ -2,46 +2,34 @@
 
 #include "core/foam/stress.h"
 
-#include "core/foam/measure.h"
-
-#include <numbers>
-
 namespace foam {
 
-// Along an arc of half angle alpha, the direction of the tangent runs evenly from -alpha to alpha
-// about the direction of the chord d. The mean of the squared cosine of this angle is
-// 1/2 + sin(2 alpha) / (4 alpha), and the length of the arc is c alpha / sin alpha.
-Mat2 tangent_integral(const FilmArc& arc) {
-    const double c = arc.chord.norm();
-    if (c == 0.0) {
-        return Mat2::Zero();
+// A lone bubble of radius r and pressure T / r contributes nothing to the sum: its circle
+// contributes pi r T, and its gas -pi r² T / r, to each diagonal entry.
+Mat2 mean_stress(const Frame& frame) {
+    Mat2 sum = Mat2::Zero();
+    for (const FilmArc& arc : frame.arcs) {
+        sum += frame.film_tension * tangent_tensor(arc);
     }
-    const double cosine = ieee::cos(arc.half_angle);
-    const Mat2 along = arc.chord * arc.chord.transpose();
-    return 0.5 * (arc_length(arc) - c * cosine) * Mat2::Identity() + cosine / c * along;
-}
-
-Mat2 stress(const Frame& frame) {
-    Mat2 tension = Mat2::Zero();
-    double gas = 0.0;  // sum of pressure times area
     double area = 0.0;
-    for (const FilmId film : frame.network.films()) {
-        tension += tangent_integral(frame.arcs[film]);
-    }
-    for (const BubbleId bubble : frame.network.bubbles()) {
-        gas += frame.bubbles[bubble].pressure * frame.bubbles[bubble].area;
-        area += frame.bubbles[bubble].area;
+    for (const FrameBubble& bubble : frame.bubbles) {
+        sum -= bubble.pressure * bubble.area * Mat2::Identity();
+        area += bubble.area;
     }
     for (const LoneBubble& bubble : frame.lone_bubbles) {
-        const double radius = lone_radius(bubble);
-        tension += std::numbers::pi * radius * Mat2::Identity();
-        gas += frame.film_tension / radius * bubble.target_area;
         area += bubble.target_area;
     }
-    if (area == 0.0) {
-        return Mat2::Zero();
+    return area > 0.0 ? Mat2(sum / area) : Mat2::Zero();
+}
+
+Mat2 bubble_stress(const Frame& frame, BubbleId bubble) {
+    Mat2 films = Mat2::Zero();
+    for (const HalfEdgeId h : frame.network.around(bubble)) {
+        const double share = frame.network.is_outer(film_of(h)) ? 1.0 : 0.5;
+        films += share * tangent_tensor(frame.arc(h));
     }
-    return (frame.film_tension * tension - gas * Mat2::Identity()) / area;
+    const FrameBubble& gas = frame.bubbles[bubble];
+    return frame.film_tension / gas.area * films - gas.pressure * Mat2::Identity();
 }
 
 }  // namespace foam

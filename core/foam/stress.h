@@ -6,15 +6,19 @@
 
 namespace foam {
 
-/// Returns the integral of t tᵀ along an arc, where t is the unit tangent (E11). Its trace is the
-/// length of the arc. Returns 0 if the chord is zero.
-Mat2 tangent_integral(const FilmArc& arc);
+/// Returns the mean stress of the foam (E11 in core/README.md) as a symmetric matrix, in units of
+/// film tension / length. Tension is positive, pressure negative. The mean is taken over the torus,
+/// or over the area of all bubbles of a patch, including lone bubbles.
+///
+/// On a torus, the pressures have an arbitrary common constant. It is subtracted from xx and yy,
+/// and does not change xy or xx - yy. After an equilibration the mean pressure is 0, so that the
+/// trace of the stress is the energy per area. In the equilibrium of a patch the stress is 0,
+/// because no force acts on the patch from outside. Returns zero for a patch without bubbles.
+Mat2 mean_stress(const Frame& frame);
 
-/// Returns the mean stress of a foam (E11), in units of film tension per foam unit: the tension of
-/// the films minus the pressure of the gas, averaged over the area of all bubbles. Tension is
-/// positive. On a torus, the pressures and therefore the isotropic part are determined only up to a
-/// common constant; the other parts are the derivatives of the energy per area with respect to
-/// strain. In a patch in equilibrium, the mean stress is 0. Returns 0 for a foam without bubbles.
-Mat2 stress(const Frame& frame);
+/// Returns the mean stress of a bubble with its share of the films around it: half of each inner
+/// film, and the whole of each outer film. The mean of these stresses over all bubbles, weighted by
+/// area, is mean_stress. (The stress of a lone bubble in equilibrium is 0.)
+Mat2 bubble_stress(const Frame& frame, BubbleId bubble);
 
 }  // namespace foam

@@ -52,6 +52,10 @@ constexpr Series kShapeDerivative =
 // The series of (d/ds segment_shape_derivative(s)) / s.
 constexpr Series kShapeSecondDerivative =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) * (2 * k + 3) / (2 * k + 5); });
+// The series of xx / s and of yy / s³, where xx and yy are the results of second_moment_shape.
+constexpr Series kXxShape = weighted_series([](int k) { return 2.0 / (3 * (2 * k + 5)); });
+constexpr Series kYyShape =
+    weighted_series([](int k) { return 4.0 * (2 * k + 1) / (3.0 * (2 * k + 5) * (2 * k + 7)); });
 
 // Returns the sum over k of series[k] s^(2k), by Horner's rule. Coefficients of even k and of odd k
 // are summed separately, so that the two chains of dependent operations overlap.
@@ -85,6 +89,18 @@ double segment_shape_of_angle(double half_angle) {
     // segment_shape(s) is not used here: asin(s) is ill-conditioned at 90 degrees, and is not the
     // half angle beyond 90 degrees.
     return (half_angle - s * c) / (s * s);
+}
+
+// Returns (xx, yy) of segment_moments in units of c⁴ / 16, for alpha = `half_angle`.
+Vec2 second_moment_shape(double half_angle) {
+    const auto [s, c] = ieee::sincos(half_angle);
+    if (c > 0.0 && std::abs(s) < kSeriesLimit) {
+        return {s * sum_of(kXxShape, s), s * s * s * sum_of(kYyShape, s)};
+    }
+    const double square = s * s;
+    const double turn = half_angle - s * c;
+    return {(turn / 4.0 - square * s * c / 6.0) / (square * square),
+            (1.25 * turn - square * (half_angle - s * c / 6.0)) / (square * square)};
 }
 
 }  // namespace
@@ -147,6 +163,28 @@ double arc_length(const FilmArc& arc) {
 
 double segment_area(const FilmArc& arc) {
     return 0.25 * arc.chord.squaredNorm() * segment_shape_of_angle(arc.half_angle);
+}
+
+// The tangent has the angle of the chord plus an angle from -alpha to alpha. The integral is the
+// length times the mean of t tᵀ over these angles.
+Mat2 tangent_tensor(const FilmArc& arc) {
+    const double c = arc.chord.norm();
+    if (c == 0.0) {
+        return Mat2::Zero();
+    }
+    const double along = ieee::cos(arc.half_angle);
+    return 0.5 * (arc_length(arc) - c * along) * Mat2::Identity() +
+           along / c * arc.chord * arc.chord.transpose();
+}
+
+SegmentMoments segment_moments(const FilmArc& arc) {
+    const double square = arc.chord.squaredNorm();
+    const Vec2 second = square * square / 16.0 * second_moment_shape(arc.half_angle);
+    const double bulging = arc_shape(arc.half_angle).bulging;
+    return {segment_area(arc),
+            -0.125 * square * std::sqrt(square) * (bulging - 1.0 / 3.0),
+            second.x(),
+            second.y()};
 }
 
 double curvature(const FilmArc& arc) {

@@ -38,6 +38,25 @@ Vec2 tangent_at_head(const FilmArc& arc);
 /// measured from the tail.
 Vec2 point_at(const FilmArc& arc, double fraction);
 
+/// Returns the integral over the length of the arc of t tᵀ, where t is the unit tangent (E11). Its
+/// trace is the length of the arc. It is the same for the reversed arc.
+Mat2 tangent_tensor(const FilmArc& arc);
+
+/// Moments of area of the segment between an arc and its chord. Coordinates are relative to the
+/// middle of the chord: x along the chord, y to its left. As in segment_area, all moments count as
+/// negative if the segment is on the left of the arc, so that the moments of a bubble are the
+/// moments of its polygon plus the moments of the segments of its films. The moments of x and of xy
+/// are 0 by symmetry.
+struct SegmentMoments {
+    double area = 0.0;  // segment_area
+    double y = 0.0;     // integral of y
+    double xx = 0.0;    // integral of x²
+    double yy = 0.0;    // integral of y²
+};
+
+/// Returns the moments of the segment of an arc.
+SegmentMoments segment_moments(const FilmArc& arc);
+
 /// Returns the same arc in the direction from head to tail.
 inline FilmArc reversed(const FilmArc& arc) {
     return {-arc.chord, -arc.half_angle};

@@ -2,11 +2,11 @@
 
 #include "core/library/foam_records.h"
 
-#include "core/foam/bubble_centroid.h"
+#include "core/foam/bubble_shape.h"
 #include "core/foam/measure.h"
 #include "core/foam/stress.h"
 
-#include <numbers>
+#include <vector>
 
 namespace foam {
 
@@ -39,32 +39,35 @@ Film film_record(const Frame& frame, FilmId film) {
             .length = arc_length(arc)};
 }
 
-Bubble bubble_record(const Frame& frame, BubbleId bubble) {
-    const FrameBubble& values = frame.bubbles[bubble];
-    const Vec2 center = bubble_centroid(frame, bubble);
-    Bubble record{.identity = values.identity,
-                  .sides = frame.network.sides(bubble),
-                  .x = center.x(),
-                  .y = center.y(),
-                  .area = values.area,
-                  .target_area = values.target_area,
-                  .pressure = values.pressure};
-    for (const HalfEdgeId h : frame.network.around(bubble)) {
-        record.perimeter += arc_length(frame.arc(h));
-    }
-    return record;
+Bubble bubble_record(const FrameBubble& values, int sides, const BubbleShape& shape) {
+    return {.identity = values.identity,
+            .sides = sides,
+            .x = shape.center.x(),
+            .y = shape.center.y(),
+            .area = values.area,
+            .target_area = values.target_area,
+            .pressure = values.pressure,
+            .perimeter = shape.perimeter,
+            .elongation = shape.elongation,
+            .orientation = shape.orientation};
 }
 
 Bubble lone_record(const LoneBubble& bubble, double film_tension) {
-    const double radius = lone_radius(bubble);
-    return {.identity = bubble.identity,
-            .sides = 0,
-            .x = bubble.center.x(),
-            .y = bubble.center.y(),
-            .area = bubble.target_area,
-            .target_area = bubble.target_area,
-            .pressure = film_tension / radius,
-            .perimeter = 2.0 * std::numbers::pi * radius};
+    const double pressure = film_tension / lone_radius(bubble);
+    return bubble_record({bubble.identity, bubble.target_area, bubble.target_area, pressure},
+                         0,
+                         bubble_shape(bubble));
+}
+
+foamtex::EventKind kind_of(TopologyEventKind kind) {
+    switch (kind) {
+        case TopologyEventKind::T1:
+            return foamtex::EventKind::T1;
+        case TopologyEventKind::T2:
+            return foamtex::EventKind::T2;
+        default:
+            return foamtex::EventKind::Birth;
+    }
 }
 
 }  // namespace
@@ -72,7 +75,8 @@ Bubble lone_record(const LoneBubble& bubble, double film_tension) {
 FoamRecords records_of(const Frame& frame) {
     FoamRecords records;
     for (const BubbleId bubble : frame.network.bubbles()) {
-        records.bubbles.push_back(bubble_record(frame, bubble));
+        records.bubbles.push_back(bubble_record(
+            frame.bubbles[bubble], frame.network.sides(bubble), bubble_shape(frame, bubble)));
     }
     for (const LoneBubble& bubble : frame.lone_bubbles) {
         records.bubbles.push_back(lone_record(bubble, frame.film_tension));
@@ -92,8 +96,19 @@ foamtex::Extent extent_of(const Domain& domain) {
 }
 
 foamtex::Stress stress_record(const Frame& frame) {
-    const Mat2 tensor = stress(frame);
+    const Mat2 tensor = mean_stress(frame);
     return {tensor(0, 0), tensor(0, 1), tensor(1, 1)};
+}
+
+std::vector<foamtex::Event> event_records(const std::vector<TopologyEvent>& events) {
+    std::vector<foamtex::Event> records;
+    for (const TopologyEvent& event : events) {
+        records.push_back({.kind = kind_of(event.kind),
+                           .time = event.time,
+                           .position = {event.position.x(), event.position.y()},
+                           .bubbles = {event.bubbles.begin(), event.bubbles.end()}});
+    }
+    return records;
 }
 
 }  // namespace foam

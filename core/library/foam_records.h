@@ -6,6 +6,8 @@
 
 #include <foamtex/records.h>
 
+#include <vector>
+
 namespace foam {
 
 /// Returns the bubbles, films and junctions of a frame as plain values, for users of the library.
@@ -16,5 +18,8 @@ foamtex::Extent extent_of(const Domain& domain);
 
 /// Returns the mean stress of a frame (core/foam/stress.h).
 foamtex::Stress stress_record(const Frame& frame);
+
+/// Returns events as plain values.
+std::vector<foamtex::Event> event_records(const std::vector<TopologyEvent>& events);
 
 }  // namespace foam

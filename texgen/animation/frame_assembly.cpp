@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 // Each frame is a request for one to four states. Requests are sorted by the last state that they
@@ -119,16 +120,20 @@ void FrameAssembly::add(const SimulatedFrame& state) {
     total_.t1 += state.effort.t1;
     total_.t2 += state.effort.t2;
     total_.seconds += state.effort.seconds;
-    total_.area_error = state.effort.area_error;
-    total_.angle_error = state.effort.angle_error;
     const int number = state.frame->number;
     SimulatedFrame frame = prepared(state);
-    frame.effort = total_;
+    unreported_.insert(unreported_.end(), frame.effort.events.begin(), frame.effort.events.end());
+    event_count_ += frame.effort.events.size();
+    frame.effort.events.clear();
+    frame.effort.t1 = total_.t1;
+    frame.effort.t2 = total_.t2;
+    frame.effort.seconds = total_.seconds;
     if (number == first_state_) {
         first_ = std::make_shared<const FrameOne>(frame.frame);
     }
     if (uses_.at(number) > 0) {
         kept_.emplace(number, std::move(frame));
+        event_counts_.emplace(number, event_count_);
     }
     while (emitted_ < requests_.size() && requests_[emitted_].states.back() <= number) {
         emit(requests_[emitted_]);
@@ -156,7 +161,7 @@ SimulatedFrame FrameAssembly::prepared(const SimulatedFrame& state) const {
 void FrameAssembly::emit(const Request& request) {
     const ShownStates& shown = request.shown;
     SimulatedFrame frame = kept_.at(shown.state);
-    frame.effort = effort_since_last(frame.effort);
+    frame.effort = effort_since_last(frame.effort, event_counts_.at(shown.state));
     static_cast<DrawnState&>(frame) = drawn(shown.state, shown.next);
     frame.frame = renumbered(frame.frame, request.number);
     if (shown.is_cross_fade()) {
@@ -199,15 +204,17 @@ void FrameAssembly::release(const Request& request) {
     for (const int state : request.states) {
         if (--uses_.at(state) == 0) {
             kept_.erase(state);
+            event_counts_.erase(state);
         }
     }
 }
 
 // Returns the part of the effort `total` that emitted frames have not reported yet. `total` is the
-// effort from the seed to a state. The counts and the time in the result are 0 if emitted frames
-// have already reported the effort up to this state or a later one. The errors in the result are
-// the errors of the state.
-FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total) {
+// effort from the seed to a state, and `event_count` the number of events from the seed to this
+// state. The counts and the time in the result are 0, and it has no events, if emitted frames have
+// already reported the effort up to this state or a later one. The measurements in the result are
+// the measurements of the state.
+FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total, std::size_t event_count) {
     FrameEffort effort = total;
     if (total.seconds < reported_.seconds) {
         effort.t1 = effort.t2 = 0;
@@ -217,6 +224,12 @@ FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total) {
     effort.t1 -= reported_.t1;
     effort.t2 -= reported_.t2;
     effort.seconds -= reported_.seconds;
+    const std::size_t reported_events = event_count_ - unreported_.size();
+    const auto end =
+        unreported_.begin() +
+        static_cast<std::ptrdiff_t>(std::max(event_count, reported_events) - reported_events);
+    effort.events.assign(unreported_.begin(), end);
+    unreported_.erase(unreported_.begin(), end);
     reported_ = total;
     return effort;
 }

@@ -8,6 +8,7 @@
 #include "texgen/animation/simulated_frame.h"
 #include "texgen/preset/preset.h"
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <vector>
@@ -56,7 +57,7 @@ class FrameAssembly {
     void add_cross_fade(const Request& request, SimulatedFrame& frame) const;
     DrawnState drawn(int state, int next) const;
     void release(const Request& request);
-    FrameEffort effort_since_last(const FrameEffort& total);
+    FrameEffort effort_since_last(const FrameEffort& total, std::size_t event_count);
 
     bool includes_next_;
     LoopOptions loop_;
@@ -69,9 +70,16 @@ class FrameAssembly {
     std::vector<Request> requests_;  // in the order in which their frames are emitted
     std::size_t emitted_ = 0;        // number of requests whose frames were emitted
     std::map<int, int> uses_;        // by state: number of requests, not yet emitted, that need it
-    std::map<int, SimulatedFrame> kept_;  // by state; efforts are totals since the seed
-    FrameEffort total_;                   // effort from the seed to the last added state
-    FrameEffort reported_;                // part of `total_` that emitted frames have reported
+    // By state; efforts are totals since the seed, except that their lists of events are empty.
+    std::map<int, SimulatedFrame> kept_;
+    // By kept state: the number of events from the seed to this state.
+    std::map<int, std::size_t> event_counts_;
+    FrameEffort total_;     // effort from the seed to the last added state
+    FrameEffort reported_;  // part of `total_` that emitted frames have reported
+    // The number of events from the seed to the last added state, and the last ones of them, which
+    // no emitted frame has reported.
+    std::size_t event_count_ = 0;
+    std::vector<TopologyEvent> unreported_;
 };
 
 }  // namespace foam::texgen

@@ -2,6 +2,8 @@
 
 #include "texgen/animation/simulate_frames.h"
 
+#include "core/foam/measure.h"
+#include "core/foam/stress.h"
 #include "texgen/animation/seconds_since.h"
 #include "texgen/animation/shown_states.h"
 
@@ -26,14 +28,19 @@ bool advance(Simulation& simulation, FrameEffort& effort) {
     effort.area_error = equilibrium.area_error;
     effort.angle_error = equilibrium.angle_error;
     effort.seconds += seconds_since(begin);
+    effort.events.insert(
+        effort.events.end(), simulation.events().begin(), simulation.events().end());
     return found;
 }
 
-SimulatedFrame state_of(const Simulation& simulation, const FrameEffort& effort) {
+SimulatedFrame state_of(const Simulation& simulation, FrameEffort effort) {
     SimulatedFrame state;
     state.frame = std::make_shared<const Frame>(simulation.frame());
     state.record = std::make_shared<const FoamRecord>(simulation.record());
-    state.effort = effort;
+    effort.strain = simulation.strain();
+    effort.energy = energy(simulation.foam());
+    effort.stress = mean_stress(snapshot(simulation.foam(), simulation.number()));
+    state.effort = std::move(effort);
     state.view = simulation.view();
     state.closing_error = simulation.closing_error();
     return state;
@@ -108,7 +115,7 @@ RunOutcome simulate_states(const Preset& preset,
                 return failed(simulation, preset);
             }
         }
-        on_state(state_of(simulation, effort));
+        on_state(state_of(simulation, std::move(effort)));
     }
     return {RunStatus::Complete, 0, simulation.closing_error(), simulation.missing_bubbles()};
 }

@@ -14,15 +14,20 @@
 
 namespace foam::texgen {
 
-/// The effort of simulating a frame, and its equilibrium errors. The effort covers the steps since
-/// the previous frame that was passed to the FrameVisitor; for the first such frame, all steps
-/// since the foam was seeded.
+/// The effort of simulating a frame, and measurements of the foam. The effort covers the steps
+/// since the previous frame that was passed to the FrameVisitor; for the first such frame, all
+/// steps since the foam was seeded. The measurements describe the state of the simulation that the
+/// frame shows, before any transform for display (display_transform.h) and any current (current.h).
 struct FrameEffort {
-    int t1 = 0;                // number of T1s
-    int t2 = 0;                // number of T2s
-    double area_error = 0.0;   // largest |A / A_target - 1| (E2)
-    double angle_error = 0.0;  // largest deviation from 120 degrees (E2), radians
-    double seconds = 0.0;      // wall time of the simulation
+    int t1 = 0;                           // number of T1s
+    int t2 = 0;                           // number of T2s
+    double area_error = 0.0;              // largest |A / A_target - 1| (E2)
+    double angle_error = 0.0;             // largest deviation from 120 degrees (E2), radians
+    double seconds = 0.0;                 // wall time of the simulation
+    std::vector<TopologyEvent> events{};  // all T1s, T2s and births, in the order of time
+    double strain = 0.0;                  // Simulation::strain
+    double energy = 0.0;                  // film tension times total length of the films
+    Mat2 stress{Mat2::Zero()};            // mean stress (E11)
 };
 
 /// A frame of the foam with everything that the maps need to draw it.

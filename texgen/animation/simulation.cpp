@@ -71,8 +71,9 @@ Simulation::Simulation(const Preset& preset, int threads, ProgressCallback on_pr
 
 bool Simulation::advance() {
     ++number_;
+    events_.clear();
     const bool found = reach_frame();
-    history_.record_events(foam_, number_);
+    record_events(number_);
     if (number_ > 1) {
         history_.average_values(foam_);
     }
@@ -104,7 +105,7 @@ bool Simulation::reach_first_frame() {
     } else if (!equilibrate_and_warm_up()) {
         return false;
     }
-    history_.record_events(foam_, number_);
+    record_events(number_);
     history_.forget_events();
     history_.average_values(foam_);
     if (foam_.domain.is_plane()) {
@@ -112,6 +113,13 @@ bool Simulation::reach_first_frame() {
         timeline_.set_view(*view_);
     }
     return !loop_.is_cycle() || close_loop();
+}
+
+// Moves the events of the foam, which happened during the step to the given frame, to the list of
+// events of this advance() and to the history.
+void Simulation::record_events(int frame) {
+    events_.insert(events_.end(), foam_.events.begin(), foam_.events.end());
+    history_.record_events(foam_, frame);
 }
 
 Frame Simulation::frame() const {
@@ -173,7 +181,7 @@ bool Simulation::close_loop() {
             progress.done = position - 1;
             report(progress);
             found = step_cycle(position);
-            history_.record_events(foam_, 1 + position - frames_.count);
+            record_events(1 + position - frames_.count);
             history_.average_values(foam_);
         }
         closing_error_ = foam::closing_error(start, foam_);
@@ -198,7 +206,9 @@ bool Simulation::close_loop() {
 
 bool Simulation::step_cycle(int position) {
     const EquilibriumSummary before = equilibrium_;
-    equilibrium_ = cycle_->step_to(position, foam_, frames_.time_step, options_).equilibrium;
+    const StepSummary summary = cycle_->step_to(position, foam_, frames_.time_step, options_);
+    equilibrium_ = summary.equilibrium;
+    strain_ += summary.strain;
     add_effort(before);
     return equilibrium_.converged();
 }
@@ -256,7 +266,9 @@ bool Simulation::step_by(double time, const StateChange& change) {
         return true;
     }
     const EquilibriumSummary before = equilibrium_;
-    equilibrium_ = step(foam_, time, change, options_).equilibrium;
+    const StepSummary summary = step(foam_, time, change, options_);
+    equilibrium_ = summary.equilibrium;
+    strain_ += summary.strain;
     add_effort(before);
     return equilibrium_.converged();
 }

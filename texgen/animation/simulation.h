@@ -53,6 +53,18 @@ class Simulation {
     /// Returns the record that maps need to draw the frame that was reached.
     FoamRecord record() const;
 
+    /// Returns the foam itself, in the state that was reached, without any transform for display.
+    const Foam& foam() const { return foam_; }
+
+    /// Returns the total strain by which the foam has been sheared since it was seeded (E9). Unlike
+    /// Domain::shear, it is not reduced by whole periods of the torus.
+    double strain() const { return strain_; }
+
+    /// Returns the topology events of the last advance(), in the order in which they happened. The
+    /// first call of advance() includes the first equilibration, the warm-up, and all cycles that
+    /// close a loop.
+    const std::vector<TopologyEvent>& events() const { return events_; }
+
     /// Returns the number of bubbles of the foam.
     int bubble_count() const;
 
@@ -69,6 +81,7 @@ class Simulation {
   private:
     bool reach_frame();
     bool reach_first_frame();
+    void record_events(int frame);
     void measure_diagram();
     bool equilibrate_and_warm_up();
     bool warm_up();
@@ -95,6 +108,8 @@ class Simulation {
     std::optional<double> closing_error_;
     std::optional<View> view_;
     int number_ = 0;
+    double strain_ = 0.0;
+    std::vector<TopologyEvent> events_;  // of the last advance()
     EquilibriumSummary equilibrium_;
 };
 

@@ -59,6 +59,10 @@ double Frame::energy() const {
     return foam::statistics(*state_->shown.frame).energy;
 }
 
+std::vector<Event> Frame::events() const {
+    return foam::event_records(state_->shown.effort.events);
+}
+
 Stress Frame::stress() const {
     return foam::stress_record(*state_->shown.frame);
 }

@@ -252,11 +252,24 @@ void bind_values(FoamClass& foam) {
                 return matrix_of(self.use([](const auto& one) { return one.stress(); }));
             },
             "The mean stress as an array of shape (2, 2); tension is positive.")
+        .def(
+            "shear_modulus",
+            [](SharedFoam& self, int threads) {
+                return self.use([&](const auto& one) { return one.shear_modulus(threads); });
+            },
+            "Derivative of the shear stress of a torus in equilibrium with respect to strain, "
+            "without T1s; None for a patch.",
+            py::kw_only(),
+            py::arg("threads") = 0)
+        .def(
+            "take_events",
+            [](SharedFoam& self) { return self.use([](auto& one) { return one.take_events(); }); },
+            "The changes of topology since the last call, as a list of Event.")
         .def_property_readonly(
             "bubbles",
             &table_of<&FoamRecords::bubbles>,
             "Structured array: identity, sides, x, y, area, target_area, pressure, "
-            "perimeter.")
+            "perimeter, elongation, orientation.")
         .def_property_readonly(
             "films",
             &table_of<&FoamRecords::films>,

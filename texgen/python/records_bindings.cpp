@@ -22,6 +22,17 @@ py::object bind_error(py::module_& module,
     return error;
 }
 
+const char* name_of(foamtex::EventKind kind) {
+    switch (kind) {
+        case foamtex::EventKind::T1:
+            return "T1";
+        case foamtex::EventKind::T2:
+            return "T2";
+        default:
+            return "birth";
+    }
+}
+
 py::object with_base(const py::object& error, PyObject* own) {
     return py::make_tuple(error, py::reinterpret_borrow<py::object>(own));
 }
@@ -29,11 +40,44 @@ py::object with_base(const py::object& error, PyObject* own) {
 }  // namespace
 
 void bind_records(py::module_& module) {
-    PYBIND11_NUMPY_DTYPE(
-        foamtex::Bubble, identity, sides, x, y, area, target_area, pressure, perimeter);
+    PYBIND11_NUMPY_DTYPE(foamtex::Bubble,
+                         identity,
+                         sides,
+                         x,
+                         y,
+                         area,
+                         target_area,
+                         pressure,
+                         perimeter,
+                         elongation,
+                         orientation);
     PYBIND11_NUMPY_DTYPE(
         foamtex::Film, left, right, tail, head, x, y, chord_x, chord_y, half_angle, length);
     PYBIND11_NUMPY_DTYPE(foamtex::Point, x, y);
+
+    using foamtex::Event;
+    py::class_<Event>(module, "Event", "A change of topology: T1, T2, or the birth of a bubble.")
+        .def_property_readonly(
+            "kind",
+            [](const Event& self) { return name_of(self.kind); },
+            "\"T1\", \"T2\" or \"birth\".")
+        .def_readonly("time", &Event::time, "Foam time.")
+        .def_property_readonly(
+            "position",
+            [](const Event& self) { return py::make_tuple(self.position.x, self.position.y); },
+            "Where it happened, as (x, y).")
+        .def_readonly("bubbles",
+                      &Event::bubbles,
+                      "Identities of the bubbles whose neighbors changed; of a T2 and of a birth, "
+                      "the first one vanished or was added.")
+        .def("__repr__", [](const Event& self) {
+            return py::str("Event({!r}, time={:.6g}, position=({:.6g}, {:.6g}), bubbles={})")
+                .format(name_of(self.kind),
+                        self.time,
+                        self.position.x,
+                        self.position.y,
+                        py::cast(self.bubbles));
+        });
 
     const py::object error =
         bind_error<foamtex::Error>(module,

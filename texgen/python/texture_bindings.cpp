@@ -182,6 +182,10 @@ void bind_texture(py::module_& module) {
             "junctions",
             &frame_table<&foamtex::FoamRecords::junctions>,
             "Structured array, as Foam.junctions; a view that cannot be written.")
+        .def_property_readonly(
+            "events",
+            &foamtex::Frame::events,
+            "The changes of topology since the frame before, as a list of Event.")
         .def(
             "stress",
             [](const foamtex::Frame& self) { return matrix_of(self.stress()); },

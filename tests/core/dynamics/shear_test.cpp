@@ -136,6 +136,15 @@ TEST(Shear, TheFoamAsAWholeStaysWhereItIs) {
     }
 }
 
+TEST(Shear, ASummaryHasTheStrainOfAllSubsteps) {
+    Foam foam = equilibrated_foam(60, 2);
+    const StepSummary summary = step(foam, 1.0, strain_of(-1.4), {});
+    ASSERT_TRUE(summary.equilibrium.converged());
+    EXPECT_GT(summary.substeps, 1);
+    EXPECT_NEAR(summary.strain, -1.4, 1e-14);
+    EXPECT_EQ(step(foam, 1.0, {}).strain, 0.0);
+}
+
 TEST(Shear, ASteppedFoamCoarsensAsWell) {
     Foam foam = equilibrated_foam(60, 2);
     ASSERT_TRUE(step(foam, 0.0, strain_of(0.4), {}).equilibrium.converged());

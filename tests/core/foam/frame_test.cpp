@@ -2,6 +2,7 @@
 
 #include "core/foam/frame.h"
 
+#include "core/foam/honeycomb.h"
 #include "core/foam/measure.h"
 #include "core/network/t2.h"
 #include "tests/core/foams.h"
@@ -57,6 +58,30 @@ TEST(Frame, HasNoDeadSlots) {
     EXPECT_EQ(frame.arcs.size(), 45U);
     EXPECT_EQ(frame.positions.size(), 30U);
     EXPECT_EQ(frame.bubbles[BubbleId{5}].identity, 6U);
+}
+
+TEST(Frame, BecomesAFoamAgain) {
+    for (const Foam& foam :
+         {test::bent_foam(30, 1.0, 5),
+          test::patch_foam(20, 3),
+          test::circles({{.identity = 4, .center = {1.0, 2.0}, .target_area = 2.0}})}) {
+        const Frame frame = snapshot(foam, 12);
+        const Foam back = foam_of(frame);
+        EXPECT_TRUE(test::are_same(back.network, foam.network));
+        EXPECT_EQ(back.positions, foam.positions);
+        EXPECT_EQ(back.pressures, foam.pressures);
+        EXPECT_EQ(back.target_areas, foam.target_areas);
+        EXPECT_EQ(back.identities, foam.identities);
+        EXPECT_EQ(back.lone_bubbles, foam.lone_bubbles);
+        EXPECT_EQ(energy(back), energy(foam));
+        EXPECT_EQ(back.t1_armed.size(), foam.network.film_slots());
+    }
+}
+
+TEST(Frame, AFoamOfAFrameHasUnusedIdentities) {
+    const Foam foam = test::circles({{.identity = 4, .center = {1.0, 2.0}, .target_area = 2.0}});
+    EXPECT_EQ(foam_of(snapshot(foam, 1)).next_identity, 5U);
+    EXPECT_EQ(foam_of(snapshot(honeycomb(4, 4), 1)).next_identity, 16U);
 }
 
 }  // namespace

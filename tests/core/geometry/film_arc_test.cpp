@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -308,6 +309,88 @@ TEST(FilmArc, HalfAngleOfSegmentIsTheInverseOfTheShape) {
             half_angle_of_segment(arc_shape(angle).segment), angle, 1e-8 * distance_from_pi);
     }
     EXPECT_EQ(half_angle_of_segment(0.0), 0.0);
+}
+
+/// Returns the integral of a function of the fraction of the arc from 0 to 1, by the composite
+/// Gauss-Legendre rule of two points on 2000 intervals. Its error is of the order of 1e-14.
+template <class Value>
+auto integral(const Value& value) {
+    constexpr int kIntervals = 2000;
+    const double offset = 0.5 / std::sqrt(3.0);
+    auto sum = value(0.0);
+    sum *= 0.0;
+    for (int k = 0; k < kIntervals; ++k) {
+        sum += value((k + 0.5 - offset) / kIntervals) + value((k + 0.5 + offset) / kIntervals);
+    }
+    sum *= 0.5 / kIntervals;
+    return sum;
+}
+
+Mat2 integrated_tangents(const FilmArc& arc) {
+    const double angle = std::atan2(arc.chord.y(), arc.chord.x());
+    return integral([&](double fraction) {
+        const Vec2 t = unit_vector(angle + (2.0 * fraction - 1.0) * arc.half_angle);
+        return Mat2(arc_length(arc) * t * t.transpose());
+    });
+}
+
+RC_GTEST_PROP(FilmArc, TangentTensorIsTheIntegralOverTheArc, ()) {
+    const FilmArc arc = any_arc();
+    const double tolerance = 1e-12 * arc_length(arc);
+    const Mat2 tensor = tangent_tensor(arc);
+    RC_ASSERT((tensor - integrated_tangents(arc)).norm() < tolerance);
+    RC_ASSERT(std::abs(tensor.trace() - arc_length(arc)) < tolerance);
+    RC_ASSERT((tensor - tangent_tensor(reversed(arc))).norm() < tolerance);
+}
+
+TEST(FilmArc, TangentTensorNearAStraightFilmAndAFullCircle) {
+    for (const double angle : {0.0, 1e-9, 1e-4, -1e-2, 0.2499, 0.2501, 1.5707, 1.5709, 3.141}) {
+        const FilmArc arc{{0.6, -0.8}, angle};
+        EXPECT_LT((tangent_tensor(arc) - integrated_tangents(arc)).norm(), 1e-12 * arc_length(arc))
+            << angle;
+    }
+    EXPECT_EQ(tangent_tensor({{0.0, 0.0}, 1.0}).norm(), 0.0);
+}
+
+// By the divergence theorem, the integral of a polynomial over the segment is an integral along its
+// border. On the chord y = 0, and the arc runs from tail to head on the right of the chord. With
+// the normal n = (dy, -dx) the integral of y^k over the area is that of -y^(k+1) / (k+1) dx, and
+// the integral of x² that of -x² y dx.
+void expect_integrated_moments(double half_angle) {
+    const FilmArc arc{{1.5, 0.0}, half_angle};
+    const auto along_arc = [&](const auto& value) {
+        return integral([&](double fraction) {
+            const Vec2 at = point_at(arc, fraction) - 0.5 * arc.chord;
+            const double dx = arc_length(arc) * std::cos((2.0 * fraction - 1.0) * half_angle);
+            return value(at.x(), at.y()) * dx;
+        });
+    };
+    const SegmentMoments moments = segment_moments(arc);
+    const double size = std::pow(std::max(1.5, 1.5 / std::sin(std::abs(half_angle))), 4);
+    const double tolerance = 1e-13 * size;
+    EXPECT_EQ(moments.area, segment_area(arc));
+    const double y = along_arc([](double, double v) { return -v * v / 2.0; });
+    EXPECT_NEAR(moments.y, y, tolerance) << half_angle;
+    const double xx = along_arc([](double u, double v) { return -u * u * v; });
+    EXPECT_NEAR(moments.xx, xx, tolerance) << half_angle;
+    const double yy = along_arc([](double, double v) { return -v * v * v / 3.0; });
+    EXPECT_NEAR(moments.yy, yy, tolerance) << half_angle;
+}
+
+TEST(FilmArc, SegmentMomentsAreTheIntegralsOverTheSegment) {
+    for (const double angle : {1e-7, 1e-3, 0.1, 0.2526, 0.2528, 1.0, 1.57, 1.58, 2.5, 3.1}) {
+        expect_integrated_moments(angle);
+        expect_integrated_moments(-angle);
+    }
+}
+
+// The half disc below the chord has the moments -2/3 r³, pi/8 r^4 and pi/8 r^4.
+TEST(FilmArc, SegmentMomentsOfAHalfDisc) {
+    const SegmentMoments moments = segment_moments({{2.0, 0.0}, kPi / 2.0});
+    EXPECT_NEAR(moments.area, kPi / 2.0, kRounding);
+    EXPECT_NEAR(moments.y, -2.0 / 3.0, kRounding);
+    EXPECT_NEAR(moments.xx, kPi / 8.0, kRounding);
+    EXPECT_NEAR(moments.yy, kPi / 8.0, kRounding);
 }
 
 }  // namespace

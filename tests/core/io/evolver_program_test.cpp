@@ -2,8 +2,10 @@
 
 // Tests that Surface Evolver reads the files that we write, and agrees with our equilibrium.
 // Skipped if Evolver is not installed.
+#include "core/dynamics/shear.h"
 #include "core/equilibrium/equilibrate_given.h"
 #include "core/foam/measure.h"
+#include "core/foam/stress.h"
 #include "core/io/evolver_file.h"
 #include "tests/core/foams.h"
 #include "tests/core/io/data_file.h"
@@ -147,6 +149,33 @@ TEST_F(EvolverProgram, AgreesWithOurEquilibriumOfAFreeCluster) {
     Foam three = test::triple_bubble(1.0);
     ASSERT_TRUE(equilibrate_given(three, 0).converged());
     expect_same(three, run_evolver(write_evolver(three), commands));
+}
+
+// Returns the energy of the equilibrium that Evolver finds from the state of a foam by Newton's
+// method.
+double evolver_energy(const Foam& foam) {
+    const Session session = run_evolver(write_evolver(foam),
+                                        "recalc\naugmented_hessian on\nhessian\nhessian\nhessian\n"
+                                        "hessian\nhessian\nhessian\n"
+                                        "printf \"value %.17g\\n\",total_energy\n");
+    EXPECT_EQ(session.values.size(), 1U) << session.log;
+    return session.values.empty() ? 0.0 : session.values[0];
+}
+
+// In simple shear, the slope of the energy per area is the shear stress (E11). The derivative is a
+// central difference of the fourth order.
+TEST_F(EvolverProgram, ItsEnergyOfAShearedTorusHasOurStressAsItsSlope) {
+    const Foam foam = test::equilibrated_foam(100, 7);
+    constexpr double kStrain = 0.001;
+    const auto energy_at = [&](double strain) {
+        Foam copy = foam;
+        shear(copy, strain);
+        return evolver_energy(copy);
+    };
+    const double near = energy_at(kStrain) - energy_at(-kStrain);
+    const double far = energy_at(2.0 * kStrain) - energy_at(-2.0 * kStrain);
+    const double slope = (8.0 * near - far) / (12.0 * kStrain);
+    EXPECT_NEAR(slope / foam.domain.area(), mean_stress(snapshot(foam, 1))(0, 1), 1e-10);
 }
 
 TEST_F(EvolverProgram, TakesOtherUnitsAndAreas) {

@@ -64,6 +64,36 @@ TEST(FrameAssembly, APatchNeedsItsFirstState) {
     EXPECT_EQ(assembled(preset, {3}, NextFrames::Omitted, {1, 3}), (std::vector<Shown>{{3, 0, 4}}));
 }
 
+// A frame has the events since the frame before it. A state that is shown again has none. The
+// strain is the strain of the state.
+TEST(FrameAssembly, EventsAreHandedOutOnce) {
+    Preset preset;
+    preset.loop.kind = LoopKind::PingPong;
+    preset.frames.count = 6;
+    std::vector<std::vector<double>> times;
+    std::vector<double> strains;
+    FrameAssembly assembly(
+        preset, {2, 6, 5, 4}, NextFrames::Omitted, [&](const SimulatedFrame& frame) {
+            times.emplace_back();
+            for (const TopologyEvent& event : frame.effort.events) {
+                times.back().push_back(event.time);
+            }
+            strains.push_back(frame.effort.strain);
+        });
+    for (const int number : assembly.states()) {
+        SimulatedFrame state = state_of(number);
+        state.effort.events.resize(2);
+        state.effort.events[0].time = number + 0.25;
+        state.effort.events[1].time = number + 0.5;
+        state.effort.strain = 0.5 * number;
+        assembly.add(state);
+    }
+    EXPECT_EQ(
+        times,
+        (std::vector<std::vector<double>>{{1.25, 1.5, 2.25, 2.5}, {}, {3.25, 3.5}, {4.25, 4.5}}));
+    EXPECT_EQ(strains, (std::vector<double>{1.0, 1.0, 1.5, 2.0}));
+}
+
 // A pingpong of 6 frames shows the states 1 2 3 4 3 2. A state that is shown again adds no effort.
 TEST(FrameAssembly, APingPongShowsStatesAgain) {
     Preset preset;

@@ -38,6 +38,29 @@ Preset small_preset() {
     return preset;
 }
 
+// A shear loop strains the foam by amplitude * sin(2 pi t), as a part of the loop; its frames show
+// the foam without this shear.
+TEST(Simulation, StrainOfAShearLoop) {
+    Preset preset = small_preset();
+    preset.loop.kind = LoopKind::Shear;
+    preset.loop.amplitude = 0.04;
+    preset.frames.count = 8;
+    Simulation simulation(preset);
+    ASSERT_TRUE(simulation.advance());
+    const double start = simulation.strain();
+    double largest = 0.0;
+    for (int frame = 2; frame <= 9; ++frame) {
+        ASSERT_TRUE(simulation.advance());
+        EXPECT_NEAR(simulation.strain() - start,
+                    simulation.foam().domain.shear / simulation.foam().domain.height,
+                    1e-12);
+        EXPECT_NEAR(simulation.frame().domain.shear, 0.0, 1e-12);
+        largest = std::max(largest, std::abs(simulation.strain() - start));
+    }
+    EXPECT_NEAR(largest, 0.04, 1e-12);
+    EXPECT_NEAR(simulation.strain(), start, 1e-12);
+}
+
 // A patch loses gas to the atmosphere, so its area decreases.
 TEST(Simulation, APatchStaysInEquilibriumWhileItLosesGas) {
     Preset preset = small_preset();

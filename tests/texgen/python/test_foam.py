@@ -89,6 +89,45 @@ def test_stress_is_the_slope_of_the_energy():
     assert stress[0, 1] == pytest.approx(slope / 60, abs=1e-8)
 
 
+def test_events_have_a_time_and_a_place():
+    foam = foamtex.Foam.torus(100, seed=1)
+    found = foam.relax()
+    assert len(foam.take_events()) == found.t1
+    assert foam.take_events() == []
+    before = set(foam.bubbles["identity"])
+    vanished = 0
+    for _ in range(20):
+        found = foam.step(2.0)
+        events = foam.take_events()
+        assert [event.kind for event in events].count("T2") == found.t2
+        for event in events:
+            assert foam.time - 2.0 <= event.time <= foam.time and len(event.position) == 2
+            vanished += event.kind == "T2" and event.bubbles[0] in before
+    assert vanished == 100 - len(foam) > 0
+
+
+def test_the_shear_modulus_of_a_foam_is_positive():
+    foam = relaxed(60, seed=4)
+    modulus = foam.shear_modulus()
+    h = 1e-5
+    stresses = []
+    for strain in (-h, h):
+        sheared = foam.copy()
+        sheared.step(0, strain=strain, settings=foamtex.StepSettings(tolerance=1e-11))
+        stresses.append(sheared.stress()[0, 1])
+    assert modulus == pytest.approx((stresses[1] - stresses[0]) / (2 * h), rel=1e-4) and modulus > 0.3
+    patch = foamtex.Foam.disk(20)
+    patch.relax()
+    assert patch.shear_modulus() is None
+
+
+def test_shapes_of_bubbles():
+    bubbles = relaxed(60, seed=4).bubbles
+    assert (bubbles["elongation"] >= 1).all() and (np.abs(bubbles["orientation"]) <= math.pi / 2).all()
+    # A disk has the smallest perimeter of its area.
+    assert (bubbles["perimeter"] > 2 * np.sqrt(math.pi * bubbles["area"])).all()
+
+
 def test_state_and_files_keep_every_bit(tmp_path):
     foam = relaxed(40, seed=9)
     again = foamtex.Foam.from_state(foam.state())

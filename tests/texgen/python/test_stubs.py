@@ -24,7 +24,7 @@ foamtex.bake(preset, "out", progress=print)
 
 
 # Classes of pybind11 have a metaclass of their own, and those that cannot be made have an __init__ that always fails.
-BOUND = "Difference Equilibrium Foam Frame MapInfo Preset Progress Simulation StepSettings".split()
+BOUND = "Difference Equilibrium Event Foam Frame MapInfo Preset Progress Simulation StepSettings".split()
 
 
 def test_stubs_name_what_the_module_has(tmp_path):

@@ -18,6 +18,7 @@ from ._foamtex import (
     Equilibrium,
     EquilibriumError,
     Error,
+    Event,
     Foam,
     Frame,
     InputError,
@@ -37,7 +38,7 @@ from ._foamtex import (
 )
 
 __all__ = [
-    "ALGORITHM_VERSION", "ArgumentError", "Difference", "Equilibrium", "EquilibriumError", "Error", "Foam", "Frame", "InputError", "MapInfo",
+    "ALGORITHM_VERSION", "ArgumentError", "Difference", "Equilibrium", "EquilibriumError", "Error", "Event", "Foam", "Frame", "InputError", "MapInfo",
     "OutputError", "Preset", "Progress", "Simulation", "StepSettings", "bake", "compare", "key_schema", "maps",
     "presets", "write_png",
 ]

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -124,6 +125,15 @@ class FOAMTEX_EXPORT Foam {
 
     /// Returns the mean stress of the foam (E11).
     Stress stress() const;
+
+    /// Returns the shear modulus of a torus in equilibrium (E11): the derivative of the shear
+    /// stress with respect to the strain, without T1s. Returns nothing for a patch, or if the foam
+    /// is not in equilibrium. `threads` is as in StepSettings.
+    std::optional<double> shear_modulus(int threads = 0) const;
+
+    /// Returns the changes of topology since the last call, or since the foam was made, in the
+    /// order in which they happened.
+    std::vector<Event> take_events();
 
     /// Returns all bubbles, films and junctions.
     FoamRecords records() const;

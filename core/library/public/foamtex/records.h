@@ -29,6 +29,10 @@ struct Bubble {
     double target_area = 0.0;   ///< its area in equilibrium: represents the amount of gas
     double pressure = 0.0;      ///< on a torus determined only up to a common constant
     double perimeter = 0.0;     ///< total length of its films
+    /// Longer divided by shorter axis of the ellipse with the same second moments of area.
+    double elongation = 1.0;
+    /// Angle from the x axis to the longer axis, counter-clockwise, in radians, -pi/2 to pi/2.
+    double orientation = 0.0;
 };
 
 /// A film: a circular arc between two bubbles, from its tail to its head.
@@ -67,6 +71,23 @@ struct Extent {
 
     /// Returns true if all numbers are equal.
     friend bool operator==(const Extent&, const Extent&) = default;
+};
+
+/// The kinds of changes of topology.
+enum class EventKind {
+    T1,     ///< bubbles swapped neighbors; in a patch also: a film tore or a hole closed
+    T2,     ///< a bubble vanished
+    Birth,  ///< a bubble was added
+};
+
+/// A change of topology.
+struct Event {
+    EventKind kind = EventKind::T1;  ///< what happened
+    double time = 0.0;               ///< foam time
+    Point position;                  ///< where; on a torus, perhaps beyond the border
+    /// The identities of the bubbles whose neighbors changed. For T2 and Birth, the first is the
+    /// bubble that vanished or was added.
+    std::vector<std::int64_t> bubbles;
 };
 
 /// The stress tensor of a foam (E11), in units of film tension per foam unit. It is symmetric.

@@ -110,10 +110,13 @@ class FOAMTEX_EXPORT Preset {
 /// functions may be called by several threads at the same time.
 class FOAMTEX_EXPORT Frame {
   public:
-    int number() const;                  ///< from 1
-    double time() const;                 ///< foam time (E6)
-    Extent extent() const;               ///< the torus, or zeros for a patch
-    double energy() const;               ///< film tension times the length of all films
+    int number() const;     ///< from 1
+    double time() const;    ///< foam time (E6)
+    Extent extent() const;  ///< the torus, or zeros for a patch
+    double energy() const;  ///< film tension times the length of all films
+    /// Returns the changes of topology since the frame before this one of the same simulation.
+    std::vector<Event> events() const;
+
     Stress stress() const;               ///< mean stress (E11)
     const FoamRecords& records() const;  ///< valid as long as a copy of this frame exists
 
