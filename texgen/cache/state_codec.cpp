@@ -2,6 +2,8 @@
 
 #include "texgen/cache/state_codec.h"
 
+#include "core/foam/statistics.h"
+#include "core/foam/stress.h"
 #include "texgen/cache/byte_stream.h"
 #include "texgen/cache/frame_check.h"
 #include "texgen/cache/frame_codec.h"
@@ -18,7 +20,8 @@
 // precedes FoamRecord::first_pressures, the pressures at the end of the warm-up. If the flag is 1,
 // these pressures equal the pressures in the file pressures.foam of the cache and are left out. At
 // the end of the record are the averages (RecentAverages). A flag precedes them, too; it is 0 if
-// there are no averages.
+// there are no averages. The record is followed by the measurements: those members of FrameEffort
+// that older versions of foamtex did not store. In a state of such a version, they are missing.
 
 namespace foam::texgen {
 
@@ -186,6 +189,60 @@ FoamRecord read_record(const Frame& frame,
     return record;
 }
 
+void write_topology_events(const std::vector<TopologyEvent>& events, ByteWriter& writer) {
+    writer.put(static_cast<std::uint32_t>(events.size()));
+    for (const TopologyEvent& event : events) {
+        writer.put(static_cast<std::uint8_t>(event.kind));
+        writer.put(event.time);
+        writer.put(event.position.x());
+        writer.put(event.position.y());
+        writer.put(static_cast<std::uint32_t>(event.bubbles.size()));
+        for (const BubbleIdentity bubble : event.bubbles) {
+            writer.put(bubble);
+        }
+    }
+}
+
+std::vector<TopologyEvent> read_topology_events(ByteReader& reader) {
+    constexpr std::size_t kEvent = 1 + 3 * sizeof(double) + sizeof(std::uint32_t);
+    std::vector<TopologyEvent> events(reader.take_count(kEvent));
+    for (TopologyEvent& event : events) {
+        event.kind = read_event_kind(reader);
+        event.time = take_number(reader, "the time of an event");
+        event.position.x() = take_number(reader, "the position of an event");
+        event.position.y() = take_number(reader, "the position of an event");
+        event.bubbles.resize(reader.take_count(sizeof(BubbleIdentity)));
+        std::ranges::generate(event.bubbles, [&] { return reader.take<BubbleIdentity>(); });
+    }
+    return events;
+}
+
+void write_measurements(const FrameEffort& effort, ByteWriter& writer) {
+    writer.put(effort.strain);
+    writer.put(effort.energy);
+    writer.put(effort.stress(0, 0));
+    writer.put(effort.stress(0, 1));
+    writer.put(effort.stress(1, 1));
+    write_topology_events(effort.events, writer);
+}
+
+void read_measurements(FrameEffort& effort, ByteReader& reader) {
+    effort.strain = take_number(reader, "the strain");
+    effort.energy = take_number(reader, "the energy");
+    const double xx = take_number(reader, "the stress");
+    const double xy = take_number(reader, "the stress");
+    const double yy = take_number(reader, "the stress");
+    effort.stress << xx, xy, xy, yy;
+    effort.events = read_topology_events(reader);
+}
+
+// Measures the frame of a state in which an older version of foamtex has not stored these values.
+// The strain and the events remain unknown.
+void measure(FrameEffort& effort, const Frame& frame) {
+    effort.energy = statistics(frame).energy;
+    effort.stress = mean_stress(frame);
+}
+
 }  // namespace
 
 Bytes pack_state(const SimulatedFrame& state, const std::vector<double>& first_pressures) {
@@ -193,6 +250,7 @@ Bytes pack_state(const SimulatedFrame& state, const std::vector<double>& first_p
     write_frame(*state.frame, writer);
     write_effort(state.effort, writer);
     write_record(*state.record, *state.frame, first_pressures, writer);
+    write_measurements(state.effort, writer);
     return writer.bytes();
 }
 
@@ -204,6 +262,11 @@ SimulatedFrame unpack_state(std::span<const std::byte> content,
     state.effort = read_effort(reader);
     state.record =
         std::make_shared<const FoamRecord>(read_record(*state.frame, first_pressures, reader));
+    if (reader.is_at_end()) {
+        measure(state.effort, *state.frame);
+    } else {
+        read_measurements(state.effort, reader);
+    }
     if (!reader.is_at_end()) {
         throw BadContent("unexpected data after the state");
     }

@@ -215,7 +215,7 @@ FinishedRun finish(const ImageRun& run,
                    const ProgressOptions& progress,
                    bool with_statistics) {
     const Preset& preset = run.preset;
-    Recorder recorder(preset);
+    Recorder recorder(preset, run.options.threads);
     FinishedRun finished{
         run,
         bake_images(

@@ -115,7 +115,11 @@ FrameStatistics statistics_of(const BakedFrame& baked) {
             .area_error = effort.area_error,
             .angle_error = effort.angle_error,
             .simulating = effort.seconds,
-            .drawing = baked.seconds};
+            .drawing = baked.seconds,
+            .mechanics = FrameMechanics{
+                .strain = effort.strain,
+                .energy = effort.energy,
+                .stress = {effort.stress(0, 0), effort.stress(0, 1), effort.stress(1, 1)}}};
 }
 
 ManifestFile file_of(const WrittenFile& written, int frame, const std::filesystem::path& folder) {

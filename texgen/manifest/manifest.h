@@ -4,6 +4,7 @@
 
 #include "texgen/bake/written_file.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -66,6 +67,16 @@ struct ManifestScene {
     friend bool operator==(const ManifestScene&, const ManifestScene&) = default;
 };
 
+/// The mechanical state of the foam in a frame, in foam units (FrameEffort in
+/// animation/simulated_frame.h).
+struct FrameMechanics {
+    double strain = 0.0;             // since the foam was seeded
+    double energy = 0.0;             // film tension times total length of the films
+    std::array<double, 3> stress{};  // xx, xy, yy (E11 in core/README.md)
+
+    friend bool operator==(const FrameMechanics&, const FrameMechanics&) = default;
+};
+
 /// Statistics of the foam in a frame, in foam units, and the time spent on the frame. T1s, T2s and
 /// `simulating` cover the simulation since the previous frame of the bake; for the first frame,
 /// since the foam was seeded.
@@ -81,6 +92,8 @@ struct FrameStatistics {
     double angle_error = 0.0;  // largest deviation from 120 degrees, radians; NaN for null
     double simulating = 0.0;   // wall time, seconds
     double drawing = 0.0;      // wall time of one thread, with encoding and writing, seconds
+    // nullopt in manifests that older versions of foamtex wrote.
+    std::optional<FrameMechanics> mechanics{};
 
     friend bool operator==(const FrameStatistics&, const FrameStatistics&) = default;
 };

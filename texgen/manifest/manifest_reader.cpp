@@ -135,6 +135,20 @@ ManifestScene scene_in(const JsonValue& value) {
             .hash = value["hash"].text()};
 }
 
+std::optional<FrameMechanics> mechanics_in(const JsonValue& value) {
+    const auto stress = value.find("stress");
+    if (!stress) {
+        return std::nullopt;
+    }
+    const std::vector<JsonValue> parts = stress->items();
+    if (parts.size() != 3) {
+        stress->reject("[xx, xy, yy]");
+    }
+    return FrameMechanics{.strain = value["strain"].number(),
+                          .energy = value["energy"].number(),
+                          .stress = {parts[0].number(), parts[1].number(), parts[2].number()}};
+}
+
 FrameStatistics frame_in(const JsonValue& value) {
     return {.frame = value["frame"].count(),
             .tiles = value["tiles"].flag(),
@@ -146,7 +160,8 @@ FrameStatistics frame_in(const JsonValue& value) {
             .area_error = number_in(value.find("area_error")),
             .angle_error = number_in(value.find("angle_error")),
             .simulating = value["simulating"].number(),
-            .drawing = value["drawing"].number()};
+            .drawing = value["drawing"].number(),
+            .mechanics = mechanics_in(value)};
 }
 
 ManifestLoop loop_in(const JsonValue& value) {

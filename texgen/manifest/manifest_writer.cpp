@@ -63,17 +63,23 @@ Json to_value(const ManifestScene& scene) {
 }
 
 Json to_value(const FrameStatistics& frame) {
-    return {{"frame", frame.frame},
-            {"tiles", frame.tiles},
-            {"time", frame.time},
-            {"bubbles", frame.bubbles},
-            {"mean_area", frame.mean_area},
-            {"t1", frame.t1},
-            {"t2", frame.t2},
-            {"area_error", number_or_null(frame.area_error)},
-            {"angle_error", number_or_null(frame.angle_error)},
-            {"simulating", frame.simulating},
-            {"drawing", frame.drawing}};
+    Json value{{"frame", frame.frame},
+               {"tiles", frame.tiles},
+               {"time", frame.time},
+               {"bubbles", frame.bubbles},
+               {"mean_area", frame.mean_area},
+               {"t1", frame.t1},
+               {"t2", frame.t2},
+               {"area_error", number_or_null(frame.area_error)},
+               {"angle_error", number_or_null(frame.angle_error)},
+               {"simulating", frame.simulating},
+               {"drawing", frame.drawing}};
+    if (frame.mechanics) {
+        value["strain"] = frame.mechanics->strain;
+        value["energy"] = frame.mechanics->energy;
+        value["stress"] = frame.mechanics->stress;
+    }
+    return value;
 }
 
 Json to_value(const ManifestLoop& loop) {

@@ -27,8 +27,13 @@ ChartStatus draw_charts(const std::filesystem::path& script) {
 
 std::vector<std::filesystem::path> chart_paths(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> paths;
-    for (const char* const name :
-         {"mean_area", "second_moment", "sides", "pressures", "growth_rates", "seconds"}) {
+    for (const char* const name : {"mean_area",
+                                   "second_moment",
+                                   "sides",
+                                   "pressures",
+                                   "growth_rates",
+                                   "stress",
+                                   "seconds"}) {
         paths.push_back(folder / (std::string(name) + ".svg"));
     }
     return paths;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 
-# Draws up to six charts of the tables stats.csv and sides.csv into the folder of the tables:
+# Draws up to seven charts of the tables stats.csv, sides.csv and stress.csv into the folder of the tables:
 #
 #     gnuplot charts.gp
 #
@@ -181,6 +181,45 @@ plot law using 1:(law[$1]) title "(2π/3) γ κ (n − 6)" with lines linewidth 
     film_sum using 1:(mean(film_sum[$1], film_weight[$1])) title "κ Σ Δp l of the films" \
         with points pointtype 12 pointsize 1.2 linewidth 1.5 linecolor rgb vermilion
 set xtics autofreq
+
+# Stress over strain, if the foam is sheared. The line of the shear modulus begins at the first frame and ends
+# at the largest stress. ------------------------------------------------------------------------------
+stresses = "stress.csv"
+stress_rows = 0
+lowest_strain = highest_strain = 0
+yield_stress = yield_strain = 0
+modulus = NaN
+unit(frame) = sqrt(area[int(frame)]) / film_tension
+add_strain(strain, stress) = (lowest_strain = strain < lowest_strain ? strain : lowest_strain, \
+    highest_strain = strain > highest_strain ? strain : highest_strain, \
+    first_strain = stress_rows == 0 ? strain : first_strain, \
+    first_stress = stress_rows == 0 ? stress : first_stress, \
+    yield_strain = stress_rows == 0 || stress > yield_stress ? strain : yield_strain, \
+    yield_stress = stress_rows == 0 || stress > yield_stress ? stress : yield_stress, \
+    stress_rows = stress_rows + 1)
+first_strain = first_stress = 0
+stats stresses every ::1 using (modulus = stress_rows == 0 && valid(9) ? $9 * unit($1) : modulus, \
+    add_strain($3, $6 * unit($1)), $1) nooutput
+if (highest_strain > lowest_strain) {
+    set output "stress.svg"
+    set title "Stress over strain"
+    set xlabel "strain"
+    set ylabel "stress (T / √mean area)"
+    set xrange [*:*]
+    set yrange [*:*]
+    has_modulus = modulus > 0 && yield_stress > first_stress
+    elastic_end = has_modulus ? first_strain + (yield_stress - first_stress) / modulus : first_strain
+    elastic(strain) = has_modulus ? first_stress + modulus * (strain - first_strain) : NaN
+    plot stresses every ::1 using 3:($6 * unit($1)) title "σ_{xy}" \
+            with linespoints linewidth 1.5 pointtype 7 pointsize 0.3 linecolor rgb blue, \
+        stresses every ::1 using 3:($8 * unit($1)) title "σ_{xx} − σ_{yy}" \
+            with lines linewidth 1 linecolor rgb gray, \
+        [first_strain:elastic_end] elastic(x) title (has_modulus ? sprintf("shear modulus %.3g", modulus) : "") \
+            with lines linewidth 2 dashtype 2 linecolor rgb vermilion, \
+        [lowest_strain:highest_strain] yield_stress \
+            title sprintf("largest σ_{xy}: %.3g at strain %.3g", yield_stress, yield_strain) \
+            with lines linewidth 1 dashtype 3 linecolor rgb black
+}
 
 # Time per frame. The first row covers the simulation from its seed to the first frame, and each later
 # row covers the frames since the preceding row.

@@ -28,6 +28,9 @@ enum class ChartStatus { Drawn, NoGnuplot, GnuplotFailed };
 ///                    area); frames in which these bubbles are less than 1 % of all are omitted
 ///     growth_rates   mean dA/dt against the number of sides, measured from areas and from
 ///                    pressures, and von Neumann's law
+///     stress         shear stress and normal stress difference over strain, in units of film
+///                    tension / sqrt(mean area); the slope of the shear modulus of the first frame,
+///                    and the largest shear stress; only if the strain differs between frames
 ///     seconds        wall time per frame against the number of bubbles, and the times in Figure 5
 ///                    of the paper
 std::string charts_script(const RunRecord& run);

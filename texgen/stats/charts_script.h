@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-/// Returns the content of charts.gp, the gnuplot script that draws charts of stats.csv and
-/// sides.csv.
+/// Returns the content of charts.gp, the gnuplot script that draws charts of stats.csv,
+/// sides.csv and stress.csv.
 std::string_view charts_script_text();
 
 }  // namespace foam::texgen

@@ -2,6 +2,9 @@
 
 #include "texgen/stats/csv.h"
 
+#include "core/foam/bubble_shape.h"
+#include "core/foam/measure.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,6 +41,41 @@ std::string sides_row(const RunRecord& run,
                        run.law_rate(part.sides));
 }
 
+const char* name_of(TopologyEventKind kind) {
+    switch (kind) {
+        case TopologyEventKind::T1:
+            return "T1";
+        case TopologyEventKind::T2:
+            return "T2";
+        case TopologyEventKind::Birth:
+            break;
+    }
+    return "birth";
+}
+
+std::string bubble_row(int frame, const FrameBubble& bubble, int sides, const BubbleShape& shape) {
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n",
+                       frame,
+                       bubble.identity,
+                       shape.center.x(),
+                       shape.center.y(),
+                       sides,
+                       bubble.area,
+                       bubble.target_area,
+                       bubble.pressure,
+                       shape.perimeter,
+                       shape.elongation,
+                       shape.orientation);
+}
+
+// Returns a lone bubble with the properties of a bubble of the network.
+FrameBubble frame_bubble(const LoneBubble& bubble, double film_tension) {
+    return {bubble.identity,
+            bubble.target_area,
+            bubble.target_area,
+            film_tension / lone_radius(bubble)};
+}
+
 }  // namespace
 
 std::string frames_csv(const RunRecord& run) {
@@ -57,6 +95,64 @@ std::string frames_csv(const RunRecord& run) {
                        record.effort.t1,
                        record.effort.t2,
                        record.effort.seconds);
+    }
+    return csv;
+}
+
+std::string stress_csv(const RunRecord& run) {
+    std::string csv =
+        "frame,time,strain,energy,stress_xx,stress_xy,stress_yy,normal_stress_difference,"
+        "shear_modulus\n";
+    for (const FrameRecord& record : run.frames) {
+        const Mat2& stress = record.effort.stress;
+        fmt::format_to(std::back_inserter(csv),
+                       "{},{},{},{},{},{},{},{},{}\n",
+                       record.frame,
+                       record.time,
+                       record.effort.strain,
+                       record.effort.energy,
+                       stress(0, 0),
+                       stress(0, 1),
+                       stress(1, 1),
+                       stress(0, 0) - stress(1, 1),
+                       record.shear_modulus ? fmt::format("{}", *record.shear_modulus) : "");
+    }
+    return csv;
+}
+
+std::string events_csv(const RunRecord& run) {
+    std::string csv = "frame,time,kind,x,y,bubbles\n";
+    for (const FrameRecord& record : run.frames) {
+        for (const TopologyEvent& event : record.effort.events) {
+            fmt::format_to(std::back_inserter(csv),
+                           "{},{},{},{},{},{}\n",
+                           record.frame,
+                           event.time,
+                           name_of(event.kind),
+                           event.position.x(),
+                           event.position.y(),
+                           fmt::join(event.bubbles, " "));
+        }
+    }
+    return csv;
+}
+
+std::string bubbles_csv(const RunRecord& run) {
+    std::string csv =
+        "frame,identity,x,y,sides,area,target_area,pressure,perimeter,elongation,orientation\n";
+    if (!run.last_frame) {
+        return csv;
+    }
+    const Frame& frame = *run.last_frame;
+    for (const BubbleId bubble : frame.network.bubbles()) {
+        csv += bubble_row(frame.number,
+                          frame.bubbles[bubble],
+                          frame.network.sides(bubble),
+                          bubble_shape(frame, bubble));
+    }
+    for (const LoneBubble& bubble : frame.lone_bubbles) {
+        csv += bubble_row(
+            frame.number, frame_bubble(bubble, frame.film_tension), 0, bubble_shape(bubble));
     }
     return csv;
 }

@@ -10,8 +10,8 @@ namespace foam::texgen {
 
 // The tables of a run as CSV. The first line contains the names of the columns, separated by
 // commas. Numbers have a decimal point in any locale, and floating-point numbers are written
-// without loss of precision. `seconds` is in seconds, `angle_error` in radians; all other
-// quantities are in foam units. README.md explains each column.
+// without loss of precision. `seconds` is in seconds, `angle_error` and `orientation` in radians;
+// all other quantities are in foam units. README.md explains each column.
 
 /// Returns a table with one row per frame:
 /// frame,time,bubbles,mean_area,energy,second_moment,area_error,angle_error,t1,t2,seconds
@@ -23,6 +23,20 @@ std::string frames_csv(const RunRecord& run);
 /// row it is empty if every bubble with this number of sides has other neighbors than in the
 /// preceding frame of the table, or if no foam time has passed since the preceding frame.
 std::string sides_csv(const RunRecord& run);
+
+/// Returns a table of the stress with one row per frame:
+/// frame,time,strain,energy,stress_xx,stress_xy,stress_yy,normal_stress_difference,shear_modulus
+/// `shear_modulus` is empty if the frame has none (core/dynamics/shear_modulus.h).
+std::string stress_csv(const RunRecord& run);
+
+/// Returns a table of the topology events with one row for each T1, T2 and birth:
+/// frame,time,kind,x,y,bubbles
+/// `bubbles` lists the identities of the bubbles, separated by spaces.
+std::string events_csv(const RunRecord& run);
+
+/// Returns a table of the bubbles in the last frame of the run with one row per bubble:
+/// frame,identity,x,y,sides,area,target_area,pressure,perimeter,elongation,orientation
+std::string bubbles_csv(const RunRecord& run);
 
 /// Returns a table of the mazes with one row per frame:
 /// frame,time,bubbles,solution,dead_ends,branches

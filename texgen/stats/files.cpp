@@ -30,7 +30,10 @@ void remove_file(const std::filesystem::path& path) {
 
 StatisticsFiles write_statistics(const RunRecord& run, const std::filesystem::path& folder) {
     std::vector<std::pair<const char*, std::string>> contents{{"stats.csv", frames_csv(run)},
-                                                              {"sides.csv", sides_csv(run)}};
+                                                              {"sides.csv", sides_csv(run)},
+                                                              {"stress.csv", stress_csv(run)},
+                                                              {"bubbles.csv", bubbles_csv(run)},
+                                                              {"events.csv", events_csv(run)}};
     const char* const maze_name = "maze.csv";
     if (std::string mazes = maze_csv(run); !mazes.empty()) {
         contents.emplace_back(maze_name, std::move(mazes));

@@ -12,7 +12,7 @@ MeasureSummary measure_run(const Preset& preset,
     const FrameSource source =
         options.source ? options.source : simulation_of(preset, options.threads);
     ProgressMeter meter(Phase::Frames, static_cast<int>(options.frames.size()), on_progress);
-    Recorder recorder(preset);
+    Recorder recorder(preset, options.threads);
     const auto measure = [&](const SimulatedFrame& shown) {
         recorder.record(shown.frame, shown.effort);
         meter.add(shown);

@@ -24,6 +24,8 @@ struct FrameRecord {
     std::vector<SidesGrowth> growth;       // empty in the first record
     FrameEffort effort;                    // numbers of T1s and T2s, errors, and wall time
     std::optional<MazeStatistics> maze{};  // only if the preset has a map of a maze
+    // The shear modulus of the frame (core/dynamics/shear_modulus.h); nullopt if it has none.
+    std::optional<double> shear_modulus{};
 };
 
 /// The statistics of a run, and the parameters needed to interpret them.
@@ -32,6 +34,7 @@ struct RunRecord {
     double film_tension = 1.0;  // T = 2 gamma, where gamma is the surface tension
     double kappa = 0.0;         // diffusion constant (E6 in core/README.md)
     std::vector<FrameRecord> frames;
+    std::shared_ptr<const Frame> last_frame{};  // the frame of the last record, or null
 
     /// Returns the dA/dt of a bubble with the given number of sides by von Neumann's law (E6).
     double law_rate(int sides) const;
@@ -41,10 +44,12 @@ struct RunRecord {
 /// which their source emits them (FrameAssembly).
 class Recorder {
   public:
-    explicit Recorder(const Preset& preset);
+    /// Prepares a recorder. `threads` is the number of threads that measure the shear modulus; 0
+    /// uses all hardware threads.
+    explicit Recorder(const Preset& preset, int threads = 0);
 
-    /// Appends the record of a frame. Keeps the frame until the next call, which measures the
-    /// growth since this frame.
+    /// Appends the record of a frame. Keeps the frame as RunRecord::last_frame; the next call
+    /// measures the growth since this frame.
     void record(const std::shared_ptr<const Frame>& frame, const FrameEffort& effort);
 
     /// Returns a function that calls record() for each frame it receives. The function refers to
@@ -55,8 +60,8 @@ class Recorder {
 
   private:
     RunRecord run_;
-    std::optional<MazeRule> maze_;         // the rule of the maze, if the preset has a map of one
-    std::shared_ptr<const Frame> before_;  // the preceding frame, or null
+    std::optional<MazeRule> maze_;  // the rule of the maze, if the preset has a map of one
+    int threads_;
 };
 
 }  // namespace foam::texgen

@@ -52,5 +52,52 @@ TEST(StateCodec, AveragesRoundTrip) {
     EXPECT_EQ(read.record->averages.mean_area, 1.5);
 }
 
+SimulatedFrame honeycomb_state() {
+    SimulatedFrame state;
+    state.frame = std::make_shared<const Frame>(snapshot(honeycomb(4, 4), 3));
+    FoamRecord record;
+    record.births.assign(16, 0.0);
+    record.changes.assign(16, 0.0);
+    state.record = std::make_shared<const FoamRecord>(record);
+    return state;
+}
+
+TEST(StateCodec, MeasurementsRoundTrip) {
+    SimulatedFrame state = honeycomb_state();
+    state.effort.strain = 1.5;
+    state.effort.energy = 30.25;
+    state.effort.stress << 0.5, -0.25, -0.25, 0.75;
+    state.effort.events = {{TopologyEventKind::T1, 0.25, {1.5, -0.5}, {7, 3, 2, 5}},
+                           {TopologyEventKind::T2, 2.0, {0.125, 3.0}, {}}};
+    const FrameEffort read = unpack_state(pack_state(state, {}), {}).effort;
+    EXPECT_EQ(read.strain, 1.5);
+    EXPECT_EQ(read.energy, 30.25);
+    EXPECT_EQ(read.stress, state.effort.stress);
+    EXPECT_EQ(read.events, state.effort.events);
+}
+
+// The measurements without events take 44 bytes: five numbers and a count. Older versions did not
+// write them. The stress of a honeycomb of 16 bubbles is isotropic, and its trace is the energy per
+// bubble.
+TEST(StateCodec, AStateOfAnOlderVersionIsMeasured) {
+    const Bytes packed = pack_state(honeycomb_state(), {});
+    const FrameEffort read = unpack_state(std::span(packed).first(packed.size() - 44), {}).effort;
+    const double energy = std::sqrt(2.0 * std::sqrt(3.0));  // per bubble
+    EXPECT_NEAR(read.energy, 16.0 * energy, 1e-12);
+    EXPECT_NEAR(read.stress(0, 0), 0.5 * energy, 1e-12);
+    EXPECT_EQ(read.strain, 0.0);
+    EXPECT_TRUE(read.events.empty());
+}
+
+TEST(StateCodec, TruncatedMeasurementsAreBadContent) {
+    SimulatedFrame state = honeycomb_state();
+    state.effort.events = {{TopologyEventKind::T1, 0.25, {1.5, -0.5}, {7, 3, 2, 5}}};
+    const Bytes packed = pack_state(state, {});
+    for (std::size_t missing = 1; missing < 80; ++missing) {
+        EXPECT_THROW(unpack_state(std::span(packed).first(packed.size() - missing), {}), BadContent)
+            << missing;
+    }
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -174,8 +174,8 @@ TEST(BakeCommand, ABakeWritesItsStatisticsBesideTheImages) {
         "bake sea_foam --set foam.bubbles=16 --frames 1-2 --size 8 --out a/####.png --stats");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out.find("a/####.png 1-2\na/sea_foam_stats/stats.csv\n"), 0U);
-    EXPECT_GE(outcome.written.size(), 2U + 1U + 3U);
-    EXPECT_EQ(outcome.written.back(), "a/sea_foam_stats/stats.csv");
+    EXPECT_GE(outcome.written.size(), 2U + 1U + 6U);
+    EXPECT_EQ(outcome.written.back(), "a/sea_foam_stats/stress.csv");
 }
 
 }  // namespace

@@ -39,8 +39,12 @@ TEST(Program, PrintsItsVersionAndLicenses) {
 TEST(Program, PrintsTheFactsOfItsBuild) {
     for (const char* const arguments : {"--version --verbose", "--verbose --version"}) {
         const std::string out = run_program(arguments).out;
-        for (const char* const word :
-             {"\ncommit ", "\ncompiler ", "OpenEXR 3.", "libpng 1.", "\ninstructions ", "baseline"}) {
+        for (const char* const word : {"\ncommit ",
+                                       "\ncompiler ",
+                                       "OpenEXR 3.",
+                                       "libpng 1.",
+                                       "\ninstructions ",
+                                       "baseline"}) {
             EXPECT_NE(out.find(word), std::string::npos) << word << " in " << out;
         }
     }

@@ -21,7 +21,8 @@ TEST(StatsCommand, WritesTablesAndCharts) {
         run_program("stats sea_foam --set foam.bubbles=16 --frames 1-3 --seed 5");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     const std::string folder = "out/sea_foam_stats/";
-    std::vector<std::string> names = {"stats.csv", "sides.csv", "charts.gp"};
+    std::vector<std::string> names = {
+        "stats.csv", "sides.csv", "stress.csv", "bubbles.csv", "events.csv", "charts.gp"};
     if (run_external({"gnuplot", "--version"})) {
         EXPECT_EQ(outcome.err, "");
         names.insert(names.end(), {"mean_area.svg", "second_moment.svg", "sides.svg"});
@@ -51,7 +52,7 @@ TEST(StatsCommand, ReportsWhyThereAreNoCharts) {
     EXPECT_EQ(outcome.err,
               "foamtex: note: charts are missing, because gnuplot is not installed; to draw them, "
               "run in 'out/sea_foam_stats': gnuplot charts.gp\n");
-    EXPECT_EQ(outcome.written.size(), 3U);
+    EXPECT_EQ(outcome.written.size(), 6U);
 }
 
 TEST(StatsCommand, TakesTheOptionsOfABakeAndAFolder) {

@@ -46,6 +46,8 @@ TEST(ManifestReader, ErrorNamesFilePathAndAllowedValues) {
               "must be an integer from 0 to 9223372036854775807");
     EXPECT_EQ(error_of("[64,32]", "[64]"),
               "cannot read 'm.json': sets[0].size = [64]: must be [width, height]");
+    EXPECT_EQ(error_of("[1.0,-0.125,0.75]", "[1.0,0.75]"),
+              "cannot read 'm.json': sets[0].foam[0].stress = [1.0,0.75]: must be [xx, xy, yy]");
 }
 
 // A manifest of another person must not make a program read files outside of its folder.

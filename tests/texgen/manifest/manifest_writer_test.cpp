@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -25,6 +26,10 @@ TEST(ManifestWriter, IsJsonWithALineForEachFile) {
     EXPECT_EQ(tree["sets"][0]["complete"], false);
     EXPECT_EQ(tree["sets"][1]["complete"], false);
     EXPECT_EQ(tree["sets"][0]["failure"], "the disk is full");
+    EXPECT_EQ(tree["sets"][0]["foam"][0]["strain"], 0.25);
+    EXPECT_EQ(tree["sets"][0]["foam"][0]["energy"], 75.5);
+    EXPECT_EQ(tree["sets"][0]["foam"][0]["stress"], (std::vector<double>{1.0, -0.125, 0.75}));
+    EXPECT_FALSE(tree["sets"][0]["foam"][1].contains("stress"));
     EXPECT_EQ(tree["sets"][0]["seconds"]["drawing"], 1.0);  // sum over two frames
     EXPECT_NE(
         text.find("\n        {\"path\":\"a_height.3.png\",\"maps\":[\"height\"],\"frame\":3,"),

@@ -212,6 +212,12 @@ TEST(RecordedBake, RecordsTheFoamAndTheLoop) {
     EXPECT_NEAR(set.find_frame(2)->mean_area, 1.0, 1e-9);
     EXPECT_LT(set.find_frame(2)->area_error, 1e-9);
     EXPECT_GT(set.find_frame(2)->drawing, 0.0);
+    ASSERT_TRUE(set.find_frame(2)->mechanics);
+    const FrameMechanics& mechanics = *set.find_frame(2)->mechanics;
+    EXPECT_GT(mechanics.energy, 0.0);
+    EXPECT_EQ(mechanics.strain, 0.0);
+    // The trace of the stress is the energy per area, and the mean area is 1.
+    EXPECT_NEAR(40.0 * (mechanics.stress[0] + mechanics.stress[2]), mechanics.energy, 1e-8);
 }
 
 // Other maps and frames of the same foam are added to its set. Another seed makes another set.

@@ -125,5 +125,26 @@ TEST_F(Charts, PressuresLeaveOutRareBubbles) {
     EXPECT_TRUE(shows("sides", "n = 3"));
 }
 
+// The stress grows by the modulus 0.5 up to 0.1 at the strain 0.2, where the foam yields.
+TEST_F(Charts, StressIsDrawnOverStrainIfTheFoamIsSheared) {
+    RunRecord run = run_of_kinds();
+    draw(run);
+    EXPECT_FALSE(has_chart("stress"));
+    const std::vector<double> strains{0.0, 0.2, 0.4};
+    const std::vector<double> stresses{0.0, 0.1, 0.08};
+    for (std::size_t k = 0; k < 3; ++k) {
+        run.frames[k].foam.mean_area = 1.0;
+        run.frames[k].effort.strain = strains[k];
+        run.frames[k].effort.stress(0, 1) = run.frames[k].effort.stress(1, 0) = stresses[k];
+    }
+    draw(run);
+    EXPECT_TRUE(has_chart("stress"));
+    EXPECT_TRUE(shows("stress", "0.1 at strain 0.2"));
+    EXPECT_FALSE(shows("stress", "shear modulus"));
+    run.frames[0].shear_modulus = 0.5;
+    draw(run);
+    EXPECT_TRUE(shows("stress", "shear modulus 0.5"));
+}
+
 }  // namespace
 }  // namespace foam::texgen

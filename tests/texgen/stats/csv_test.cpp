@@ -2,9 +2,17 @@
 
 #include "texgen/stats/csv.h"
 
+#include "core/foam/honeycomb.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <locale>
+#include <memory>
+#include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -62,6 +70,60 @@ TEST(Csv, SidesGolden) {
               "1,0,5,1,0.25,0.5,0.25,0,,-0.5,-0.5235987755982988\n"
               "1,0,6,3,0.75,1.125,-0.0625,0,,0,0\n"
               "3,2.5,6,2,1,2,0,1,1e-10,0,0\n");
+}
+
+TEST(Csv, StressGolden) {
+    RunRecord run = synthetic_run();
+    run.frames[0].effort.energy = 7.25;
+    run.frames[0].effort.stress << 0.75, 0.125, 0.125, 1.25;
+    run.frames[0].shear_modulus = 0.5;
+    run.frames[1].effort.strain = 0.25;
+    EXPECT_EQ(stress_csv(run),
+              "frame,time,strain,energy,stress_xx,stress_xy,stress_yy,normal_stress_difference,"
+              "shear_modulus\n"
+              "1,0,0,7.25,0.75,0.125,1.25,-0.5,0.5\n"
+              "3,2.5,0.25,0,0,0,0,0,\n");
+}
+
+TEST(Csv, EventsGolden) {
+    RunRecord run = synthetic_run();
+    run.frames[0].effort.events = {{TopologyEventKind::T1, 0.25, {1.5, -0.5}, {7, 3, 2, 5}},
+                                   {TopologyEventKind::Birth, 0.5, {1.0, 2.0}, {8, 1}}};
+    run.frames[1].effort.events = {{TopologyEventKind::T2, 2.0, {0.125, 3.0}, {4}}};
+    EXPECT_EQ(events_csv(run),
+              "frame,time,kind,x,y,bubbles\n"
+              "1,0.25,T1,1.5,-0.5,7 3 2 5\n"
+              "1,0.5,birth,1,2,8 1\n"
+              "3,2,T2,0.125,3,4\n");
+}
+
+// The lone bubble has the radius 1. Bubble 5 of a honeycomb is a regular hexagon of area 1.
+TEST(Csv, BubblesOfTheLastFrame) {
+    RunRecord run = synthetic_run();
+    const std::string names =
+        "frame,identity,x,y,sides,area,target_area,pressure,perimeter,elongation,orientation\n";
+    EXPECT_EQ(bubbles_csv(run), names);
+    Frame frame;
+    frame.number = 12;
+    frame.lone_bubbles = {{.identity = 9, .center = {1.5, 2.0}, .target_area = std::numbers::pi}};
+    run.last_frame = std::make_shared<const Frame>(frame);
+    EXPECT_EQ(bubbles_csv(run),
+              names + "12,9,1.5,2,0,3.141592653589793,3.141592653589793,1,6.283185307179586,1,0\n");
+    run.last_frame = std::make_shared<const Frame>(snapshot(honeycomb(4, 4), 3));
+    const std::string csv = bubbles_csv(run);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 16);
+    const std::size_t row = csv.find("\n3,5,");
+    ASSERT_NE(row, std::string::npos);
+    std::istringstream columns(csv.substr(row + 1, csv.find('\n', row + 1) - row - 1));
+    std::vector<double> values;
+    for (std::string column; std::getline(columns, column, ',');) {
+        values.push_back(std::stod(column));
+    }
+    ASSERT_EQ(values.size(), 11U);
+    EXPECT_EQ(values[4], 6.0);
+    EXPECT_NEAR(values[5], 1.0, 1e-12);
+    EXPECT_NEAR(values[8], 6.0 * std::sqrt(2.0 / (3.0 * std::sqrt(3.0))), 1e-12);
+    EXPECT_NEAR(values[9], 1.0, 1e-6);
 }
 
 TEST(Csv, MazesGolden) {

@@ -28,13 +28,19 @@ TEST(StatisticsFiles, AreWrittenIntoAFolderOfTheirOwn) {
     const RunRecord run = test::run_of({{0.0, 12}, {1.0, 11}});
     const std::filesystem::path to = folder.path() / "deep" / "stats";
     const StatisticsFiles files = write_statistics(run, to);
-    ASSERT_GE(files.paths.size(), 3U);
+    ASSERT_GE(files.paths.size(), 6U);
     EXPECT_EQ(files.paths[0], to / "stats.csv");
     EXPECT_EQ(text_of(files.paths[0]), frames_csv(run));
     EXPECT_EQ(files.paths[1], to / "sides.csv");
     EXPECT_EQ(text_of(files.paths[1]), sides_csv(run));
-    EXPECT_EQ(files.paths[2], to / "charts.gp");
-    EXPECT_EQ(text_of(files.paths[2]), charts_script(run));
+    EXPECT_EQ(files.paths[2], to / "stress.csv");
+    EXPECT_EQ(text_of(files.paths[2]), stress_csv(run));
+    EXPECT_EQ(files.paths[3], to / "bubbles.csv");
+    EXPECT_EQ(text_of(files.paths[3]), bubbles_csv(run));
+    EXPECT_EQ(files.paths[4], to / "events.csv");
+    EXPECT_EQ(text_of(files.paths[4]), events_csv(run));
+    EXPECT_EQ(files.paths[5], to / "charts.gp");
+    EXPECT_EQ(text_of(files.paths[5]), charts_script(run));
     EXPECT_EQ(files.charts == ChartStatus::NoGnuplot, !run_external({"gnuplot", "--version"}));
     EXPECT_EQ(folder.files().size(), files.paths.size());
 }

@@ -3,9 +3,13 @@
 #include "texgen/stats/measure_run.h"
 
 #include "tests/support/temporary_folder.h"
+#include "texgen/preset/assignment.h"
+#include "texgen/preset/preset_io.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -54,6 +58,47 @@ TEST(MeasureRun, EventsAddUp) {
     EXPECT_GT(t2, 0);
     EXPECT_EQ(last.at(0).effort.t1, t1);
     EXPECT_EQ(last.at(0).effort.t2, t2);
+}
+
+int count_of(TopologyEventKind kind, const FrameRecord& record) {
+    return static_cast<int>(std::ranges::count(record.effort.events, kind, &TopologyEvent::kind));
+}
+
+// The list of events contains every T1 and T2 once, in the order of time, whichever frames are
+// measured.
+TEST(MeasureRun, EventsAreListed) {
+    std::vector<TopologyEvent> listed;
+    for (const FrameRecord& record : measure({1, 2, 3, 4, 5, 6, 7, 8}).run.frames) {
+        EXPECT_EQ(count_of(TopologyEventKind::T1, record), record.effort.t1);
+        EXPECT_EQ(count_of(TopologyEventKind::T2, record), record.effort.t2);
+        for (const TopologyEvent& event : record.effort.events) {
+            EXPECT_LE(event.time, record.time);
+            EXPECT_TRUE(listed.empty() || event.time >= listed.back().time);
+            listed.push_back(event);
+        }
+    }
+    EXPECT_EQ(measure({8}).run.frames.at(0).effort.events, listed);
+    EXPECT_FALSE(listed.empty());
+}
+
+// The event shears the foam by 0.3 in the steps to the frames 2 to 4.
+TEST(MeasureRun, StrainAndStressOfAShearedFoam) {
+    Preset preset = small_preset();
+    preset.coarsening.kappa = 0.0;
+    assign(preset,
+           read_assignments("[[event]]\nkind = 'shear'\nframes = [2, 4]\nstrain = 0.3\n", "test"));
+    const MeasureSummary summary = measure_run(preset, {.frames = {1, 3, 4, 5}, .threads = 1}, {});
+    ASSERT_EQ(summary.run.frames.size(), 4U);
+    const std::vector<double> strains{0.0, 0.2, 0.3, 0.3};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const FrameRecord& record = summary.run.frames[k];
+        EXPECT_NEAR(record.effort.strain, strains[k], 1e-12);
+        EXPECT_NEAR(record.effort.energy, record.foam.energy, 1e-9 * record.foam.energy);
+        EXPECT_NEAR(record.effort.stress.trace() * 80.0, record.effort.energy, 1e-9);
+        EXPECT_GT(record.shear_modulus.value(), 0.0);
+    }
+    EXPECT_LT(std::abs(summary.run.frames[0].effort.stress(0, 1)), 0.05);
+    EXPECT_GT(summary.run.frames[1].effort.stress(0, 1), 0.05);
 }
 
 TEST(MeasureRun, GrowthBetweenEventsIsVonNeumanns) {
