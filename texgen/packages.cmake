@@ -14,13 +14,14 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
-set(CPACK_COMPONENTS_ALL program libraries development python)
+set(CPACK_COMPONENTS_ALL program libraries development python metadata)
 foreach(component IN ITEMS program libraries)
   string(TOUPPER ${component} upper)
   set(CPACK_COMPONENT_${upper}_GROUP foamtex)
 endforeach()
 set(CPACK_COMPONENT_DEVELOPMENT_GROUP development)
 set(CPACK_COMPONENT_PYTHON_GROUP python)
+set(CPACK_COMPONENT_METADATA_GROUP python)
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -57,8 +58,21 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "animated, tileable foam textures - Python module
  ${text}
  .
- This package contains the module foamtex for Python, which is array-first.")
+ This package contains the module foamtex for Python, which returns NumPy arrays.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+
+# dpkg compiles the Python files when they are installed, and removes what Python has compiled.
+foreach(script IN ITEMS postinst prerm)
+  set(command "py3compile")
+  if(script STREQUAL "prerm")
+    set(command "py3clean")
+  endif()
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/debian/control/${script} @ONLY
+    CONTENT "#!/bin/sh\nset -e\nif command -v ${command} >/dev/null 2>&1; then\n    ${command} -p python3-foamtex\nfi\n")
+  file(CHMOD ${CMAKE_CURRENT_BINARY_DIR}/debian/control/${script}
+    PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+  list(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/debian/control/${script})
+endforeach()
 
 # What the Debian Policy asks of each package: the copyright file and a changelog, compressed without a time.
 find_program(GZIP gzip)

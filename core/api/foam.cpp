@@ -7,6 +7,7 @@
 #include "core/foam/measure.h"
 #include "core/foam/patch.h"
 #include "core/foam/seeding.h"
+#include "core/foam/stress.h"
 #include "core/io/foam_file.h"
 #include "core/io/foam_json.h"
 #include "core/library/foam_records.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,6 +36,18 @@ void require(bool holds, const std::string& message) {
     }
 }
 
+// The largest strain of one call, and the largest push in radii. Larger ones would take too many
+// substeps.
+constexpr double kMaxStrain = 100.0;
+constexpr double kMaxPush = 1000.0;
+constexpr int kMaxBubbles = 10'000'000;
+constexpr int kMaxLloydIterations = 1000;
+constexpr double kMaxAreaRatio = 1e6;
+
+bool is_from(double number, double low, double high) {
+    return number >= low && number <= high;  // false for NaN
+}
+
 bool is_positive(double number) {
     return std::isfinite(number) && number > 0.0;
 }
@@ -44,10 +58,6 @@ void check(const StepSettings& settings) {
     require(is_positive(settings.tolerance), "tolerance: must be a positive number");
     require(is_positive(settings.t1_distance), "t1_distance: must be a positive number");
     require(is_positive(settings.t2_area), "t2_area: must be a positive number");
-}
-
-void check_threads(int threads) {
-    require(threads >= 0, "threads: must be at least 0");
 }
 
 foam::StepOptions options_of(const StepSettings& settings) {
@@ -63,13 +73,28 @@ foam::Vec2 vector_of(const Point& point) {
     return {point.x, point.y};
 }
 
+void check(const SeedOptions& options) {
+    require(options.bubbles <= kMaxBubbles, "bubbles: must be at most 10 million");
+    require(is_from(options.aspect, 1.0 / foam::kMaxAspect, foam::kMaxAspect),
+            "aspect: must be from 1/16384 to 16384");
+    require(is_from(options.lloyd_iterations, 0, kMaxLloydIterations),
+            "lloyd_iterations: must be from 0 to 1000");
+    require(options.area_ratio == 0.0 || is_from(options.area_ratio, 1.0, kMaxAreaRatio),
+            "area_ratio: must be 0 or from 1 to 1e6");
+    require(is_positive(options.surface_tension), "surface_tension: must be a positive number");
+}
+
 // Returns the change that a drive means for a foam. Throws ArgumentError.
 foam::StateChange change_of(const Drive& drive, const foam::Domain& domain) {
-    require(std::isfinite(drive.strain), "strain: must be a number");
+    require(is_from(drive.strain, -kMaxStrain, kMaxStrain), "strain: must be from -100 to 100");
     require(drive.strain == 0.0 || !domain.is_plane(), "strain: only a torus can be sheared");
     foam::StateChange change{.strain = drive.strain};
     for (const DrivenArea& driven : drive.areas) {
         require(is_positive(driven.target_area), "target_area: must be a positive number");
+        if (driven.identity < 0 ||
+            driven.identity > std::numeric_limits<foam::BubbleIdentity>::max()) {
+            continue;  // no bubble has such an identity
+        }
         change.driven.push_back({.bubble = static_cast<foam::BubbleIdentity>(driven.identity),
                                  .target_area = driven.target_area});
     }
@@ -77,9 +102,11 @@ foam::StateChange change_of(const Drive& drive, const foam::Domain& domain) {
         require(is_positive(push.radius), "radius: must be a positive number");
         require(domain.is_plane() || push.radius <= 0.5 * std::min(domain.width, domain.height),
                 "radius: on a torus, must be at most half of its shorter side");
-        require(std::isfinite(push.center.x) && std::isfinite(push.center.y) &&
-                    std::isfinite(push.by.x) && std::isfinite(push.by.y),
-                "push: must consist of numbers");
+        require(std::isfinite(push.center.x) && std::isfinite(push.center.y),
+                "center: must consist of numbers");
+        const double limit = kMaxPush * push.radius;
+        require(is_from(push.by.x, -limit, limit) && is_from(push.by.y, -limit, limit),
+                "by: must be at most 1000 radii");
         change.pushes.push_back({vector_of(push.center), push.radius, vector_of(push.by)});
     }
     return change;
@@ -92,6 +119,14 @@ Equilibrium result_of(const foam::EquilibriumSummary& summary) {
             .t2 = summary.t2,
             .area_error = summary.area_error,
             .angle_error = summary.angle_error};
+}
+
+// The result of a step in which nothing happens.
+Equilibrium present_errors(const foam::Foam& foam, double tolerance) {
+    const foam::EquilibriumErrors errors = foam::equilibrium_errors(foam);
+    return {.converged = errors.are_below(tolerance),
+            .area_error = errors.area,
+            .angle_error = errors.angle};
 }
 
 // Returns seed(). Throws ArgumentError if the options give no valid foam.
@@ -119,6 +154,7 @@ Foam& Foam::operator=(const Foam& other) {
 }
 
 Foam Foam::torus(const SeedOptions& options) {
+    check(options);
     return seeded([&] {
         const foam::SeedingOptions seeding{.bubbles = options.bubbles,
                                            .aspect = options.aspect,
@@ -131,6 +167,7 @@ Foam Foam::torus(const SeedOptions& options) {
 }
 
 Foam Foam::disk(const SeedOptions& options) {
+    check(options);
     return seeded([&] {
         const foam::PatchOptions patch{.bubbles = options.bubbles,
                                        .lloyd_iterations = options.lloyd_iterations,
@@ -160,23 +197,28 @@ void Foam::write(const std::string& file) const {
 }
 
 Equilibrium Foam::relax(int threads) {
-    check_threads(threads);
-    return result_of(foam::equilibrate_given(state_->foam, threads));
+    foam::check_threads(threads);
+    return foam::with_public_errors(
+        [&] { return result_of(foam::equilibrate_given(state_->foam, threads)); });
 }
 
 Equilibrium Foam::step(double time, const Drive& drive, const StepSettings& settings) {
     require(std::isfinite(time) && time >= 0.0, "time: must be a number of at least 0");
     check(settings);
-    check_threads(settings.threads);
+    foam::check_threads(settings.threads);
     const foam::StateChange change = change_of(drive, state_->foam.domain);
     if (time == 0.0 && change.empty()) {
-        return {.converged = true};
+        return present_errors(state_->foam, settings.tolerance);
     }
-    return result_of(foam::step(state_->foam, time, change, options_of(settings)).equilibrium);
+    return foam::with_public_errors([&] {
+        const foam::StepSummary made =
+            foam::step(state_->foam, time, change, options_of(settings));
+        return result_of(made.equilibrium);
+    });
 }
 
 void Foam::shear(double strain) {
-    require(std::isfinite(strain), "strain: must be a number");
+    require(is_from(strain, -kMaxStrain, kMaxStrain), "strain: must be from -100 to 100");
     require(extent().is_torus(), "shear: only a torus can be sheared");
     foam::shear(state_->foam, strain);
 }
@@ -203,8 +245,8 @@ double Foam::energy() const {
 }
 
 std::optional<double> Foam::shear_modulus(int threads) const {
-    check_threads(threads);
-    return foam::shear_modulus(state_->foam, threads);
+    foam::check_threads(threads);
+    return foam::with_public_errors([&] { return foam::shear_modulus(state_->foam, threads); });
 }
 
 std::vector<Event> Foam::take_events() {
@@ -212,7 +254,7 @@ std::vector<Event> Foam::take_events() {
 }
 
 Stress Foam::stress() const {
-    return foam::stress_record(foam::snapshot(state_->foam, 0));
+    return foam::stress_record(foam::mean_stress(foam::snapshot(state_->foam, 0)));
 }
 
 FoamRecords Foam::records() const {

@@ -10,8 +10,8 @@ namespace foam {
 /// film tension / length. Tension is positive, pressure negative. The mean is taken over the torus,
 /// or over the area of all bubbles of a patch, including lone bubbles.
 ///
-/// On a torus, the pressures have an arbitrary common constant. It is subtracted from xx and yy,
-/// and does not change xy or xx - yy. After an equilibration the mean pressure is 0, so that the
+/// On a torus, adding a constant to all pressures subtracts it from xx and yy, and leaves xy and
+/// xx - yy unchanged. After an equilibration the mean pressure is 0, so that the
 /// trace of the stress is the energy per area. In the equilibrium of a patch the stress is 0,
 /// because no force acts on the patch from outside. Returns zero for a patch without bubbles.
 Mat2 mean_stress(const Frame& frame);

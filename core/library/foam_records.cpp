@@ -4,7 +4,6 @@
 
 #include "core/foam/bubble_shape.h"
 #include "core/foam/measure.h"
-#include "core/foam/stress.h"
 
 #include <vector>
 
@@ -95,9 +94,8 @@ foamtex::Extent extent_of(const Domain& domain) {
     return {domain.width, domain.height, domain.shear};
 }
 
-foamtex::Stress stress_record(const Frame& frame) {
-    const Mat2 tensor = mean_stress(frame);
-    return {tensor(0, 0), tensor(0, 1), tensor(1, 1)};
+foamtex::Stress stress_record(const Mat2& stress) {
+    return {stress(0, 0), stress(0, 1), stress(1, 1)};
 }
 
 std::vector<foamtex::Event> event_records(const std::vector<TopologyEvent>& events) {

@@ -16,8 +16,8 @@ foamtex::FoamRecords records_of(const Frame& frame);
 /// Returns the domain of a frame or a foam.
 foamtex::Extent extent_of(const Domain& domain);
 
-/// Returns the mean stress of a frame (core/foam/stress.h).
-foamtex::Stress stress_record(const Frame& frame);
+/// Returns a stress (core/foam/stress.h) as plain values.
+foamtex::Stress stress_record(const Mat2& stress);
 
 /// Returns events as plain values.
 std::vector<foamtex::Event> event_records(const std::vector<TopologyEvent>& events);

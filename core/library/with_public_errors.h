@@ -8,11 +8,20 @@
 #include <foamtex/errors.h>
 
 #include <stdexcept>
+#include <system_error>
 
 namespace foam {
 
-/// Returns work(). Exceptions that the program throws on purpose become those that users of the
-/// library know.
+/// Throws foamtex::ArgumentError unless `threads` is from 0 to 256.
+inline void check_threads(int threads) {
+    constexpr int kMaxThreads = 256;
+    if (threads < 0 || threads > kMaxThreads) {
+        throw foamtex::ArgumentError("threads: must be from 0 to 256");
+    }
+}
+
+/// Returns work(). Exceptions that the program throws on purpose, and errors of the operating
+/// system, become those that users of the library know.
 template <class Work>
 auto with_public_errors(const Work& work) {
     try {
@@ -25,6 +34,8 @@ auto with_public_errors(const Work& work) {
         throw foamtex::OutputError(error.what());
     } catch (const std::invalid_argument& error) {
         throw foamtex::ArgumentError(error.what());
+    } catch (const std::system_error& error) {  // also std::filesystem::filesystem_error
+        throw foamtex::OutputError(error.what());
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// A loop of one's own with forces of one's own: two pistons push through a foam on a torus in
+// A custom loop with custom forces: two pistons push through a foam on a torus in
 // opposite directions, while one bubble is inflated. Prints the energy and the number of T1s.
 
 #include <foamtex/foam.h>

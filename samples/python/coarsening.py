@@ -13,9 +13,6 @@ import math
 import pathlib
 import time
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -25,7 +22,9 @@ parser = argparse.ArgumentParser(description="Plots the coarsening of a foam.")
 parser.add_argument("--bubbles", type=int, default=10000, help="bubbles at the start (default: 10000)")
 parser.add_argument("--last", type=int, default=11, help="stop at so many bubbles (default: 11)")
 parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out"), help="folder of the figures (default: out)")
-arguments = parser.parse_args()
+arguments, _ = parser.parse_known_args()  # a kernel of Jupyter adds arguments of its own
+if not 4 <= arguments.last < arguments.bubbles:
+    parser.error("--last must be at least 4 and below --bubbles")
 arguments.out.mkdir(parents=True, exist_ok=True)
 
 # %% A foam in equilibrium

@@ -7,11 +7,11 @@
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
+folder=$(realpath -m -- "${1:-$root/build/reference}")
 cd -- "$root"
 # shellcheck source=samples/setup/packages.sh
 source samples/setup/packages.sh
 
-folder=${1:-build/reference}
 ensure_packages doxygen
 mkdir -p "$folder"
 doxygen - < <(

@@ -4,7 +4,7 @@
 # Builds the Debian packages, checks them with lintian, installs them into a fresh Debian 12, uses them there as users
 # would, removes them, and checks that nothing is left. Needs root, and the archive of Debian.
 #
-#     tests/packages/debian.sh [ROOT]      ROOT: a folder for the fresh Debian; by default a temporary one
+#     tests/packages/debian.sh
 set -euo pipefail
 
 top=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." >/dev/null && pwd)
@@ -21,9 +21,12 @@ say "lintian"
 # There is no bug of Debian that an initial upload would close.
 lintian --fail-on error --suppress-tags initial-upload-closes-no-bugs "$packages"/*.deb
 
-root=${1:-$(mktemp -d)}
-mirror=$(awk '/^deb / { for (k = 2; k <= NF; ++k) if ($k ~ /^http/) { print $k; exit } }
-              /^URIs:/ { print $2; exit }' /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null)
+root=$(mktemp -d)
+# The archive from which this machine installs packages; by default that of Debian.
+mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources 2>/dev/null |
+    awk '/^deb .* bookworm / { for (k = 2; k <= NF; ++k) if ($k ~ /^http/) { print $k; exit } }
+         /^URIs:/ { print $2; exit }')
+mirror=${mirror:-http://deb.debian.org/debian}
 remove_root() {
     umount "$root/proc" 2>/dev/null || true
     rm -rf --one-file-system "$root"

@@ -14,6 +14,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 
 namespace foamtex {
 
@@ -26,7 +27,8 @@ using foam::texgen::with_texture_errors;
 std::string pattern_of(const foam::texgen::Preset& preset, const std::string& out) {
     const std::filesystem::path path(out);
     const bool is_pattern = path.has_extension() || out.find_first_of("{#@%") != std::string::npos;
-    if (is_pattern && !std::filesystem::is_directory(path)) {
+    std::error_code error;  // a path that cannot be examined is a pattern, whose writing fails
+    if (is_pattern && !std::filesystem::is_directory(path, error)) {
         return out;
     }
     return (path / std::filesystem::path(preset.output.pattern).filename()).string();
@@ -52,7 +54,16 @@ foam::texgen::ProgressCallback progress_of(const BakeSettings& settings) {
     };
 }
 
+bool is_limit(const std::optional<double>& limit) {
+    return !limit || *limit >= 0.0;  // false for NaN
+}
+
+// Throws ArgumentError if a limit is not allowed.
 foam::texgen::DifferenceLimits limits_of(const Limits& limits) {
+    if (!is_limit(limits.sample) || !is_limit(limits.rms) || !is_limit(limits.angle) ||
+        !(limits.allowed_percent >= 0.0 && limits.allowed_percent <= 100.0)) {
+        throw ArgumentError("limits: must be at least 0, and allowed_percent from 0 to 100");
+    }
     return {.sample = limits.sample,
             .angle = limits.angle,
             .allowed_percent = limits.allowed_percent,
@@ -75,7 +86,8 @@ Difference difference_of(const foam::texgen::ComparedImage& image) {
                           .x = found.x,
                           .y = found.y,
                           .reasons = found.reasons};
-    if (image.verdict == Verdict::DifferentLayout) {
+    difference.same_shape = image.verdict != Verdict::DifferentLayout;
+    if (!difference.same_shape) {
         difference.reasons.emplace_back("the images differ in size or channels");
     }
     return difference;
@@ -87,6 +99,7 @@ std::vector<std::string> bake(const Preset& preset,
                               const std::string& out,
                               const BakeSettings& settings) {
     return with_texture_errors([&] {
+        foam::check_threads(settings.threads);
         const foam::texgen::Preset baked = preset_to_bake(preset, out);
         foam::texgen::check_scenes(baked);
         foam::texgen::check_sheets(baked);
@@ -120,9 +133,9 @@ std::vector<Difference> compare(const std::string& a,
                                 const Limits& limits,
                                 const std::string& picture) {
     return with_texture_errors([&] {
+        const foam::texgen::DifferenceLimits given = limits_of(limits);
         foam::texgen::CompareOptions options{.limits_of = [&](std::string_view) {
-            return foam::texgen::CompareLimits{.warn = limits_of(limits),
-                                               .fail = limits_of(limits)};
+            return foam::texgen::CompareLimits{.warn = given, .fail = given};
         }};
         if (!picture.empty()) {
             options.difference = picture;

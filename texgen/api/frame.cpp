@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "core/foam/measure.h"
-#include "core/foam/statistics.h"
 #include "core/library/foam_records.h"
 #include "texgen/api/frame_images.h"
 #include "texgen/api/public_errors.h"
@@ -56,7 +54,7 @@ Extent Frame::extent() const {
 }
 
 double Frame::energy() const {
-    return foam::statistics(*state_->shown.frame).energy;
+    return state_->shown.effort.energy;
 }
 
 std::vector<Event> Frame::events() const {
@@ -64,7 +62,7 @@ std::vector<Event> Frame::events() const {
 }
 
 Stress Frame::stress() const {
-    return foam::stress_record(*state_->shown.frame);
+    return foam::stress_record(state_->shown.effort.stress);
 }
 
 const FoamRecords& Frame::records() const {

@@ -2,6 +2,7 @@
 
 #include "texgen/api/frame_images.h"
 
+#include "core/library/with_public_errors.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/maps/cross_fade.h"
@@ -25,6 +26,7 @@ namespace {
 constexpr int kBitsPerByte = 8;
 
 MapImage draw_map(const foamtex::Frame::State& state, const Map& map, int threads) {
+    check_threads(threads);
     const Preset& preset = state.preset.state().preset;
     const SimulatedFrame& shown = state.shown;
     if (map.needs_next && shown.next == nullptr) {

@@ -15,10 +15,7 @@ list(FILTER texgen_rooms INCLUDE REGEX "^foam_texgen_")
 # The command line and the studio belong to the program.
 list(REMOVE_ITEM texgen_rooms foam_texgen_cli foam_texgen_studio)
 
-set(soversion ${PROJECT_VERSION_MAJOR})
-if(PROJECT_VERSION_MAJOR EQUAL 0)
-  set(soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})  # versions below 1 promise less: texgen/api/README.md
-endif()
+set(soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})  # texgen/api/README.md
 
 # foam_library(NAME HEADERS folder... SHARED target... STATIC room... LIBRARIES target...) creates the libraries
 # foam_NAME_shared and foam_NAME_static. The shared library has the classes of the room foam_NAME_api, and exports

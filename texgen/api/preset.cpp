@@ -12,6 +12,8 @@
 
 #include <foamtex/texture.h>
 
+#include <utility>
+
 namespace foamtex {
 
 namespace {
@@ -98,13 +100,17 @@ Foam Preset::seeded_foam() const {
 
 void Preset::fit_ranges(int threads) {
     state_ = with_texture_errors([&] {
+        foam::check_threads(threads);
         foam::texgen::Preset preset = state_->preset;
+        // Files of numbers need no ranges, so that only those of a PNG are fitted.
+        const std::string pattern = std::exchange(preset.output.pattern, "{map}.####.png");
         const foam::texgen::RunOutcome outcome =
             foam::texgen::fit_automatic_ranges(preset,
                                                foam::texgen::simulation_of(preset, threads),
                                                foam::texgen::frames_to(preset.frames.count),
                                                threads);
         foam::texgen::throw_if_failed(outcome);
+        preset.output.pattern = pattern;
         return std::make_shared<const State>(State{std::move(preset), true});
     });
 }

@@ -4,11 +4,13 @@
 
 #include "core/library/with_public_errors.h"
 #include "texgen/animation/simulate_frames.h"
+#include "texgen/image/memory.h"
 #include "texgen/preset/assignment.h"
 
 namespace foam::texgen {
 
-/// Returns work(), like with_public_errors. Invalid presets become foamtex::ArgumentError.
+/// Returns work(), like with_public_errors. Invalid presets become foamtex::ArgumentError, and a
+/// lack of memory that is known before becomes foamtex::Error.
 template <class Work>
 auto with_texture_errors(const Work& work) {
     return with_public_errors([&] {
@@ -16,6 +18,8 @@ auto with_texture_errors(const Work& work) {
             return work();
         } catch (const PresetError& error) {
             throw foamtex::ArgumentError(error.what());
+        } catch (const OutOfMemory& error) {
+            throw foamtex::Error(error.what());
         }
     });
 }

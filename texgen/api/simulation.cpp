@@ -140,8 +140,10 @@ struct Simulation::Stream {
 };
 
 Simulation::Simulation(const Preset& preset, const std::string& frames, int threads)
-    : stream_(foam::texgen::with_texture_errors(
-          [&] { return std::make_unique<Stream>(preset, frames_of(preset, frames), threads); })) {}
+    : stream_(foam::texgen::with_texture_errors([&] {
+          foam::check_threads(threads);
+          return std::make_unique<Stream>(preset, frames_of(preset, frames), threads);
+      })) {}
 
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;

@@ -20,7 +20,7 @@ std::atomic<bool> is_reported{false};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
 // The text that the signal handler writes. It changes only before the handlers are installed.
-std::string_view note;
+std::string_view stop_note;
 
 // The signal handler: stores the signal and writes a note. Calls only functions that a signal
 // handler may call.
@@ -31,7 +31,7 @@ void take_signal(int signal) {
     struct sigaction before {};
     ignore.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &ignore, &before);
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, note.data(), note.size());
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, stop_note.data(), stop_note.size());
     sigaction(SIGPIPE, &before, nullptr);
 }
 
@@ -47,7 +47,7 @@ void handle_stop_signals(Stopping stopping) {
     if (is_reported.exchange(false)) {
         stop_signal = 0;
     }
-    note = stopping == Stopping::AfterStep
+    stop_note = stopping == Stopping::AfterStep
                ? "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
                : "\nfoamtex: stopping; the same signal again stops at once\n";
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {

@@ -85,7 +85,9 @@ def source_files():
     if (ROOT / ".git").exists():
         names = subprocess.check_output(["git", "ls-files", "-z"], cwd=ROOT, text=True).split("\0")[:-1]
         return [ROOT / name for name in names]
-    return [path for path in ROOT.rglob("*") if path.is_file()]
+    left_out = {"build", "__pycache__", "PKG-INFO"}
+    return [path for path in ROOT.rglob("*")
+            if path.is_file() and not left_out & set(path.relative_to(ROOT).parts)]
 
 
 def build_sdist(sdist_directory, config_settings=None):

@@ -7,6 +7,7 @@
 
 #include <foamtex/texture.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,14 @@ namespace py = pybind11;
 using foamtex::Difference;
 using foamtex::Progress;
 
-std::vector<std::string> bake(const foamtex::Preset& preset,
-                              const std::string& out,
-                              const std::optional<std::string>& frames,
-                              int threads,
-                              bool resume,
-                              const py::object& progress) {
+// `preset` is a copy, because other threads of Python may change the original meanwhile.
+std::vector<std::string> bake(
+    foamtex::Preset preset,  // NOLINT(performance-unnecessary-value-param)
+    const std::filesystem::path& out,
+    const std::optional<std::string>& frames,
+    int threads,
+    bool resume,
+    const py::object& progress) {
     foamtex::BakeSettings settings{
         .frames = frames.value_or(""), .threads = threads, .resume = resume};
     settings.on_progress = [&progress](const Progress& now) {
@@ -36,15 +39,16 @@ std::vector<std::string> bake(const foamtex::Preset& preset,
         }
     };
     const py::gil_scoped_release others_may_run;
-    return foamtex::bake(preset, out, settings);
+    return foamtex::bake(preset, out.string(), settings);
 }
 
-std::vector<Difference> compare(const std::string& a,
-                                const std::string& b,
+std::vector<Difference> compare(const std::filesystem::path& a,
+                                const std::filesystem::path& b,
                                 const foamtex::Limits& limits,
-                                const std::optional<std::string>& picture) {
+                                const std::optional<std::filesystem::path>& picture) {
     const py::gil_scoped_release others_may_run;
-    return foamtex::compare(a, b, limits, picture.value_or(""));
+    return foamtex::compare(
+        a.string(), b.string(), limits, picture.value_or(std::filesystem::path()).string());
 }
 
 // Returns a copy of an array of height x width x channels, whose top row is first, as an image.
@@ -66,17 +70,19 @@ Image<Sample> image_of(const py::array& given) {
     return image;
 }
 
-void write_png_file(const std::string& file, const py::array& array) {
-    const bool is_8_bit = array.dtype().is(py::dtype::of<std::uint8_t>());
-    const bool is_16_bit = array.dtype().is(py::dtype::of<std::uint16_t>());
+void write_png_file(const std::filesystem::path& file, const py::array& array) {
+    const bool is_8_bit = array.dtype().equal(py::dtype::of<std::uint8_t>());
+    const bool is_16_bit = array.dtype().equal(py::dtype::of<std::uint16_t>());
     if (!(is_8_bit || is_16_bit) || array.ndim() != 3 || array.shape(2) > 4 || array.size() == 0) {
         throw foamtex::ArgumentError(
             "write_png: the array must have the type uint8 or uint16 and the shape (height, width, "
             "channels) with 1 to 4 channels");
     }
-    const Bytes stream = is_8_bit ? encode_png(image_of<std::uint8_t>(array).view(), {})
-                                  : encode_png(image_of<std::uint16_t>(array).view(), {});
-    with_public_errors([&] { write_file(file, stream); });
+    with_public_errors([&] {
+        const Bytes stream = is_8_bit ? encode_png(image_of<std::uint8_t>(array).view(), {})
+                                      : encode_png(image_of<std::uint16_t>(array).view(), {});
+        write_file(file, stream);
+    });
 }
 
 }  // namespace
@@ -92,6 +98,9 @@ void bind_files(py::module_& module) {
         });
     py::class_<Difference>(module, "Difference", "The comparison of two images, or of one layer.")
         .def_readonly("is_within", &Difference::is_within, "True if no limit is exceeded.")
+        .def_readonly("same_shape",
+                      &Difference::same_shape,
+                      "False if size or channels differ; nothing is compared then.")
         .def_readonly("map", &Difference::map)
         .def_readonly("layer", &Difference::layer)
         .def_readonly("largest", &Difference::largest)
@@ -119,13 +128,13 @@ void bind_files(py::module_& module) {
                py::arg("progress") = py::none());
     module.def(
         "compare",
-        [](const std::string& a,
-           const std::string& b,
+        [](const std::filesystem::path& a,
+           const std::filesystem::path& b,
            std::optional<double> sample,
            std::optional<double> rms,
            std::optional<double> angle,
            double allowed_percent,
-           const std::optional<std::string>& picture) {
+           const std::optional<std::filesystem::path>& picture) {
             return compare(a, b, {sample, rms, angle, allowed_percent}, picture);
         },
         "Compares two image files and returns a Difference per layer. `picture` is the name of a "

@@ -7,6 +7,7 @@
 #include <foamtex/foam.h>
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <tuple>
@@ -131,14 +132,16 @@ void bind_making(FoamClass& foam) {
             py::arg("seed") = 1)
         .def_static(
             "read",
-            [](const std::string& file) { return made([&] { return foamtex::Foam::read(file); }); },
+            [](const std::filesystem::path& file) {
+                return made([&] { return foamtex::Foam::read(file.string()); });
+            },
             "Reads a foam: .fe or .dmp of Surface Evolver, .json a state of foamtex.",
             py::arg("file"))
         .def_static(
             "from_evolver",
-            [](const std::string& file) {
-                check_evolver_name(file);
-                return made([&] { return foamtex::Foam::read(file); });
+            [](const std::filesystem::path& file) {
+                check_evolver_name(file.string());
+                return made([&] { return foamtex::Foam::read(file.string()); });
             },
             "Reads a data file of Surface Evolver, .fe or .dmp.",
             py::arg("file"))
@@ -154,16 +157,16 @@ void bind_making(FoamClass& foam) {
 void bind_actions(FoamClass& foam) {
     foam.def(
             "write",
-            [](SharedFoam& self, const std::string& file) {
-                self.use([&](const foamtex::Foam& one) { one.write(file); });
+            [](SharedFoam& self, const std::filesystem::path& file) {
+                self.use([&](const foamtex::Foam& one) { one.write(file.string()); });
             },
             "Writes the foam. The ending of the name selects the format, as in read().",
             py::arg("file"))
         .def(
             "to_evolver",
-            [](SharedFoam& self, const std::string& file) {
-                check_evolver_name(file);
-                self.use([&](const foamtex::Foam& one) { one.write(file); });
+            [](SharedFoam& self, const std::filesystem::path& file) {
+                check_evolver_name(file.string());
+                self.use([&](const foamtex::Foam& one) { one.write(file.string()); });
             },
             "Writes a data file of Surface Evolver, .fe or .dmp, with exact arcs.",
             py::arg("file"))

@@ -44,6 +44,14 @@ void bind_settings(py::module_& module) {
              py::arg("t1_distance") = StepSettings().t1_distance,
              py::arg("t2_area") = StepSettings().t2_area,
              py::arg("threads") = 0)
+        .def("__repr__",
+             [](const StepSettings& self) {
+                 return py::str(
+                            "StepSettings(kappa={}, tolerance={}, t1_distance={}, t2_area={}, "
+                            "threads={})")
+                     .format(
+                         self.kappa, self.tolerance, self.t1_distance, self.t2_area, self.threads);
+             })
         .def_readwrite("kappa", &StepSettings::kappa, "Diffusion constant, in foam units.")
         .def_readwrite("tolerance", &StepSettings::tolerance, "Largest error of areas and angles.")
         .def_readwrite("t1_distance", &StepSettings::t1_distance, "A shorter film may flip.")

@@ -7,6 +7,8 @@
 
 #include <foamtex/texture.h>
 
+#include <filesystem>
+#include <memory>
 #include <string>
 
 namespace foam::texgen {
@@ -21,6 +23,9 @@ std::string value_text(const py::handle& value) {
     if (py::isinstance<py::str>(value)) {
         return value.cast<std::string>();
     }
+    if (value.is_none()) {
+        throw foamtex::ArgumentError("the value of a key must not be None");
+    }
     if (py::isinstance<py::bool_>(value)) {
         return value.cast<bool>() ? "true" : "false";
     }
@@ -29,7 +34,7 @@ std::string value_text(const py::handle& value) {
         for (const py::handle item : value) {
             const bool is_text = py::isinstance<py::str>(item);
             text += (text.empty() ? "" : ", ") +
-                    (is_text ? py::repr(item).cast<std::string>() : value_text(item));
+                    (is_text ? to_toml(Value{item.cast<std::string>()}) : value_text(item));
         }
         return "[" + text + "]";
     }
@@ -52,6 +57,16 @@ void throw_if_interrupted() {
         throw py::error_already_set();
     }
 }
+
+// Deletes a simulation. Other threads of Python run meanwhile, because its destructor waits until
+// the step that is running has ended.
+struct SimulationDeleter {
+    void operator()(foamtex::Simulation* simulation) const {
+        const py::gil_scoped_release others_may_run;
+        delete simulation;
+    }
+};
+using OwnedSimulation = std::unique_ptr<foamtex::Simulation, SimulationDeleter>;
 
 foamtex::Frame next_frame(foamtex::Simulation& simulation) {
     std::optional<foamtex::Frame> frame;
@@ -80,13 +95,13 @@ py::array draw_map(const foamtex::Frame& frame,
                    int threads) {
     const py::dtype type = py::dtype::from_args(dtype);
     const foamtex::Frame::State& state = frame.state();
-    if (type.is(py::dtype::of<float>())) {
+    if (type.equal(py::dtype::of<float>())) {
         return drawn([&] { return number_image(state, map, threads); });
     }
-    if (type.is(py::dtype::of<std::uint8_t>())) {
+    if (type.equal(py::dtype::of<std::uint8_t>())) {
         return drawn([&] { return code_image<std::uint8_t>(state, map, threads); });
     }
-    if (type.is(py::dtype::of<std::uint16_t>())) {
+    if (type.equal(py::dtype::of<std::uint16_t>())) {
         return drawn([&] { return code_image<std::uint16_t>(state, map, threads); });
     }
     throw foamtex::ArgumentError("dtype must be float32, uint8 or uint16");
@@ -102,8 +117,8 @@ void bind_preset(py::module_& module) {
                                 "Preset",
                                 "All options of an animation: a shipped preset, such as "
                                 "\"sea_foam\", or a preset file, with values for keys.")
-        .def(py::init([](const std::string& name_or_path, const py::dict& values) {
-                 return foamtex::Preset(name_or_path, values_of(values));
+        .def(py::init([](const std::filesystem::path& name_or_path, const py::dict& values) {
+                 return foamtex::Preset(name_or_path.string(), values_of(values));
              }),
              py::arg("name_or_path"),
              py::arg("values") = py::dict())
@@ -127,7 +142,7 @@ void bind_preset(py::module_& module) {
         .def(
             "simulate",
             [](const foamtex::Preset& self, const std::optional<std::string>& frames, int threads) {
-                return foamtex::Simulation(self, frames.value_or(""), threads);
+                return OwnedSimulation(new foamtex::Simulation(self, frames.value_or(""), threads));
             },
             "Starts the simulation and returns an iterator of its frames. `frames` are numbers "
             "such "
@@ -150,8 +165,8 @@ void bind_preset(py::module_& module) {
 }  // namespace
 
 void bind_texture(py::module_& module) {
-    bind_preset(module);
-    py::class_<foamtex::Simulation>(module, "Simulation", "An iterator of the frames of a preset.")
+    py::class_<foamtex::Simulation, OwnedSimulation>(
+        module, "Simulation", "An iterator of the frames of a preset.")
         .def("__iter__", [](const py::object& self) { return self; })
         .def("__next__", &next_frame);
     py::class_<foamtex::Frame>(
@@ -192,6 +207,7 @@ void bind_texture(py::module_& module) {
             "The mean stress as an array of shape (2, 2); tension is positive.")
         .def("__repr__",
              [](const foamtex::Frame& self) { return py::str("Frame({})").format(self.number()); });
+    bind_preset(module);
 }
 
 }  // namespace foam::texgen

@@ -44,11 +44,9 @@ TEST(ShearModulus, IsTheSlopeOfTheStressInSteps) {
     EXPECT_LT(modulus, 1.0);
 }
 
-TEST(ShearModulus, DoesNotChangeTheFoamOrDependOnThreads) {
+TEST(ShearModulus, DoesNotDependOnThreads) {
     const Foam foam = test::equilibrated_foam(300, 4);
-    const Foam copy = foam;
     EXPECT_EQ(shear_modulus(foam, 1), shear_modulus(foam, 3));
-    EXPECT_TRUE(test::are_same(foam, copy));
 }
 
 TEST(ShearModulus, OnlyATorusInEquilibriumHasOne) {

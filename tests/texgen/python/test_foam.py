@@ -74,6 +74,21 @@ def test_drive_imposes_areas_strain_and_pushes():
     assert foam.state() != before
 
 
+def test_no_bubble_has_a_huge_identity():
+    foam = relaxed(20)
+    before = foam.bubbles["area"]
+    foam.step(0, areas={2**32 + int(foam.bubbles["identity"][3]): 3.0, -1: 2.0})
+    assert foam.bubbles["area"] == pytest.approx(before, rel=1e-9)
+
+
+def test_a_step_of_nothing_reports_the_present_errors():
+    raw = foamtex.Foam.torus(40)
+    with pytest.raises(foamtex.EquilibriumError):
+        raw.step(0)
+    raw.relax()
+    assert raw.step(0).angle_error < 1e-9
+
+
 def test_stress_is_the_slope_of_the_energy():
     foam = relaxed(60, seed=4)
     h = 1e-3
@@ -134,7 +149,7 @@ def test_state_and_files_keep_every_bit(tmp_path):
     for one in (foam, again):
         one.step(0.5)
     assert foam.state() == again.state()
-    foam.write(str(tmp_path / "a.json"))
+    foam.write(tmp_path / "a.json")  # any path
     assert foamtex.Foam.read(str(tmp_path / "a.json")).state() == foam.state()
     assert json.loads(foam.state())["format"]
     foam.to_evolver(str(tmp_path / "a.fe"))
@@ -161,6 +176,13 @@ def test_arrays_keep_what_they_show_alive():
     "call, kind, text",
     [
         (lambda foam, path: foamtex.Foam.torus(1), foamtex.ArgumentError, ""),
+        (lambda foam, path: foamtex.Foam.torus(aspect=math.inf), foamtex.ArgumentError, "aspect"),
+        (lambda foam, path: foamtex.Foam.torus(area_ratio=math.inf), foamtex.ArgumentError, "area_ratio"),
+        (lambda foam, path: foamtex.Foam.torus(lloyd_iterations=-3), foamtex.ArgumentError, "lloyd_iterations"),
+        (lambda foam, path: foamtex.Foam.disk(surface_tension=math.nan), foamtex.ArgumentError, "surface_tension"),
+        (lambda foam, path: foam.step(0, strain=1e17), foamtex.ArgumentError, "strain"),
+        (lambda foam, path: foam.step(0, pushes=[((0, 0), 1, (1e9, 0))]), foamtex.ArgumentError, "by"),
+        (lambda foam, path: foam.relax(threads=2**20), foamtex.ArgumentError, "threads"),
         (lambda foam, path: foamtex.Foam.read(path + "/none.fe"), foamtex.InputError, "none.fe"),
         (lambda foam, path: foamtex.Foam.read(path + "/none.txt"), foamtex.ArgumentError, ".fe, .dmp or .json"),
         (lambda foam, path: foamtex.Foam.from_state("{"), foamtex.InputError, "state:1"),

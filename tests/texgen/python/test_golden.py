@@ -16,7 +16,7 @@ def test_image(assert_matches_golden):
 
 def run_pytest(folder, value, *options):
     (folder / "test_image.py").write_text(TEST.format(value=value))
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "foamtex.golden", "-p", "no:cacheprovider", *options]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True)
 
 

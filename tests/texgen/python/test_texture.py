@@ -2,6 +2,7 @@
 import gc
 import json
 import os
+import pickle
 import resource
 import signal
 import subprocess
@@ -175,6 +176,11 @@ def test_compare_finds_the_largest_difference(tmp_path):
     assert not found and (found.x, found.y, found.channel) == (3, 1, "B")
     assert found.largest == pytest.approx(0.2) and found.reasons and (tmp_path / "d.png").exists()
     assert all(foamtex.compare(str(tmp_path / "a.png"), str(tmp_path / "b.png"), sample=0.21))
+    for limits in ({"sample": float("nan")}, {"rms": -1}, {"allowed_percent": float("nan")}):
+        with pytest.raises(foamtex.ArgumentError, match="limits"):
+            foamtex.compare(tmp_path / "a.png", tmp_path / "b.png", **limits)
+    foamtex.write_png(tmp_path / "c.png", pickle.loads(pickle.dumps(b)))
+    assert all(foamtex.compare(tmp_path / "b.png", tmp_path / "c.png"))
     with pytest.raises(foamtex.InputError, match="missing.png"):
         foamtex.compare(str(tmp_path / "a.png"), str(tmp_path / "missing.png"))
 
@@ -191,6 +197,40 @@ def test_write_png_keeps_every_sample(tmp_path, type, channels):
         assert (np.asarray(Image.open(name)).reshape(image.shape) == image).all()
     with pytest.raises(foamtex.ArgumentError, match="write_png"):
         foamtex.write_png(name, image.astype(np.float32))
+
+
+def test_ranges_are_fitted_for_any_files():
+    heights = []
+    for pattern in ("{map}.####.png", "{map}.####.exr"):
+        preset = foamtex.Preset("sea_foam", {**SMALL, "image.maps": ["height"], "output.pattern": pattern})
+        preset.fit_ranges()
+        heights.append(next(preset.simulate("1")).map("height", "uint16"))
+        assert preset.get("output.pattern") == f'"{pattern}"'
+    assert (heights[0] == heights[1]).all()
+
+
+def test_texts_in_lists_are_kept():
+    preset = foamtex.Preset("sea_foam")
+    with pytest.raises(foamtex.ArgumentError, match="None"):
+        preset.set({"foam.seed": None})
+    with pytest.raises(foamtex.ArgumentError, match="color"):
+        preset.set({"albedo.colors": ["a\\b", "#ffffff"]})
+
+
+def test_a_running_simulation_is_dropped_without_the_gil():
+    simulation = foamtex.Preset("sea_foam", {"foam.bubbles": 20000, "loop.kind": "none"}).simulate("50")
+    ticks = []
+    stop = threading.Event()
+    thread = threading.Thread(target=lambda: [ticks.append(time.sleep(0.001)) for _ in iter(stop.is_set, True)])
+    thread.start()
+    time.sleep(0.3)
+    before = len(ticks)
+    started = time.monotonic()
+    del simulation
+    waited = time.monotonic() - started
+    stop.set()
+    thread.join()
+    assert len(ticks) - before > waited * 50  # at 1 kHz, unless the machine is very busy
 
 
 def test_presets_and_keys():

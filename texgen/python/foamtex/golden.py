@@ -35,7 +35,7 @@ class GoldenImages:
         the path of the golden image. `limits` are those of foamtex.compare: sample, rms, angle, allowed_percent.
         """
         golden = self.folder / golden
-        new = golden.with_suffix(".new.png")
+        new = golden.with_suffix(".new" + golden.suffix)
         difference = golden.with_suffix(".diff.png")
         if self.update:
             golden.parent.mkdir(parents=True, exist_ok=True)
@@ -44,26 +44,27 @@ class GoldenImages:
         if not golden.exists():
             pytest.fail(f"there is no golden image '{golden}'; pytest --update-golden writes it", pytrace=False)
         _write(image, new)
-        found = foamtex.compare(str(golden), str(new), **limits)
+        found = foamtex.compare(golden, new, **limits)
         if all(found):
             new.unlink()
             difference.unlink(missing_ok=True)
             return
         reasons = "; ".join(reason for layer in found for reason in layer.reasons)
-        if _same_shape(found):
-            foamtex.compare(str(golden), str(new), picture=str(difference), **limits)
-        pytest.fail(f"'{golden}': {reasons}; see {new.name} and {difference.name}", pytrace=False)
-
-
-def _same_shape(found):
-    return not any("size or channels" in reason for layer in found for reason in layer.reasons)
+        difference.unlink(missing_ok=True)
+        names = new.name
+        if all(layer.same_shape for layer in found):
+            foamtex.compare(golden, new, picture=difference, **limits)
+            names += f" and {difference.name}"
+        pytest.fail(f"'{golden}': {reasons}; see {names}", pytrace=False)
 
 
 def _write(image, path):
     if isinstance(image, (str, pathlib.Path)):
         shutil.copyfile(image, path)
+    elif path.suffix != ".png":
+        raise ValueError(f"'{path}': the golden image of an array must be a PNG")
     else:
-        foamtex.write_png(str(path), image)
+        foamtex.write_png(path, image)
 
 
 @pytest.fixture

@@ -23,10 +23,12 @@ struct SeedOptions {
     /// Largest divided by smallest target area; 0 keeps the areas of the diagram.
     double area_ratio = 0.0;
     double surface_tension = 0.5;  ///< gamma; a film has the tension 2 gamma
-    std::uint64_t seed = 1;        ///< another seed gives another foam
+    std::uint64_t seed = 1;        ///< of the random points
 };
 
 /// How a time step is computed. No result depends on the number of threads.
+/// The defaults fit a mean area of 1. For a foam with another mean area A, such as one from Surface
+/// Evolver, use the t1_distance 0.05 √A and the t2_area 0.01 A.
 struct StepSettings {
     double kappa = 0.01;        ///< diffusion constant (E6), in foam units; 0 for no diffusion
     double tolerance = 1e-9;    ///< largest error of areas (relative) and of angles (radians)
@@ -62,26 +64,28 @@ struct Push {
 /// What acts on a foam from outside during a step (E9).
 struct Drive {
     /// Areas of bubbles, which change evenly during the step. On a torus, the other bubbles give
-    /// and take the gas. Bubbles that have vanished are ignored.
+    /// and take the gas, and the driven bubbles fill at most nine tenths of it. Bubbles that have
+    /// vanished are ignored.
     std::vector<DrivenArea> areas{};
     double strain = 0.0;  ///< simple shear of a torus: every point moves to the right by strain * y
     std::vector<Push> pushes{};  ///< made in small steps
 };
 
-/// A two-dimensional dry foam, on a torus or as a free patch in the plane. A value: a copy is
-/// another foam. Different foams may be used by different threads at the same time.
+/// A two-dimensional dry foam, on a torus or as a free patch in the plane. Copies are
+/// independent. A foam that was moved from may only be assigned or destroyed. Different foams may
+/// be used by different threads at the same time.
 class FOAMTEX_EXPORT Foam {
   public:
     /// Returns the Voronoi diagram of random points on a torus. The foam is not yet in equilibrium:
     /// call `relax`. Throws ArgumentError if an option is out of range.
     static Foam torus(const SeedOptions& options);
 
-    /// Returns a patch with a free surface that is seeded in a disk, likewise. The number of
-    /// bubbles may differ from the wanted one.
+    /// Returns a patch with a free surface, seeded in a disk. It is not in equilibrium. The number
+    /// of bubbles may differ slightly from `bubbles`. Throws as `torus` does.
     static Foam disk(const SeedOptions& options);
 
     /// Reads a foam from a file: .fe or .dmp of Surface Evolver, or .json, a state of foamtex.
-    /// Throws InputError.
+    /// Throws InputError, and ArgumentError for another ending.
     static Foam read(const std::string& file);
 
     /// Reads a foam from the text of a state (`state`). Throws InputError.
@@ -97,8 +101,8 @@ class FOAMTEX_EXPORT Foam {
     /// OutputError.
     void write(const std::string& file) const;
 
-    /// Returns the whole state as JSON, as a .json file contains it. A foam that is made from it
-    /// evolves with the same bits.
+    /// Returns the whole state, without the events, as JSON, as a .json file contains it. A foam
+    /// that is made from it evolves with the same bits.
     std::string state() const;
 
     /// Brings the foam to equilibrium at its target areas (E2), to errors below 1e-9. If this
@@ -127,12 +131,13 @@ class FOAMTEX_EXPORT Foam {
     Stress stress() const;
 
     /// Returns the shear modulus of a torus in equilibrium (E11): the derivative of the shear
-    /// stress with respect to the strain, without T1s. Returns nothing for a patch, or if the foam
-    /// is not in equilibrium. `threads` is as in StepSettings.
+    /// stress with respect to the strain, without T1s. Returns nothing for a patch, if the
+    /// errors of the foam are above 1e-3, or if Newton's method does not converge. `threads` is as
+    /// in StepSettings.
     std::optional<double> shear_modulus(int threads = 0) const;
 
     /// Returns the changes of topology since the last call, or since the foam was made, in the
-    /// order in which they happened.
+    /// order in which they happened, and removes them from the foam.
     std::vector<Event> take_events();
 
     /// Returns all bubbles, films and junctions.

@@ -14,7 +14,7 @@ class FOAMTEX_EXPORT Error : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
-/// An argument or the value of a key is not allowed.
+/// An argument or the value of a key is not allowed, or a preset file is unreadable or invalid.
 class FOAMTEX_EXPORT ArgumentError : public Error {
   public:
     using Error::Error;

@@ -21,15 +21,16 @@ struct Point {
 
 /// A bubble.
 struct Bubble {
-    std::int64_t identity = 0;  ///< never changes, and no later bubble gets it
+    std::int64_t identity = 0;  ///< unique; never reused
     std::int64_t sides = 0;     ///< number of films; 0 for a bubble that touches no other bubble
-    double x = 0.0;             ///< center of its area; on a torus, perhaps beyond the border
+    double x = 0.0;             ///< centroid; on a torus it may be outside of the cell
     double y = 0.0;             ///< likewise
     double area = 0.0;          ///< within its curved films
     double target_area = 0.0;   ///< its area in equilibrium: represents the amount of gas
     double pressure = 0.0;      ///< on a torus determined only up to a common constant
     double perimeter = 0.0;     ///< total length of its films
-    /// Longer divided by shorter axis of the ellipse with the same second moments of area.
+    /// Longer divided by shorter axis of the ellipse with the same second moments of area; NaN for
+    /// an inverted bubble.
     double elongation = 1.0;
     /// Angle from the x axis to the longer axis, counter-clockwise, in radians, -pi/2 to pi/2.
     double orientation = 0.0;
@@ -60,7 +61,8 @@ struct FoamRecords {
 };
 
 /// The domain of a foam. A torus is the plane modulo its two periods, the vectors (width, 0) and
-/// (shear, height). For a patch in the plane, all numbers are 0.
+/// (shear, height); the shear is reduced to at most half of the width. For a patch in the plane,
+/// all numbers are 0.
 struct Extent {
     double width = 0.0;   ///< x of the first period
     double height = 0.0;  ///< y of the second period
@@ -83,15 +85,16 @@ enum class EventKind {
 /// A change of topology.
 struct Event {
     EventKind kind = EventKind::T1;  ///< what happened
-    double time = 0.0;               ///< foam time
+    double time = 0.0;               ///< foam time at the start of the substep
     Point position;                  ///< where; on a torus, perhaps beyond the border
     /// The identities of the bubbles whose neighbors changed. For T2 and Birth, the first is the
     /// bubble that vanished or was added.
     std::vector<std::int64_t> bubbles;
 };
 
-/// The stress tensor of a foam (E11), in units of film tension per foam unit. It is symmetric.
-/// Tension is positive.
+/// The stress tensor of a foam (E11): tension per length, in the unit of the film tension. It is
+/// symmetric, and tension is positive. On a torus, xx and yy contain the common constant of the
+/// pressures; xy and xx - yy do not depend on it.
 struct Stress {
     double xx = 0.0;  ///< normal stress along x
     double xy = 0.0;  ///< shear stress

@@ -72,7 +72,8 @@ class FOAMTEX_EXPORT Preset {
     Preset& operator=(Preset&& other) noexcept;  ///< Moves.
     ~Preset();                                   ///< Destroys.
 
-    /// Sets keys, all or none of them. Throws as the constructor does.
+    /// Sets keys, all or none of them. Ranges that fit_ranges has fitted are automatic again.
+    /// Throws as the constructor does.
     void set(const std::map<std::string, std::string>& values);
 
     /// Returns the value of a key as TOML, or nothing if the key is unset. Throws ArgumentError for
@@ -113,11 +114,17 @@ class FOAMTEX_EXPORT Frame {
     int number() const;     ///< from 1
     double time() const;    ///< foam time (E6)
     Extent extent() const;  ///< the torus, or zeros for a patch
-    double energy() const;  ///< film tension times the length of all films
+
     /// Returns the changes of topology since the frame before this one of the same simulation.
     std::vector<Event> events() const;
 
-    Stress stress() const;               ///< mean stress (E11)
+    /// Returns the film tension times the length of all films of the simulated foam. A frame of a
+    /// loop with a drift, a current or a shear shows this foam displaced.
+    double energy() const;
+
+    /// Returns the mean stress (E11) of the simulated foam.
+    Stress stress() const;
+
     const FoamRecords& records() const;  ///< valid as long as a copy of this frame exists
 
     /// Returns the shape of the image of a map. `integers` is true for integer samples, which store
@@ -149,7 +156,7 @@ class FOAMTEX_EXPORT Frame {
     std::shared_ptr<const State> state_;
 };
 
-/// A running simulation of a preset, which a thread of its own computes a few frames ahead. One
+/// A running simulation of a preset. A background thread computes up to three frames ahead. One
 /// thread at a time may use it.
 class FOAMTEX_EXPORT Simulation {
   public:
@@ -159,12 +166,13 @@ class FOAMTEX_EXPORT Simulation {
     explicit Simulation(const Preset& preset, const std::string& frames = {}, int threads = 0);
     Simulation(Simulation&& other) noexcept;             ///< Moves.
     Simulation& operator=(Simulation&& other) noexcept;  ///< Moves.
-    ~Simulation();  ///< stops the simulation if it is still running
+    /// Stops the simulation. Waits until the step that is running has ended.
+    ~Simulation();
 
     /// Waits for the next frame and returns it; nothing after the last one. Frames come in
     /// increasing order, except in a loop of the kind pingpong. Throws EquilibriumError if the foam
     /// finds no equilibrium or the loop does not close. While it waits, calls `poll` ten times per
-    /// second, if there is one; an exception of `poll` ends the simulation.
+    /// second, if there is one; an exception of `poll` ends the wait.
     std::optional<Frame> next(const std::function<void()>& poll = {});
 
   private:
@@ -198,7 +206,8 @@ FOAMTEX_EXPORT std::vector<std::string> bake(const Preset& preset,
                                              const BakeSettings& settings = {});
 
 /// The largest differences that `compare` allows. Integer samples are scaled so that the largest
-/// integer is 1. Of samples, 1e-6 is allowed unless another limit is given.
+/// integer is 1. If no limit is set, no sample may differ by more than 1e-6. If only `rms` or, for
+/// maps of normals, `angle` is set, single samples are not limited.
 struct Limits {
     std::optional<double> sample{};  ///< of any sample
     std::optional<double> rms{};     ///< root mean square over all samples
@@ -208,6 +217,7 @@ struct Limits {
 
 /// The comparison of two images, or of one layer of two images.
 struct Difference {
+    bool same_shape = true;  ///< false if size or channels differ; nothing is compared then
     bool is_within = false;  ///< true if no limit is exceeded
     std::string map{};       ///< empty if it is not known
     std::string layer{};     ///< empty if the images have no layers
