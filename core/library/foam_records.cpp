@@ -100,6 +100,7 @@ foamtex::Stress stress_record(const Mat2& stress) {
 
 std::vector<foamtex::Event> event_records(const std::vector<TopologyEvent>& events) {
     std::vector<foamtex::Event> records;
+    records.reserve(events.size());
     for (const TopologyEvent& event : events) {
         records.push_back({.kind = kind_of(event.kind),
                            .time = event.time,

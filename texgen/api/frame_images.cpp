@@ -67,9 +67,9 @@ void check_range(const foamtex::Preset::State& state, const Map& map) {
 }  // namespace
 
 foamtex::ImageShape shape_of(const foamtex::Frame::State& frame,
-                             const std::string& name,
+                             const std::string& map_name,
                              bool integers) {
-    const Map& map = find_map(name);
+    const Map& map = find_map(map_name);
     const ImageOptions& image = frame.preset.state().preset.image;
     const bool has_opacity = map.kind == MapKind::Color && frame.shown.frame->domain.is_plane();
     int channels = channel_count(map) + (has_opacity ? 1 : 0);
@@ -78,9 +78,9 @@ foamtex::ImageShape shape_of(const foamtex::Frame::State& frame,
 }
 
 Image<float> number_image(const foamtex::Frame::State& frame,
-                          const std::string& name,
+                          const std::string& map_name,
                           int threads) {
-    const Map& map = find_map(name);
+    const Map& map = find_map(map_name);
     MapImage image = draw_map(frame, map, threads);
     ChannelGroup group = number_channels(std::move(image), {"", map.channels}, SampleType::Float);
     if (auto* const numbers = std::get_if<Image<float>>(&group.samples)) {
@@ -95,8 +95,10 @@ Image<float> number_image(const foamtex::Frame::State& frame,
 }
 
 template <class Sample>
-Image<Sample> code_image(const foamtex::Frame::State& frame, const std::string& name, int threads) {
-    const Map& map = find_map(name);
+Image<Sample> code_image(const foamtex::Frame::State& frame,
+                         const std::string& map_name,
+                         int threads) {
+    const Map& map = find_map(map_name);
     check_range(frame.preset.state(), map);
     constexpr int kBits = kBitsPerByte * static_cast<int>(sizeof(Sample));
     if (map.kind == MapKind::Color && kBits != kBitsPerByte) {

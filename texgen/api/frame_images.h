@@ -11,18 +11,22 @@ namespace foam::texgen {
 
 /// Returns the shape of the images that the functions below return.
 foamtex::ImageShape shape_of(const foamtex::Frame::State& frame,
-                             const std::string& map,
+                             const std::string& map_name,
                              bool integers);
 
 /// Draws a map of a frame as numbers in the unit of the map, or as linear light that is multiplied
 /// by the opacity. Throws std::invalid_argument for an unknown map, and if the map needs the next
 /// frame, which the frame does not have.
-Image<float> number_image(const foamtex::Frame::State& frame, const std::string& map, int threads);
+Image<float> number_image(const foamtex::Frame::State& frame,
+                          const std::string& map_name,
+                          int threads);
 
 /// Draws a map of a frame as codes (quantize). Sample is std::uint8_t or std::uint16_t. Throws as
 /// number_image does; also throws std::invalid_argument if a range of the map is automatic and has
 /// not been fitted, or for 16-bit codes of colors.
 template <class Sample>
-Image<Sample> code_image(const foamtex::Frame::State& frame, const std::string& map, int threads);
+Image<Sample> code_image(const foamtex::Frame::State& frame,
+                         const std::string& map_name,
+                         int threads);
 
 }  // namespace foam::texgen

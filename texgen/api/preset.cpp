@@ -10,6 +10,7 @@
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_keys.h"
 
+#include <fmt/core.h>
 #include <foamtex/texture.h>
 
 #include <utility>
@@ -23,8 +24,10 @@ using foam::texgen::with_texture_errors;
 std::vector<foam::texgen::Assignment> assignments_of(
     const std::map<std::string, std::string>& values) {
     std::vector<foam::texgen::Assignment> assignments;
+    assignments.reserve(values.size());
     for (const auto& [key, value] : values) {
-        assignments.push_back({key + "=" + value, key, foam::texgen::read_value(value)});
+        assignments.push_back(
+            {fmt::format("{}={}", key, value), key, foam::texgen::read_value(value)});
     }
     return assignments;
 }

@@ -47,9 +47,10 @@ void handle_stop_signals(Stopping stopping) {
     if (is_reported.exchange(false)) {
         stop_signal = 0;
     }
-    stop_note = stopping == Stopping::AfterStep
-               ? "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
-               : "\nfoamtex: stopping; the same signal again stops at once\n";
+    stop_note =
+        stopping == Stopping::AfterStep
+            ? "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
+            : "\nfoamtex: stopping; the same signal again stops at once\n";
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action {};
         sigaction(signal, nullptr, &action);

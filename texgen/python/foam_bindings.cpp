@@ -78,15 +78,6 @@ void check_evolver_name(const std::string& file) {
     }
 }
 
-// Returns one of the tables of a foam as an array that owns its records.
-template <auto member>
-py::array table_of(SharedFoam& foam) {
-    auto* const kept =
-        new FoamRecords(foam.use([](const foamtex::Foam& one) { return one.records(); }));
-    const py::capsule owner(kept, [](void* pointer) { delete static_cast<FoamRecords*>(pointer); });
-    return view_of(kept->*member, owner);
-}
-
 using FoamClass = py::class_<SharedFoam, Owner>;
 
 void bind_making(FoamClass& foam) {

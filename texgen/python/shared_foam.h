@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "texgen/python/arrays.h"
 #include "texgen/python/bindings.h"
 
 #include <foamtex/foam.h>
@@ -28,5 +29,15 @@ class SharedFoam {
     std::mutex mutex_;
     foamtex::Foam foam_;
 };
+
+/// Returns one of the tables of a foam as an array that owns its records.
+template <auto member>
+pybind11::array table_of(SharedFoam& foam) {
+    auto* const kept =
+        new foamtex::FoamRecords(foam.use([](const foamtex::Foam& one) { return one.records(); }));
+    const pybind11::capsule owner(
+        kept, [](void* pointer) { delete static_cast<foamtex::FoamRecords*>(pointer); });
+    return view_of(kept->*member, owner);
+}
 
 }  // namespace foam::texgen
