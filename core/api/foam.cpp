@@ -211,8 +211,7 @@ Equilibrium Foam::step(double time, const Drive& drive, const StepSettings& sett
         return present_errors(state_->foam, settings.tolerance);
     }
     return foam::with_public_errors([&] {
-        const foam::StepSummary made =
-            foam::step(state_->foam, time, change, options_of(settings));
+        const foam::StepSummary made = foam::step(state_->foam, time, change, options_of(settings));
         return result_of(made.equilibrium);
     });
 }
