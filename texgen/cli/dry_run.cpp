@@ -30,7 +30,7 @@ BakeEstimate estimate_of(std::span<const ImageRun> runs, const ProgressOptions& 
     BakeEstimate sum;
     for (const auto& [preset, options] : runs) {
         ProgressReporter reporter(progress);
-        const BakeEstimate one = estimate_bake(preset, options, reporter.callback());
+        BakeEstimate one = estimate_bake(preset, options, reporter.callback());
         if (one.outcome.status != RunStatus::Complete || runs.size() == 1) {
             return one;
         }
