@@ -29,36 +29,39 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
 set(version ${PROJECT_VERSION})
-set(text "foamtex makes seamlessly tileable, animated textures from a simulation of a
- two-dimensional dry foam in mechanical equilibrium: colors, normals, heights and
- other maps as PNG, OpenEXR, DDS or KTX2 files, drawings as SVG, DXF or PDF, and
- meshes.")
+# CPack indents the lines of a description, and makes paragraphs of empty lines.
+set(text "foamtex makes seamlessly tileable, animated textures from a simulation
+of a two-dimensional dry foam in mechanical equilibrium: colors, normals,
+heights and other maps as PNG, OpenEXR, DDS or KTX2 files, drawings as SVG,
+DXF or PDF, and meshes.")
 
 set(CPACK_DEBIAN_FOAMTEX_PACKAGE_NAME foamtex)
 set(CPACK_DEBIAN_FOAMTEX_PACKAGE_SECTION graphics)
-set(CPACK_COMPONENT_GROUP_FOAMTEX_DESCRIPTION "${text}
- .
- This package contains the program and the shared libraries.")
-set(CPACK_DEBIAN_FOAMTEX_DESCRIPTION "animated, tileable foam textures
- ${CPACK_COMPONENT_GROUP_FOAMTEX_DESCRIPTION}")
+set(CPACK_DEBIAN_FOAMTEX_DESCRIPTION "${text}
+
+This package contains the program and the shared libraries.")
+# The linker's cache learns of the shared libraries.
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/debian/control/triggers CONTENT "activate-noawait ldconfig
+" @ONLY)
+set(CPACK_DEBIAN_FOAMTEX_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/debian/control/triggers)
 set(CPACK_DEBIAN_FOAMTEX_PACKAGE_SUGGESTS "python3-foamtex, gnuplot-nox, ffmpeg")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME foamtex-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "animated, tileable foam textures - development files
- ${text}
- .
- This package contains what programs that use the libraries need.")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${text}
+
+This package contains the headers, the static libraries, and the files with
+which CMake and pkg-config find them.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "foamtex (= ${version})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
   "libcairo2-dev, libdeflate-dev, libfmt-dev, libglu1-mesa-dev, libisal-dev, libopenexr-dev, libpng-dev, libpugixml-dev, libtomlplusplus-dev, libxxhash-dev, libzstd-dev")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-foamtex)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_DESCRIPTION "animated, tileable foam textures - Python module
- ${text}
- .
- This package contains the module foamtex for Python, which returns NumPy arrays.")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${text}
+
+This package contains the module foamtex for Python, which returns NumPy
+arrays.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
 
 # dpkg compiles the Python files when they are installed, and removes what Python has compiled.

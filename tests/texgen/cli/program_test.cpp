@@ -41,8 +41,8 @@ TEST(Program, PrintsTheFactsOfItsBuild) {
         const std::string out = run_program(arguments).out;
         for (const char* const word : {"\ncommit ",
                                        "\ncompiler ",
-                                       "OpenEXR 3.",
-                                       "libpng 1.",
+                                       "OpenEXR/3.",
+                                       "libpng/1.",
                                        "\ninstructions ",
                                        "baseline"}) {
             EXPECT_NE(out.find(word), std::string::npos) << word << " in " << out;
