@@ -23,7 +23,7 @@ lintian --fail-on error --suppress-tags initial-upload-closes-no-bugs "$packages
 
 root=$(mktemp -d)
 # The archive from which this machine installs packages; by default that of Debian.
-mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources 2>/dev/null |
+mirror=$({ cat /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources 2>/dev/null || true; } |
     awk '/^deb .* bookworm / { for (k = 2; k <= NF; ++k) if ($k ~ /^http/) { print $k; exit } }
          /^URIs:/ { print $2; exit }')
 mirror=${mirror:-http://deb.debian.org/debian}
@@ -36,7 +36,7 @@ trap remove_root EXIT
 say "a fresh Debian 12 from $mirror"
 debootstrap --variant=minbase bookworm "$root" "$mirror" >"$packages/debootstrap.txt"
 mount -t proc proc "$root/proc"
-for file in /etc/apt/apt.conf.d/*proxy* /etc/apt/sources.list /etc/apt/sources.list.d/*; do
+for file in /etc/hosts /etc/apt/apt.conf.d/* /etc/apt/sources.list /etc/apt/sources.list.d/*; do
     [[ ! -f $file ]] || install -D -m 644 "$file" "$root$file"
 done
 cp /etc/resolv.conf "$root/etc/resolv.conf"
