@@ -44,7 +44,8 @@ mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages"
 cp -r samples/library "$root/packages"
 inside() {
-    chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 HOME=/tmp "$@"
+    env -i chroot "$root" env PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 HOME=/tmp \
+        "$@"
 }
 
 say "installing"
