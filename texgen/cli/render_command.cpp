@@ -67,6 +67,7 @@ ExitCode run_render(const RenderArguments& arguments) {
     const std::vector<int> frames =
         arguments.run.frames ? frames_of(arguments.run, presets.front()) : info.frames;
     std::vector<ImageRun> runs;
+    runs.reserve(presets.size());
     for (const Preset& preset : presets) {
         runs.push_back({preset,
                         {.frames = frames,
