@@ -44,8 +44,8 @@ mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages"
 cp -r samples/library "$root/packages"
 inside() {
-    env -i PATH=/usr/sbin:/usr/bin chroot "$root" env PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 HOME=/tmp \
-        "$@"
+    env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 HOME=/tmp \
+        chroot "$root" "$@"
 }
 
 say "installing"
