@@ -98,6 +98,10 @@ double lone_radius(const LoneBubble& bubble) {
     return std::sqrt(bubble.target_area / std::numbers::pi);
 }
 
+double lone_pressure(const LoneBubble& bubble, double film_tension) {
+    return film_tension / lone_radius(bubble);
+}
+
 double energy(const Foam& foam) {
     double length = 0.0;
     for (const FilmId film : foam.network.films()) {

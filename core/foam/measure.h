@@ -16,9 +16,11 @@ double polygon_area(const Foam& foam, BubbleId bubble);
 /// Returns bubble_area for every live bubble. The values of the ghost and of dead slots are 0.
 Indexed<BubbleId, double> bubble_areas(const Foam& foam);
 
-/// Returns the radius of a lone bubble, a circle of its target area. The pressure of a lone bubble
-/// is the film tension divided by this radius.
+/// Returns the radius of a lone bubble, a circle of its target area.
 double lone_radius(const LoneBubble& bubble);
+
+/// Returns the pressure of a lone bubble: the film tension divided by its radius.
+double lone_pressure(const LoneBubble& bubble, double film_tension);
 
 /// Shifts the pressures of a torus, which equilibrium determines only up to a common constant, so
 /// that their mean, weighted by target area, is 0. Does nothing to a patch, where pressures are

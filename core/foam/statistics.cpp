@@ -57,7 +57,7 @@ std::vector<SidesStatistics> statistics_by_sides(const Frame& frame) {
         SidesStatistics& sum = sums[0];
         ++sum.bubbles;
         sum.mean_area += bubble.target_area;
-        sum.mean_pressure += frame.film_tension / lone_radius(bubble);
+        sum.mean_pressure += lone_pressure(bubble, frame.film_tension);
         sum.mean_inflow -= 2.0 * std::numbers::pi * frame.film_tension;
     }
     std::vector<SidesStatistics> means;

@@ -170,7 +170,7 @@ Data data_of(const Frame& frame, const LoneBubble& bubble) {
     return {{"bubble", fmt::format("{}", bubble.identity)},
             {"area", exact_text(bubble.target_area)},
             {"sides", "0"},
-            {"pressure", exact_text(frame.film_tension / lone_radius(bubble))}};
+            {"pressure", exact_text(lone_pressure(bubble, frame.film_tension))}};
 }
 
 // Adds one shape per bubble, in the color of the map albedo.

@@ -62,7 +62,7 @@ Table bubble_table(const FrameLayers& layers, const AlbedoOptions& options) {
         add({bubble.identity,
              bubble.target_area,
              bubble.target_area,
-             frame.film_tension / lone_radius(bubble)},
+             lone_pressure(bubble, frame.film_tension)},
             0);
     }
     return table;

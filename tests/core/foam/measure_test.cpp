@@ -162,5 +162,10 @@ TEST(Measure, DeadSlotsHaveNoArea) {
     EXPECT_NEAR(areas[BubbleId{6}], 1.0, kRounding);
 }
 
+// A circle of the area pi has the radius 1.
+TEST(Measure, PressureOfALoneBubbleIsTensionDividedByRadius) {
+    EXPECT_NEAR(lone_pressure({.target_area = kPi}, 3.0), 3.0, kRounding);
+}
+
 }  // namespace
 }  // namespace foam
