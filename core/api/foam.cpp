@@ -10,6 +10,7 @@
 #include "core/foam/stress.h"
 #include "core/io/foam_file.h"
 #include "core/io/foam_json.h"
+#include "core/library/check_threads.h"
 #include "core/library/foam_records.h"
 #include "core/library/with_public_errors.h"
 

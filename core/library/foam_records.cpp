@@ -52,7 +52,7 @@ Bubble bubble_record(const FrameBubble& values, int sides, const BubbleShape& sh
 }
 
 Bubble lone_record(const LoneBubble& bubble, double film_tension) {
-    const double pressure = film_tension / lone_radius(bubble);
+    const double pressure = lone_pressure(bubble, film_tension);
     return bubble_record({bubble.identity, bubble.target_area, bubble.target_area, pressure},
                          0,
                          bubble_shape(bubble));
@@ -71,15 +71,21 @@ foamtex::EventKind kind_of(TopologyEventKind kind) {
 
 }  // namespace
 
-FoamRecords records_of(const Frame& frame) {
-    FoamRecords records;
+std::vector<Bubble> bubble_records(const Frame& frame) {
+    std::vector<Bubble> records;
     for (const BubbleId bubble : frame.network.bubbles()) {
-        records.bubbles.push_back(bubble_record(
+        records.push_back(bubble_record(
             frame.bubbles[bubble], frame.network.sides(bubble), bubble_shape(frame, bubble)));
     }
     for (const LoneBubble& bubble : frame.lone_bubbles) {
-        records.bubbles.push_back(lone_record(bubble, frame.film_tension));
+        records.push_back(lone_record(bubble, frame.film_tension));
     }
+    return records;
+}
+
+FoamRecords records_of(const Frame& frame) {
+    FoamRecords records;
+    records.bubbles = bubble_records(frame);
     for (const FilmId film : frame.network.films()) {
         records.films.push_back(film_record(frame, film));
     }

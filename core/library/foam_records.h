@@ -10,6 +10,9 @@
 
 namespace foam {
 
+/// Returns the bubbles of a frame as plain values: first those of the network, then lone bubbles.
+std::vector<foamtex::Bubble> bubble_records(const Frame& frame);
+
 /// Returns the bubbles, films and junctions of a frame as plain values, for users of the library.
 foamtex::FoamRecords records_of(const Frame& frame);
 

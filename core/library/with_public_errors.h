@@ -12,14 +12,6 @@
 
 namespace foam {
 
-/// Throws foamtex::ArgumentError unless `threads` is from 0 to 256.
-inline void check_threads(int threads) {
-    constexpr int kMaxThreads = 256;
-    if (threads < 0 || threads > kMaxThreads) {
-        throw foamtex::ArgumentError("threads: must be from 0 to 256");
-    }
-}
-
 /// Returns work(). Exceptions that the program throws on purpose, and errors of the operating
 /// system, become those that users of the library know.
 template <class Work>

@@ -2,8 +2,7 @@
 
 #include "texgen/stats/csv.h"
 
-#include "core/foam/bubble_shape.h"
-#include "core/foam/measure.h"
+#include "core/library/foam_records.h"
 
 #include <fmt/format.h>
 
@@ -51,29 +50,6 @@ const char* name_of(TopologyEventKind kind) {
             break;
     }
     return "birth";
-}
-
-std::string bubble_row(int frame, const FrameBubble& bubble, int sides, const BubbleShape& shape) {
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n",
-                       frame,
-                       bubble.identity,
-                       shape.center.x(),
-                       shape.center.y(),
-                       sides,
-                       bubble.area,
-                       bubble.target_area,
-                       bubble.pressure,
-                       shape.perimeter,
-                       shape.elongation,
-                       shape.orientation);
-}
-
-// Returns a lone bubble with the properties of a bubble of the network.
-FrameBubble frame_bubble(const LoneBubble& bubble, double film_tension) {
-    return {bubble.identity,
-            bubble.target_area,
-            bubble.target_area,
-            film_tension / lone_radius(bubble)};
 }
 
 }  // namespace
@@ -143,16 +119,20 @@ std::string bubbles_csv(const RunRecord& run) {
     if (!run.last_frame) {
         return csv;
     }
-    const Frame& frame = *run.last_frame;
-    for (const BubbleId bubble : frame.network.bubbles()) {
-        csv += bubble_row(frame.number,
-                          frame.bubbles[bubble],
-                          frame.network.sides(bubble),
-                          bubble_shape(frame, bubble));
-    }
-    for (const LoneBubble& bubble : frame.lone_bubbles) {
-        csv += bubble_row(
-            frame.number, frame_bubble(bubble, frame.film_tension), 0, bubble_shape(bubble));
+    for (const foamtex::Bubble& bubble : bubble_records(*run.last_frame)) {
+        fmt::format_to(std::back_inserter(csv),
+                       "{},{},{},{},{},{},{},{},{},{},{}\n",
+                       run.last_frame->number,
+                       bubble.identity,
+                       bubble.x,
+                       bubble.y,
+                       bubble.sides,
+                       bubble.area,
+                       bubble.target_area,
+                       bubble.pressure,
+                       bubble.perimeter,
+                       bubble.elongation,
+                       bubble.orientation);
     }
     return csv;
 }

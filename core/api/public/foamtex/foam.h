@@ -61,7 +61,7 @@ struct Push {
     Point by;             ///< displacement of the center
 };
 
-/// What acts on a foam from outside during a step (E9).
+/// The changes that are imposed on a foam from outside during a step (E9).
 struct Drive {
     /// Areas of bubbles, which change evenly during the step. On a torus, the other bubbles give
     /// and take the gas, and the driven bubbles fill at most nine tenths of it. Bubbles that have
