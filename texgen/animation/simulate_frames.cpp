@@ -4,6 +4,7 @@
 
 #include "core/foam/measure.h"
 #include "core/foam/stress.h"
+#include "texgen/animation/display_transform.h"
 #include "texgen/animation/seconds_since.h"
 #include "texgen/animation/shown_states.h"
 
@@ -33,13 +34,21 @@ bool advance(Simulation& simulation, FrameEffort& effort) {
     return found;
 }
 
-SimulatedFrame state_of(const Simulation& simulation, FrameEffort effort) {
+// Returns the mean stress of the simulated foam. `frame` is the frame that shows it.
+Mat2 stress_of(const Simulation& simulation, const LoopOptions& loop, const Frame& frame) {
+    if (has_display_transform(loop)) {
+        return mean_stress(snapshot(simulation.foam(), simulation.number()));
+    }
+    return mean_stress(frame);
+}
+
+SimulatedFrame state_of(const Simulation& simulation, const LoopOptions& loop, FrameEffort effort) {
     SimulatedFrame state;
     state.frame = std::make_shared<const Frame>(simulation.frame());
     state.record = std::make_shared<const FoamRecord>(simulation.record());
     effort.strain = simulation.strain();
     effort.energy = energy(simulation.foam());
-    effort.stress = mean_stress(snapshot(simulation.foam(), simulation.number()));
+    effort.stress = stress_of(simulation, loop, *state.frame);
     state.effort = std::move(effort);
     state.view = simulation.view();
     state.closing_error = simulation.closing_error();
@@ -115,7 +124,7 @@ RunOutcome simulate_states(const Preset& preset,
                 return failed(simulation, preset);
             }
         }
-        on_state(state_of(simulation, std::move(effort)));
+        on_state(state_of(simulation, preset.loop, std::move(effort)));
     }
     return {RunStatus::Complete, 0, simulation.closing_error(), simulation.missing_bubbles()};
 }
