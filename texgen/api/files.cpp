@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/library/check_threads.h"
 #include "texgen/animation/progress_text.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"
@@ -104,8 +105,7 @@ std::vector<std::string> bake(const Preset& preset,
         foam::texgen::check_scenes(baked);
         foam::texgen::check_sheets(baked);
         const foam::texgen::BakeOptions options{
-            .frames = settings.frames.empty() ? foam::texgen::frames_to(baked.frames.count)
-                                              : foam::texgen::parse_frame_range(settings.frames),
+            .frames = foam::texgen::frames_or_all(settings.frames, baked.frames.count),
             .threads = settings.threads};
         const foam::texgen::ProgressCallback on_progress = progress_of(settings);
         const foam::texgen::BakeSummary summary = foam::texgen::bake_recorded(

@@ -2,10 +2,10 @@
 
 #include "texgen/api/frame_images.h"
 
-#include "core/library/with_public_errors.h"
+#include "core/library/check_threads.h"
 #include "core/parallel/parallel_for.h"
+#include "texgen/animation/drawable_frame.h"
 #include "texgen/maps/all_maps.h"
-#include "texgen/maps/cross_fade.h"
 #include "texgen/maps/number_channels.h"
 #include "texgen/maps/quantize.h"
 #include "texgen/preset/drawn_images.h"
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -38,14 +37,8 @@ MapImage draw_map(const foamtex::Frame::State& state, const Map& map, int thread
     const std::array names{std::string(map.name)};
     const DistanceNeeds distance = distance_needs(names, preset.maps);
     const RasterGrid grid{preset.image.width, preset.image.height, 0, 0, shown.view};
-    const std::optional<CrossFade> fade = shown.cross_fade();
-    const CrossFade* const shared = fade ? &*fade : nullptr;
-    const int count = thread_count(threads);
-    ShownLayers layers{.layers = FrameLayers(shown.input(distance, shared), grid, count)};
-    if (fade) {
-        layers.fading_in.emplace(shown.fading_in.input(distance, shared), grid, count);
-    }
-    return draw(map, layers, preset.maps);
+    DrawableFrame drawable(shown, grid, distance, thread_count(threads));
+    return draw(map, drawable.layers(), preset.maps);
 }
 
 void check_range(const foamtex::Preset::State& state, const Map& map) {

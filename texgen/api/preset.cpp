@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/io/foam_json.h"
+#include "core/library/check_threads.h"
 #include "texgen/animation/seed.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"

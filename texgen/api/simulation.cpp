@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/library/check_threads.h"
 #include "texgen/animation/simulate_frames.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/maps/all_maps.h"
 #include "texgen/preset/drawn_images.h"
 
 #include <foamtex/texture.h>
 
-#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -27,16 +26,9 @@ namespace {
 constexpr std::size_t kQueuedFrames = 3;
 constexpr std::chrono::milliseconds kPollPeriod{100};
 
-std::vector<int> frames_of(const Preset& preset, const std::string& frames) {
-    return frames.empty() ? foam::texgen::frames_to(preset.frame_count())
-                          : foam::texgen::parse_frame_range(frames);
-}
-
 foam::texgen::NextFrames next_frames_of(const foam::texgen::Preset& preset) {
-    const auto maps = foam::texgen::source_maps(preset);
-    return std::ranges::any_of(maps, &foam::texgen::Map::needs_next)
-               ? foam::texgen::NextFrames::Included
-               : foam::texgen::NextFrames::Omitted;
+    return foam::texgen::needs_next_frame(preset) ? foam::texgen::NextFrames::Included
+                                                  : foam::texgen::NextFrames::Omitted;
 }
 
 // Ends the simulation of a caller who needs no more frames.
@@ -142,7 +134,8 @@ struct Simulation::Stream {
 Simulation::Simulation(const Preset& preset, const std::string& frames, int threads)
     : stream_(foam::texgen::with_texture_errors([&] {
           foam::check_threads(threads);
-          return std::make_unique<Stream>(preset, frames_of(preset, frames), threads);
+          return std::make_unique<Stream>(
+              preset, foam::texgen::frames_or_all(frames, preset.frame_count()), threads);
       })) {}
 
 Simulation::Simulation(Simulation&&) noexcept = default;

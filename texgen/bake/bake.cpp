@@ -4,6 +4,7 @@
 
 #include "core/files/file_io.h"
 #include "core/parallel/parallel_for.h"
+#include "texgen/animation/drawable_frame.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/animation/seconds_since.h"
 #include "texgen/animation/simulate_frames.h"
@@ -81,13 +82,8 @@ class FrameWriter {
             return;
         }
         const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
-        const std::optional<CrossFade> fade = shown.cross_fade();
-        const CrossFade* const shared = fade ? &*fade : nullptr;
-        ShownLayers layers{.layers = FrameLayers(shown.input(files_.distance(), shared), grid, 1)};
-        if (fade) {
-            layers.fading_in.emplace(shown.fading_in.input(files_.distance(), shared), grid, 1);
-        }
-        BakedFrame baked{shown, files_.write(layers), 0.0};
+        DrawableFrame drawable(shown, grid, files_.distance(), 1);
+        BakedFrame baked{shown, files_.write(drawable.layers()), 0.0};
         baked.seconds = seconds_since(begin);
         report(baked);
     }

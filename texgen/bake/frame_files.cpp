@@ -134,8 +134,7 @@ DistanceNeeds FrameFiles::distance() const {
 }
 
 bool FrameFiles::needs_next() const {
-    return std::ranges::any_of(map_names_,
-                               [](const std::string& map) { return find_map(map).needs_next; });
+    return !is_vector() && needs_next_frame(preset_);
 }
 
 WrittenFile FrameFiles::write_images(std::span<const DrawnImage> images, ShownLayers& shown) const {

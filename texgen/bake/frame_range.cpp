@@ -137,6 +137,10 @@ std::vector<int> frames_to(int last) {
     return frames;
 }
 
+std::vector<int> frames_or_all(std::string_view range, int last) {
+    return range.empty() ? frames_to(last) : parse_frame_range(range);
+}
+
 std::string format_frame_range(std::span<const int> frames) {
     std::string text;
     while (!frames.empty()) {

@@ -27,6 +27,10 @@ std::vector<int> parse_frame_range(std::string_view text);
 /// Returns the frames from 1 to `last`.
 std::vector<int> frames_to(int last);
 
+/// Returns the frames of a range, or the frames from 1 to `last` if the text is empty. Throws as
+/// parse_frame_range does.
+std::vector<int> frames_or_all(std::string_view range, int last);
+
 /// Returns a short text that parse_frame_range parses to these frames. Two or more consecutive
 /// frames from A to B become `A-B`. Three or more frames from A to B with a larger constant step S
 /// become `A-BxS`. The frames may also decrease. Precondition: each frame is given once.

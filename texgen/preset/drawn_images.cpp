@@ -34,6 +34,10 @@ std::vector<const Map*> source_maps(const Preset& preset) {
     return maps;
 }
 
+bool needs_next_frame(const Preset& preset) {
+    return std::ranges::any_of(source_maps(preset), &Map::needs_next);
+}
+
 std::vector<std::string> source_map_names(const Preset& preset) {
     std::vector<std::string> names;
     for (const Map* const map : source_maps(preset)) {

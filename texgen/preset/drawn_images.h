@@ -18,6 +18,9 @@ std::vector<DrawnImage> drawn_images(const Preset& preset);
 /// Returns the maps that are drawn for these images, each once.
 std::vector<const Map*> source_maps(const Preset& preset);
 
+/// Returns true if drawing one of these maps also needs the frame after the drawn one.
+bool needs_next_frame(const Preset& preset);
+
 /// Returns the names of these maps.
 std::vector<std::string> source_map_names(const Preset& preset);
 

@@ -3,6 +3,7 @@
 #include "texgen/studio/picture.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/animation/drawable_frame.h"
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/bake/reduced_image.h"
@@ -61,34 +62,22 @@ bool includes(const DistanceNeeds& all, const DistanceNeeds& some) {
 
 }  // namespace
 
-// A frame on a grid, and what its maps share. The cross-fade and the layers borrow the frame, so
-// objects are neither copied nor moved.
+// A frame on a grid, and what its maps share. `drawable` borrows the frame, so objects are neither
+// copied nor moved.
 struct Painter::Shown {
     Shown(SimulatedFrame simulated, const RasterGrid& grid, const DistanceNeeds& distance)
         : frame(std::move(simulated)),
-          fade(frame.cross_fade()),
           needs(distance),
-          layers{.layers =
-                     FrameLayers(frame.input(distance, shared_fade()), grid, thread_count(0))} {
-        if (fade) {
-            layers.fading_in.emplace(
-                frame.fading_in.input(distance, shared_fade()), grid, thread_count(0));
-        }
-    }
-    Shown(const Shown&) = delete;
-    Shown& operator=(const Shown&) = delete;
-
-    const CrossFade* shared_fade() const { return fade ? &*fade : nullptr; }
+          drawable(frame, grid, distance, thread_count(0)) {}
 
     std::size_t pixels() const {
-        const RasterGrid& grid = layers.layers.grid();
+        const RasterGrid& grid = drawable.layers().layers.grid();
         return static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
     }
 
     SimulatedFrame frame;
-    std::optional<CrossFade> fade;
     DistanceNeeds needs;
-    ShownLayers layers;
+    DrawableFrame drawable;
     int uses = 0;
     std::mutex mutex;  // held while a map is drawn
 };
@@ -190,13 +179,13 @@ Painter::DrawnMap Painter::drawn(const Preset& preset,
     const bool has_range = fit_range(preset, request, reduced.options);
     const Map& map = find_map(request.map);
     const std::scoped_lock lock(frame.mutex);
-    DrawnMap drawn{texgen::draw(map, frame.layers, reduced.options), has_range};
+    DrawnMap drawn{texgen::draw(map, frame.drawable.layers(), reduced.options), has_range};
     if (!has_range) {
         fit_to_picture(std::get<NumberPixels>(drawn.image),
                        range_option_of(map, reduced.options)->value);
     }
     if (map.name == kHeightMap.name) {
-        drawn.unit_width = height_unit(frame.layers.layers, reduced.options.relief);
+        drawn.unit_width = height_unit(frame.drawable.layers().layers, reduced.options.relief);
     }
     drawn.is_exact = has_range && request.quality != PictureQuality::Draft;
     return drawn;
@@ -247,7 +236,7 @@ Json Painter::pick(const Preset& preset, const PictureRequest& request, int x, i
         picked["color"] = color_text({pixel[0], pixel[1], pixel[2]});
     }
     const std::scoped_lock lock(frame->mutex);
-    FrameLayers& layers = frame->layers.layers;
+    FrameLayers& layers = frame->drawable.layers().layers;
     const std::uint32_t id = layers.distance().ids.pixel(x, row)[0];
     const Frame& foam = layers.frame();
     if (id < foam.bubbles.size()) {

@@ -87,6 +87,12 @@ RC_GTEST_PROP(FrameRange, RoundTrips, ()) {
     RC_ASSERT(parse_frame_range(format_frame_range(frames)) == frames);
 }
 
+TEST(FrameRange, OfNoTextIsAllFrames) {
+    EXPECT_EQ(frames_or_all("", 3), (Frames{1, 2, 3}));
+    EXPECT_EQ(frames_or_all("2,5", 3), (Frames{2, 5}));
+    EXPECT_THROW(frames_or_all("x", 3), std::invalid_argument);
+}
+
 RC_GTEST_PROP(FrameRange, XAndYPartitionTheRange, ()) {
     const int last = *rc::gen::inRange(2, 60);
     const int step = *rc::gen::inRange(2, 9);
