@@ -35,6 +35,12 @@ TEST(Program, PrintsItsVersionAndLicenses) {
     EXPECT_NE(out.find("CC0-1.0"), std::string::npos);
 }
 
+// The version has one place, CMakeLists.txt; this page must follow.
+TEST(Program, HasTheVersionOfTheCitation) {
+    const std::string page = file_content(foam::test::readme().parent_path() / "CITATION.cff");
+    EXPECT_NE(page.find("\nversion: " FOAMTEX_VERSION "\n"), std::string::npos);
+}
+
 // What a report about a fault needs.
 TEST(Program, PrintsTheFactsOfItsBuild) {
     for (const char* const arguments : {"--version --verbose", "--verbose --version"}) {

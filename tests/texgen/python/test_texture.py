@@ -136,6 +136,19 @@ def test_no_memory_is_lost_over_10000_frames():
     assert draw(9000) - before < 4096
 
 
+def test_no_memory_is_lost_over_a_simulation_of_10000_frames():
+    values = {**SMALL, "foam.bubbles": 16, "image.size": [16, 16], "frames.count": 10000, "loop.kind": "none",
+              "dynamics.kappa": 0}
+    before = None
+    for frame in foamtex.Preset("relax", values).simulate(threads=1):
+        frame.map("pressure")
+        frame.bubbles["area"].sum()
+        if frame.number == 1000:
+            before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    assert frame.number == 10000
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 4096
+
+
 def test_no_memory_is_lost_over_many_simulations():
     def run(count):
         for _ in range(count):
