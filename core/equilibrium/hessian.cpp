@@ -20,7 +20,7 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024;  // films per chunk
+constexpr std::size_t kFilmsPerChunk = 1024;
 
 using FilmMatrix = Eigen::Matrix<double, 6, 6>;
 using OuterFilmMatrix = Eigen::Matrix<double, 7, 7>;
@@ -264,7 +264,7 @@ void Hessian::add_outer_film(const FilmSlots& slots, const Foam& foam, FilmId fi
 
 const Eigen::SparseMatrix<double>& Hessian::evaluate(const Foam& foam, int threads) {
     std::vector<FilmEnergyHessian> films(slots_.size());
-    parallel_for(films.size(), kGrain, threads, [&](std::size_t first, std::size_t last) {
+    parallel_for(films.size(), kFilmsPerChunk, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const HalfEdgeId h = forward_side(unknowns_.films[k]);
             if (!foam.network.is_outer(unknowns_.films[k])) {

@@ -15,11 +15,11 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024;  // films or bubbles per chunk
+constexpr std::size_t kItemsPerChunk = 1024;  // films or bubbles
 
 template <class Body>
 void for_each_index(std::size_t count, int threads, const Body& body) {
-    parallel_for(count, kGrain, threads, [&](std::size_t first, std::size_t last) {
+    parallel_for(count, kItemsPerChunk, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             body(k);
         }

@@ -19,8 +19,8 @@ namespace {
 
 namespace bg = boost::geometry;
 
-using Point = bg::model::d2::point_xy<double>;
-using Polygon = bg::model::polygon<Point, false, true>;  // counter-clockwise, closed
+using BoostPoint = bg::model::d2::point_xy<double>;
+using Polygon = bg::model::polygon<BoostPoint, false, true>;  // counter-clockwise, closed
 
 constexpr int kCornersOfDisc = 360;
 // Smallest area of an outline in WKT, as a fraction of the square of its size. A row of a million
@@ -88,7 +88,7 @@ std::string reason_of(bg::validity_failure_type failure) {
 
 // Returns the longer side of the bounding box.
 double size_of(const Polygon& polygon) {
-    const auto box = bg::return_envelope<bg::model::box<Point>>(polygon);
+    const auto box = bg::return_envelope<bg::model::box<BoostPoint>>(polygon);
     return std::max(box.max_corner().x() - box.min_corner().x(),
                     box.max_corner().y() - box.min_corner().y());
 }
@@ -193,13 +193,13 @@ double bounding_aspect(std::span<const Outline> parts) {
 }
 
 Vec2 outline_centroid(const Outline& outline) {
-    Point center(0.0, 0.0);
+    BoostPoint center(0.0, 0.0);
     bg::centroid(polygon_of(outline), center);
     return {center.x(), center.y()};
 }
 
 bool is_inside(const Outline& outline, const Vec2& point) {
-    return bg::within(Point(point.x(), point.y()), polygon_of(outline));
+    return bg::within(BoostPoint(point.x(), point.y()), polygon_of(outline));
 }
 
 std::vector<std::vector<Vec2>> clipped(const Outline& outline, const std::vector<Vec2>& polygon) {

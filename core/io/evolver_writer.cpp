@@ -30,9 +30,9 @@ Indexed<Id, int> numbers(const LiveRange<Id>& live, std::size_t slots) {
     return result;
 }
 
-class Writer {
+class EvolverWriter {
   public:
-    Writer(const Foam& foam, EvolverEdges edges)
+    EvolverWriter(const Foam& foam, EvolverEdges edges)
         : foam_(foam),
           arcs_(edges == EvolverEdges::Arcs),
           junctions_(numbers(foam.network.junctions(), foam.network.junction_slots())),
@@ -195,7 +195,7 @@ std::string write_evolver(const Foam& foam, EvolverEdges edges) {
                         "use a .json file",
                         foam.lone_bubbles.size()));
     }
-    return Writer(foam, edges).write();
+    return EvolverWriter(foam, edges).write();
 }
 
 }  // namespace foam

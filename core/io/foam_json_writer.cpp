@@ -26,26 +26,26 @@ std::string real(double number) {
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-class Writer {
+class FoamJsonWriter {
   public:
-    explicit Writer(const Foam& foam) : foam_(foam) {}
+    explicit FoamJsonWriter(const Foam& foam) : foam_(foam) {}
 
     std::string write() {
         put("{{\n\"format\": \"foamtex-foam\",\n\"version\": {},\n", needs_version_2() ? 2 : 1);
         put_torus();
         put("\"film_tension\": {},\n\"time\": {},\n", real(foam_.film_tension), real(foam_.time));
         put("\"next_identity\": {},\n", foam_.next_identity);
-        put_rows("junctions", foam_.network.junctions(), &Writer::put_junction);
+        put_rows("junctions", foam_.network.junctions(), &FoamJsonWriter::put_junction);
         put(",\n");
-        put_rows("films", foam_.network.films(), &Writer::put_film);
+        put_rows("films", foam_.network.films(), &FoamJsonWriter::put_film);
         put(",\n");
-        put_rows("bubbles", foam_.network.bubbles(), &Writer::put_bubble);
+        put_rows("bubbles", foam_.network.bubbles(), &FoamJsonWriter::put_bubble);
         if (is_patch()) {
             put(",\n");
             put_ghost();
-            put_rows("half_angles", foam_.network.films(), &Writer::put_half_angle);
+            put_rows("half_angles", foam_.network.films(), &FoamJsonWriter::put_half_angle);
             put(",\n");
-            put_rows("lone_bubbles", foam_.lone_bubbles, &Writer::put_lone_bubble);
+            put_rows("lone_bubbles", foam_.lone_bubbles, &FoamJsonWriter::put_lone_bubble);
         }
         put("\n}}\n");
         return std::move(text_);
@@ -71,7 +71,7 @@ class Writer {
     }
 
     template <class Rows, class Row>
-    void put_rows(const char* name, const Rows& rows, void (Writer::*put_row)(Row)) {
+    void put_rows(const char* name, const Rows& rows, void (FoamJsonWriter::*put_row)(Row)) {
         put("\"{}\": [", name);
         const char* separator = "\n";
         for (const auto& row : rows) {
@@ -141,11 +141,11 @@ class Writer {
 
 std::string write_foam_json(const Foam& foam) {
     if (foam.network.is_compact()) {
-        return Writer(foam).write();
+        return FoamJsonWriter(foam).write();
     }
     Foam compacted = foam;
     compact(compacted);
-    return Writer(compacted).write();
+    return FoamJsonWriter(compacted).write();
 }
 
 }  // namespace foam

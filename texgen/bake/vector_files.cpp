@@ -16,7 +16,7 @@ namespace {
     throw std::invalid_argument(fmt::format("{} files {}", format.name, reason));
 }
 
-constexpr const char* kCrossFade =
+constexpr const char* kNoCrossFade =
     "cannot show the frames of the loop \"flow\", which fade from one foam into another; set "
     "loop.kind to another loop, or to \"none\"";
 
@@ -73,7 +73,7 @@ void check_vector_files(const Preset& preset) {
         reject(*format, "have no pixels, so output.sheets must be \"none\"");
     }
     if (preset.loop.is_cross_faded()) {
-        reject(*format, kCrossFade);
+        reject(*format, kNoCrossFade);
     }
     format->check(vector_settings(preset));
 }
@@ -83,7 +83,7 @@ std::string encode_vector(const VectorFormat& format,
                           const Preset& preset,
                           std::string_view part) {
     if (shown.fading_in.frame) {
-        reject(format, kCrossFade);
+        reject(format, kNoCrossFade);
     }
     const RasterGrid grid{preset.image.width, preset.image.height, 0, 0, shown.view};
     FrameLayers layers(shown.input({}), grid, 1);

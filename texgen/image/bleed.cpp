@@ -23,7 +23,7 @@ namespace {
 // opacities of these pixels.
 using Texel = std::array<float, 4>;
 
-struct Level {
+struct ColorLevel {
     int width = 0;
     int height = 0;
     std::vector<Texel> texels;
@@ -73,8 +73,8 @@ Texel mean_of_four(int width, int height, const Finer& finer, int x, int y) {
 // Returns the next coarser level. The finer level has the given width and height, and finer(x, y)
 // returns its texel (x, y).
 template <class Finer>
-Level halved(int width, int height, const Finer& finer) {
-    Level level{(width + 1) / 2, (height + 1) / 2, {}};
+ColorLevel halved(int width, int height, const Finer& finer) {
+    ColorLevel level{(width + 1) / 2, (height + 1) / 2, {}};
     level.texels.reserve(static_cast<std::size_t>(level.width) *
                          static_cast<std::size_t>(level.height));
     for (int y = 0; y < height; y += 2) {
@@ -87,11 +87,11 @@ Level halved(int width, int height, const Finer& finer) {
 
 // Returns all levels that are coarser than the image, from fine to coarse. The last level has one
 // texel.
-std::vector<Level> coarser_levels(ImageView<std::uint16_t> image) {
-    std::vector<Level> levels{
+std::vector<ColorLevel> coarser_levels(ImageView<std::uint16_t> image) {
+    std::vector<ColorLevel> levels{
         halved(image.width(), image.height(), [&](int x, int y) { return texel_of(image, x, y); })};
     while (levels.back().texels.size() > 1) {
-        Level& finer = levels.back();
+        ColorLevel& finer = levels.back();
         levels.push_back(
             halved(finer.width, finer.height, [&](int x, int y) { return finer.at(x, y); }));
     }
@@ -103,7 +103,7 @@ void take_color(Texel& texel, const Texel& from) {
 }
 
 // Gives every texel without opacity the color of the coarser texel that contains it.
-void bleed_into(Level& level, Level& coarser) {
+void bleed_into(ColorLevel& level, ColorLevel& coarser) {
     for (int y = 0; y < level.height; ++y) {
         for (int x = 0; x < level.width; ++x) {
             Texel& texel = level.at(x, y);
@@ -127,7 +127,7 @@ Texel mean_around(ImageView<std::uint16_t> image, int x, int y) {
 
 // Returns true if the coarser texels that cover a pixel and its eight neighbors have no opacity. In
 // this case mean_around would return an opacity of 0, too, and need not be called.
-bool is_clear_around(Level& coarser, int x, int y) {
+bool is_clear_around(ColorLevel& coarser, int x, int y) {
     const int right = std::min((x + 1) / 2, coarser.width - 1);
     const int above = std::min((y + 1) / 2, coarser.height - 1);
     const int left = std::max(x - 1, 0) / 2;
@@ -138,7 +138,7 @@ bool is_clear_around(Level& coarser, int x, int y) {
 
 // Gives every pixel without opacity the mean color of its neighbors, or else the color of the
 // coarser texel that contains it.
-void bleed_into(ImageView<std::uint16_t> image, Level& coarser) {
+void bleed_into(ImageView<std::uint16_t> image, ColorLevel& coarser) {
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x) {
             const auto pixel = image.pixel(x, y);
@@ -158,7 +158,7 @@ void bleed_into(ImageView<std::uint16_t> image, Level& coarser) {
 }  // namespace
 
 void bleed_colors(ImageView<std::uint16_t> image, const std::array<std::uint16_t, 3>& fallback) {
-    std::vector<Level> levels = coarser_levels(image);
+    std::vector<ColorLevel> levels = coarser_levels(image);
     Texel& last = levels.back().texels.front();
     if (last[3] == 0.0F) {
         std::copy(fallback.begin(), fallback.end(), last.begin());

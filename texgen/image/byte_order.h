@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,7 +11,7 @@
 namespace foam::texgen {
 
 /// Returns the bytes of an unsigned integer, the most significant byte first.
-template <class Number>
+template <std::unsigned_integral Number>
 std::array<std::byte, sizeof(Number)> big_endian(Number number) {
     std::array<std::byte, sizeof(Number)> bytes{};
     for (std::size_t k = 0; k < bytes.size(); ++k) {
@@ -20,7 +21,7 @@ std::array<std::byte, sizeof(Number)> big_endian(Number number) {
 }
 
 /// Returns the bytes of an unsigned integer, the least significant byte first.
-template <class Number>
+template <std::unsigned_integral Number>
 std::array<std::byte, sizeof(Number)> little_endian(Number number) {
     std::array<std::byte, sizeof(Number)> bytes{};
     for (std::size_t k = 0; k < bytes.size(); ++k) {

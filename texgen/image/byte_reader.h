@@ -5,15 +5,16 @@
 #include "core/files/file_io.h"
 #include "texgen/image/byte_order.h"
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace foam::texgen {
 
-/// Appends unsigned integers, the least significant byte first.
-template <class Number>
-void append(Bytes& bytes, Number number) {
+/// Appends an unsigned integer, the least significant byte first.
+template <std::unsigned_integral Number>
+void append_number(Bytes& bytes, Number number) {
     const auto more = little_endian(number);
     bytes.insert(bytes.end(), more.begin(), more.end());
 }

@@ -38,12 +38,12 @@ std::uint32_t model_of(PixelFormat format) {
 // Appends the description of a sample: its position in a texel or block, and its channel.
 void append_sample(
     Bytes& bytes, int offset, int bits, std::uint32_t channel, std::uint32_t largest) {
-    append(bytes,
-           static_cast<std::uint32_t>(offset) | static_cast<std::uint32_t>(bits - 1) << 16U |
-               channel << 24U);
-    append(bytes, std::uint32_t{0});  // position within the texel
-    append(bytes, std::uint32_t{0});  // smallest value
-    append(bytes, largest);
+    append_number(bytes,
+                  static_cast<std::uint32_t>(offset) | static_cast<std::uint32_t>(bits - 1) << 16U |
+                      channel << 24U);
+    append_number(bytes, std::uint32_t{0});  // position within the texel
+    append_number(bytes, std::uint32_t{0});  // smallest value
+    append_number(bytes, largest);
 }
 
 Bytes samples_of(const PixelFormatFacts& facts) {
@@ -75,15 +75,15 @@ Bytes data_format_descriptor(PixelFormat format) {
     const Bytes samples = samples_of(facts);
     const auto block_bytes = static_cast<std::uint32_t>(24 + samples.size());
     Bytes bytes;
-    append(bytes, block_bytes + 4);          // size of the descriptor
-    append(bytes, std::uint32_t{0});         // basic descriptor of Khronos
-    append(bytes, 2U | block_bytes << 16U);  // version of the descriptor
-    append(bytes,
-           model_of(format) | kPrimariesBt709 << 8U |
-               (facts.is_srgb ? kTransferSrgb : kTransferLinear) << 16U);
-    append(bytes, facts.is_compressed ? 0x303U : 0U);  // extents of a block, minus 1
-    append(bytes, static_cast<std::uint32_t>(facts.unit_bytes));
-    append(bytes, std::uint32_t{0});
+    append_number(bytes, block_bytes + 4);          // size of the descriptor
+    append_number(bytes, std::uint32_t{0});         // basic descriptor of Khronos
+    append_number(bytes, 2U | block_bytes << 16U);  // version of the descriptor
+    append_number(bytes,
+                  model_of(format) | kPrimariesBt709 << 8U |
+                      (facts.is_srgb ? kTransferSrgb : kTransferLinear) << 16U);
+    append_number(bytes, facts.is_compressed ? 0x303U : 0U);  // extents of a block, minus 1
+    append_number(bytes, static_cast<std::uint32_t>(facts.unit_bytes));
+    append_number(bytes, std::uint32_t{0});
     bytes.insert(bytes.end(), samples.begin(), samples.end());
     return bytes;
 }

@@ -18,8 +18,8 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::uint32_t kMagic = 0x20534444;  // "DDS "
-constexpr std::uint32_t kHeaderBytes = 124;
+constexpr std::uint32_t kDdsMagic = 0x20534444;  // "DDS "
+constexpr std::uint32_t kDdsHeaderBytes = 124;
 constexpr std::uint32_t kFormatBytes = 32;   // of the old description of the pixel format
 constexpr std::uint32_t kFourCc = 0x4;       // flag: the old description names a format
 constexpr std::uint32_t kDx10 = 0x30315844;  // "DX10": there is a second header
@@ -40,7 +40,7 @@ constexpr std::uint32_t kCube = 0x4;
 constexpr std::uint32_t kStraightAlpha = 1;
 constexpr std::uint32_t kOpaque = 3;
 
-void check(bool holds, const char* reason) {
+void check_dds(bool holds, const char* reason) {
     if (!holds) {
         throw InputError(fmt::format("malformed DDS: {}", reason));
     }
@@ -55,8 +55,8 @@ Bytes encode_dds(const GpuTexture& texture) {
     const auto row_bytes = static_cast<std::uint32_t>(facts.unit_bytes * width);
     const auto whole_bytes = static_cast<std::uint32_t>(texture.layers.front().front().size());
     const std::array<std::uint32_t, 32> header = {
-        kMagic,
-        kHeaderBytes,
+        kDdsMagic,
+        kDdsHeaderBytes,
         kAlways | (levels > 1 ? kMipLevels : 0) | (facts.is_compressed ? kImageBytes : kRowBytes),
         static_cast<std::uint32_t>(texture.height),
         width,
@@ -94,10 +94,10 @@ Bytes encode_dds(const GpuTexture& texture) {
                                                  texture.opaque ? kOpaque : kStraightAlpha};
     Bytes bytes;
     for (const std::uint32_t number : header) {
-        append(bytes, number);
+        append_number(bytes, number);
     }
     for (const std::uint32_t number : second) {
-        append(bytes, number);
+        append_number(bytes, number);
     }
     for (const std::vector<Bytes>& layer : texture.layers) {
         for (const Bytes& level : layer) {
@@ -109,12 +109,12 @@ Bytes encode_dds(const GpuTexture& texture) {
 
 GpuTexture decode_dds(std::span<const std::byte> content) {
     ByteReader reader(content);
-    check(reader.number() == kMagic, "the file does not begin with \"DDS \"");
+    check_dds(reader.number() == kDdsMagic, "the file does not begin with \"DDS \"");
     std::array<std::uint32_t, 31> header{};
     for (std::uint32_t& number : header) {
         number = reader.number();
     }
-    check(header[0] == kHeaderBytes, "the header has another size");
+    check_dds(header[0] == kDdsHeaderBytes, "the header has another size");
     if (header[20] != kDx10) {
         throw InputError("the DDS has no header of Direct3D 10 (DX10), which foamtex needs");
     }
@@ -124,8 +124,8 @@ GpuTexture decode_dds(std::span<const std::byte> content) {
         throw InputError(
             fmt::format("the DDS has the pixel format {}, which foamtex does not read", number));
     }
-    check(reader.number() == kTwoDimensional, "the texture is not two-dimensional");
-    check((reader.number() & kCube) == 0, "the texture is a cube");
+    check_dds(reader.number() == kTwoDimensional, "the texture is not two-dimensional");
+    check_dds((reader.number() & kCube) == 0, "the texture is a cube");
     const std::uint32_t layers = reader.number();
     const std::uint32_t alpha = reader.number();
     const std::uint32_t levels = std::max(header[6], 1U);
@@ -144,7 +144,7 @@ GpuTexture decode_dds(std::span<const std::byte> content) {
             layer.emplace_back(image.begin(), image.end());
         }
     }
-    check(reader.remaining() == 0, "the file is longer than its images");
+    check_dds(reader.remaining() == 0, "the file is longer than its images");
     return texture;
 }
 

@@ -22,7 +22,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::size_t kPreamble = 8;  // bytes: the magic number and the version
-constexpr std::uint32_t kMagic = 20000630;
+constexpr std::uint32_t kExrMagic = 20000630;
 // An EXR contains a table with the position of each block. A block is a tile, or the rows that are
 // compressed together. This is the number of bytes of a position.
 constexpr double kBytesOfOffset = 8.0;
@@ -146,7 +146,7 @@ Imf::Header read_header(std::span<const std::byte> content) {
     }
     std::memcpy(preamble.data(), content.data(), kPreamble);
     auto version = static_cast<int>(preamble[1]);
-    if (preamble[0] != kMagic || Imf::getVersion(version) != Imf::EXR_VERSION) {
+    if (preamble[0] != kExrMagic || Imf::getVersion(version) != Imf::EXR_VERSION) {
         reject("not an EXR of version 2");
     }
     if (Imf::isMultiPart(version) || Imf::isNonImage(version)) {

@@ -39,7 +39,7 @@ const TextureFormat* find_ktx2() {
     return find_texture_format(".ktx2");
 }
 
-constexpr std::array kFormats = {
+constexpr std::array kImageFormats = {
     ImageFormat{
         .name = "PNG",
         .suffix = ".png",
@@ -63,9 +63,9 @@ constexpr std::array kFormats = {
 /// Returns the values of one member of all formats as a text such as "a, b or c".
 std::string alternatives(std::string_view ImageFormat::*word) {
     std::string list;
-    for (std::size_t k = 0; k < kFormats.size(); ++k) {
-        list += k == 0 ? "" : k + 1 < kFormats.size() ? ", " : " or ";
-        list += kFormats.at(k).*word;
+    for (std::size_t k = 0; k < kImageFormats.size(); ++k) {
+        list += k == 0 ? "" : k + 1 < kImageFormats.size() ? ", " : " or ";
+        list += kImageFormats.at(k).*word;
     }
     return list;
 }
@@ -73,13 +73,14 @@ std::string alternatives(std::string_view ImageFormat::*word) {
 }  // namespace
 
 std::span<const ImageFormat> image_formats() {
-    return kFormats;
+    return kImageFormats;
 }
 
 const ImageFormat* find_format(std::string_view file_name) {
-    const auto* const found = std::ranges::find_if(
-        kFormats, [&](const ImageFormat& format) { return has_suffix(file_name, format.suffix); });
-    return found != kFormats.end() ? found : nullptr;
+    const auto* const found = std::ranges::find_if(kImageFormats, [&](const ImageFormat& format) {
+        return has_suffix(file_name, format.suffix);
+    });
+    return found != kImageFormats.end() ? found : nullptr;
 }
 
 std::string format_suffixes() {

@@ -56,7 +56,7 @@ Bytes plain_texels(const Texels<Code>& texels, int channels) {
                   sizeof(Code));
     for (int y = 0; y < texels.height(); ++y) {
         for (int x = 0; x < texels.width() * channels; ++x) {
-            append(bytes, texels.at(x / channels, y, x % channels));
+            append_number(bytes, texels.at(x / channels, y, x % channels));
         }
     }
     return bytes;

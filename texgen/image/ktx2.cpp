@@ -30,7 +30,7 @@ namespace {
 
 constexpr std::array<std::uint8_t, 12> kIdentifier = {
     0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb, '\r', '\n', 0x1a, '\n'};
-constexpr std::size_t kHeaderBytes = 80;      // identifier, header and index without its levels
+constexpr std::size_t kKtx2HeaderBytes = 80;  // identifier, header and index without its levels
 constexpr std::size_t kLevelEntryBytes = 24;  // an entry of the index of levels
 constexpr std::uint32_t kZstandard = 2;       // scheme of supercompression
 constexpr int kZstandardLevel = 5;
@@ -41,7 +41,7 @@ constexpr std::size_t kLargestRatio = 32768;
 constexpr std::string_view kAnimation = "KTXanimData";
 constexpr std::size_t kAnimationBytes = 12;  // duration of a frame, time units per second, loops
 
-void check(bool holds, const char* reason) {
+void check_ktx2(bool holds, const char* reason) {
     if (!holds) {
         throw InputError(fmt::format("malformed KTX2: {}", reason));
     }
@@ -55,9 +55,9 @@ void pad(Bytes& bytes, std::size_t unit) {
 // Returns the value of KTXanimData. The number of loops is 0 for an animation without an end.
 std::string animation_value(const TextureAnimation& animation) {
     Bytes bytes;
-    append(bytes, static_cast<std::uint32_t>(animation.rate.seconds));
-    append(bytes, static_cast<std::uint32_t>(animation.rate.frames));
-    append(bytes, animation.repeats ? 0U : 1U);
+    append_number(bytes, static_cast<std::uint32_t>(animation.rate.seconds));
+    append_number(bytes, static_cast<std::uint32_t>(animation.rate.frames));
+    append_number(bytes, animation.repeats ? 0U : 1U);
     return std::string(as_text(bytes));
 }
 
@@ -79,7 +79,7 @@ Bytes key_value_data(const GpuTexture& texture) {
     }
     Bytes bytes;
     for (const auto& [key, value] : values) {
-        append(bytes, static_cast<std::uint32_t>(key.size() + 1 + value.size()));
+        append_number(bytes, static_cast<std::uint32_t>(key.size() + 1 + value.size()));
         const std::string entry = fmt::format("{}{}{}", key, '\0', value);
         const auto characters = std::as_bytes(std::span(entry));
         bytes.insert(bytes.end(), characters.begin(), characters.end());
@@ -113,7 +113,7 @@ Bytes decompressed(std::span<const std::byte> packed, std::size_t size) {
     Bytes bytes(size);
     const std::size_t found =
         ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
-    check(ZSTD_isError(found) == 0 && found == size, "a mip level cannot be decompressed");
+    check_ktx2(ZSTD_isError(found) == 0 && found == size, "a mip level cannot be decompressed");
     return bytes;
 }
 
@@ -125,8 +125,8 @@ struct LevelEntry {
 };
 
 void append_sized(Bytes& bytes, std::size_t offset, std::size_t size) {
-    append(bytes, static_cast<std::uint32_t>(offset));
-    append(bytes, static_cast<std::uint32_t>(size));
+    append_number(bytes, static_cast<std::uint32_t>(offset));
+    append_number(bytes, static_cast<std::uint32_t>(size));
 }
 
 Bytes header_of(const GpuTexture& texture, std::size_t descriptor_bytes, std::size_t value_bytes) {
@@ -146,25 +146,25 @@ Bytes header_of(const GpuTexture& texture, std::size_t descriptor_bytes, std::si
           1U,  // faces
           levels,
           kZstandard}) {
-        append(bytes, number);
+        append_number(bytes, number);
     }
-    const std::size_t descriptor = kHeaderBytes + levels * kLevelEntryBytes;
+    const std::size_t descriptor = kKtx2HeaderBytes + levels * kLevelEntryBytes;
     append_sized(bytes, descriptor, descriptor_bytes);
     append_sized(bytes, descriptor + descriptor_bytes, value_bytes);
-    append(bytes, std::uint64_t{0});  // there are no global data of the supercompression
-    append(bytes, std::uint64_t{0});
+    append_number(bytes, std::uint64_t{0});  // there are no global data of the supercompression
+    append_number(bytes, std::uint64_t{0});
     return bytes;
 }
 
 // Reads the value of KTXanimData.
 TextureAnimation animation_in(std::span<const std::byte> value) {
-    check(value.size() == kAnimationBytes, "KTXanimData has another size than 12 bytes");
+    check_ktx2(value.size() == kAnimationBytes, "KTXanimData has another size than 12 bytes");
     ByteReader reader(value);
     const std::uint32_t duration = reader.number();
     const std::uint32_t timescale = reader.number();
     constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
-    check(duration > 0 && timescale > 0 && duration <= kMost && timescale <= kMost,
-          "KTXanimData gives no frame rate");
+    check_ktx2(duration > 0 && timescale > 0 && duration <= kMost && timescale <= kMost,
+               "KTXanimData gives no frame rate");
     return {.rate = {static_cast<int>(timescale), static_cast<int>(duration)},
             .repeats = reader.number() != 1};
 }
@@ -177,7 +177,7 @@ void read_values(std::span<const std::byte> data, GpuTexture& texture) {
         const auto entry = reader.take(size);
         reader.take(std::min<std::size_t>((4 - size % 4) % 4, reader.remaining()));
         const auto end = std::ranges::find(entry, std::byte{0});
-        check(end != entry.end(), "a key has no end");
+        check_ktx2(end != entry.end(), "a key has no end");
         const auto key_size = static_cast<std::size_t>(end - entry.begin());
         const std::string key(as_text(entry.first(key_size)));
         const auto value_bytes = entry.subspan(key_size + 1);
@@ -199,8 +199,8 @@ void read_values(std::span<const std::byte> data, GpuTexture& texture) {
 std::span<const std::byte> part_of(std::span<const std::byte> content,
                                    std::uint64_t offset,
                                    std::uint64_t size) {
-    check(offset <= content.size() && size <= content.size() - offset,
-          "a part is outside of the file");
+    check_ktx2(offset <= content.size() && size <= content.size() - offset,
+               "a part is outside of the file");
     return content.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
@@ -211,11 +211,11 @@ void read_level(std::span<const std::byte> packed,
                 GpuTexture& texture) {
     const std::size_t image = image_bytes(
         texture.format, level_extent(texture.width, level), level_extent(texture.height, level));
-    check(uncompressed == image * texture.layers.size() && uncompressed <= kMostLevelBytes,
-          "a mip level has another size than its images");
+    check_ktx2(uncompressed == image * texture.layers.size() && uncompressed <= kMostLevelBytes,
+               "a mip level has another size than its images");
     const unsigned long long claimed = ZSTD_getFrameContentSize(packed.data(), packed.size());
-    check(claimed == uncompressed && uncompressed / kLargestRatio <= packed.size(),
-          "a mip level is not compressed as the index says");
+    check_ktx2(claimed == uncompressed && uncompressed / kLargestRatio <= packed.size(),
+               "a mip level is not compressed as the index says");
     const Bytes bytes = decompressed(packed, static_cast<std::size_t>(uncompressed));
     for (std::size_t k = 0; k < texture.layers.size(); ++k) {
         const auto part = std::span(bytes).subspan(k * image, image);
@@ -241,9 +241,9 @@ Bytes encode_ktx2(const GpuTexture& texture) {
         offset += packed[level].size();
     }
     for (const LevelEntry& entry : entries) {
-        append(file, entry.offset);
-        append(file, entry.bytes);
-        append(file, entry.uncompressed);
+        append_number(file, entry.offset);
+        append_number(file, entry.bytes);
+        append_number(file, entry.uncompressed);
     }
     file.insert(file.end(), descriptor.begin(), descriptor.end());
     file.insert(file.end(), values.begin(), values.end());
@@ -256,8 +256,8 @@ Bytes encode_ktx2(const GpuTexture& texture) {
 GpuTexture decode_ktx2(std::span<const std::byte> content) {
     ByteReader reader(content);
     const auto identifier = reader.take(kIdentifier.size());
-    check(std::ranges::equal(identifier, std::as_bytes(std::span(kIdentifier))),
-          "the file does not begin with the identifier");
+    check_ktx2(std::ranges::equal(identifier, std::as_bytes(std::span(kIdentifier))),
+               "the file does not begin with the identifier");
     const std::uint32_t vulkan = reader.number();
     const std::optional<PixelFormat> format = find_vulkan_format(vulkan);
     if (!format) {
@@ -267,12 +267,12 @@ GpuTexture decode_ktx2(std::span<const std::byte> content) {
     reader.number();  // size of the data type
     const std::uint32_t width = reader.number();
     const std::uint32_t height = reader.number();
-    check(reader.number() == 0, "the texture is a volume");
+    check_ktx2(reader.number() == 0, "the texture is a volume");
     const std::uint32_t layers = reader.number();
-    check(reader.number() == 1, "the texture is a cube");
+    check_ktx2(reader.number() == 1, "the texture is a cube");
     const std::uint32_t levels = reader.number();
     check_texture_size("KTX2", width, height, levels, std::max(layers, 1U));
-    check(reader.number() == kZstandard, "it is not compressed with Zstandard");
+    check_ktx2(reader.number() == kZstandard, "it is not compressed with Zstandard");
     reader.take(8);  // position of the data format descriptor
     const std::uint32_t values_offset = reader.number();
     const std::uint32_t values_bytes = reader.number();

@@ -59,8 +59,8 @@ int ChannelGroup::channels() const {
 }
 
 std::string_view code_channel_names(int channels) {
-    constexpr std::array<std::string_view, 4> kNames = {"Y", "YA", "RGB", "RGBA"};
-    return kNames.at(static_cast<std::size_t>(channels - 1));
+    constexpr std::array<std::string_view, 4> kLetters = {"Y", "YA", "RGB", "RGBA"};
+    return kLetters.at(static_cast<std::size_t>(channels - 1));
 }
 
 ChannelGroup code_channels(Image<std::uint8_t> codes) {

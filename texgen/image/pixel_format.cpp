@@ -14,7 +14,7 @@ namespace {
 
 // The numbers are those of DXGI_FORMAT in dxgiformat.h and of VkFormat in the Vulkan specification.
 // In the order of PixelFormat.
-constexpr std::array<PixelFormatFacts, 10> kFormats{
+constexpr std::array<PixelFormatFacts, 10> kFormatFacts{
     {{PixelFormat::R8, "R8_UNORM", 61, 9, 1, 8, false, false, 1},
      {PixelFormat::R16, "R16_UNORM", 56, 70, 1, 16, false, false, 2},
      {PixelFormat::Rg16, "R16G16_UNORM", 35, 77, 2, 16, false, false, 4},
@@ -28,14 +28,14 @@ constexpr std::array<PixelFormatFacts, 10> kFormats{
 
 std::optional<PixelFormat> find_format_by(std::uint32_t PixelFormatFacts::*member,
                                           std::uint32_t number) {
-    const auto* const found = std::ranges::find(kFormats, number, member);
-    return found != kFormats.end() ? std::optional(found->format) : std::nullopt;
+    const auto* const found = std::ranges::find(kFormatFacts, number, member);
+    return found != kFormatFacts.end() ? std::optional(found->format) : std::nullopt;
 }
 
 }  // namespace
 
 const PixelFormatFacts& facts_of(PixelFormat format) {
-    return kFormats.at(static_cast<std::size_t>(format));
+    return kFormatFacts.at(static_cast<std::size_t>(format));
 }
 
 std::optional<PixelFormat> find_dxgi_format(std::uint32_t number) {

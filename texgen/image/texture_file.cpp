@@ -15,16 +15,16 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::array kFormats = {TextureFormat{".dds", encode_dds, decode_dds},
-                                 TextureFormat{".ktx2", encode_ktx2, decode_ktx2}};
+constexpr std::array kTextureFormats = {TextureFormat{".dds", encode_dds, decode_dds},
+                                        TextureFormat{".ktx2", encode_ktx2, decode_ktx2}};
 
 }  // namespace
 
 const TextureFormat* find_texture_format(std::string_view file_name) {
-    const auto* const found = std::ranges::find_if(kFormats, [&](const TextureFormat& format) {
-        return has_suffix(file_name, format.suffix);
-    });
-    return found != kFormats.end() ? found : nullptr;
+    const auto* const found = std::ranges::find_if(
+        kTextureFormats,
+        [&](const TextureFormat& format) { return has_suffix(file_name, format.suffix); });
+    return found != kTextureFormats.end() ? found : nullptr;
 }
 
 Bytes encode_picture(const TextureFormat& format,

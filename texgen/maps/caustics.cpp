@@ -26,7 +26,7 @@ namespace {
 // overlap. Positions on the floor are integers and light is summed in integers, so that a shift of
 // the grid by whole pixels shifts the image exactly.
 
-constexpr double kIndex = 1.33;  // refractive index of water
+constexpr double kIndexOfWater = 1.33;  // of refraction
 // Positions on the floor are in units of 1 / kUnit of a pixel. kUnit is a multiple of twice every
 // number of rays per pixel (1 to 8), so that rays start at whole units.
 constexpr std::int64_t kUnit = 1680;
@@ -88,7 +88,8 @@ Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth,
     FrameLayers rays = layers.on_grid(finer(layers.grid(), samples), {.smooth = true});
     const Relief relief(rays, source, Relief::kFoot);
     const double diameter = relief.diameter() / samples;  // in pixels of the floor
-    const double reach = depth * diameter * (1.0 - 1.0 / kIndex) * static_cast<double>(kUnit);
+    const double reach =
+        depth * diameter * (1.0 - 1.0 / kIndexOfWater) * static_cast<double>(kUnit);
     const double farthest = kFarthest * static_cast<double>(kUnit);
     const PixelSlopes slopes = relief.slopes();
     Floor floor(layers.grid(), layers.frame().domain);

@@ -21,7 +21,7 @@ namespace {
 // smaller slopes are replaced by it, because a distance is divided by the slope. Smaller slopes
 // occur only near the middle of bubbles, which the edge of a film reaches only if the film nearly
 // fills its bubbles.
-constexpr double kFlattest = 0.05;
+constexpr double kSmallestSlope = 0.05;
 
 // Returns the fraction of every pixel that wet films cover. A wet film covers the points whose
 // smooth distance is below half its width. The signed distance from a pixel's center to the film's
@@ -42,7 +42,7 @@ Image<float> wet_films(FrameLayers& layers, double width) {
         for (std::size_t k = 0; k < count; ++k) {
             const auto x = static_cast<double>(slopes[2 * k]);
             const auto y = static_cast<double>(slopes[2 * k + 1]);
-            const double steepness = max_value(std::sqrt(x * x + y * y), kFlattest);
+            const double steepness = max_value(std::sqrt(x * x + y * y), kSmallestSlope);
             const double inside = half_width - static_cast<double>(distances[k]);
             const double part = 0.5 + inside / steepness;
             parts[k] = static_cast<float>(min_value(max_value(part, 0.0), 1.0));

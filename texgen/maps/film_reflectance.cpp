@@ -18,7 +18,7 @@ namespace {
 // XYZ color matching functions", 2013). The result is converted to linear sRGB and divided by the
 // color of a perfect mirror.
 
-constexpr double kIndex = 1.33;             // refractive index of soapy water
+constexpr double kIndexOfSoap = 1.33;       // refractive index of soapy water
 constexpr double kFirstWavelength = 380.0;  // shortest wavelength, nanometers
 constexpr double kWavelengthStep = 5.0;     // nanometers
 constexpr int kWavelengths = 81;            // number of wavelengths, up to 780 nanometers
@@ -61,9 +61,9 @@ LinearRgb to_rgb(const Xyz& c) {
 // Returns the fraction of light of one wavelength that a film reflects (Airy's sum). Thickness and
 // wavelength are in nanometers.
 double reflectance(double thickness, double wavelength) {
-    const double at_surface = (kIndex - 1.0) / (kIndex + 1.0);
+    const double at_surface = (kIndexOfSoap - 1.0) / (kIndexOfSoap + 1.0);
     const double once = at_surface * at_surface;
-    const double half_phase = 2.0 * std::numbers::pi * kIndex * thickness / wavelength;
+    const double half_phase = 2.0 * std::numbers::pi * kIndexOfSoap * thickness / wavelength;
     const double sine = ieee::sin(half_phase);
     const double interference = 4.0 * once * sine * sine;
     return interference / ((1.0 - once) * (1.0 - once) + interference);

@@ -22,7 +22,7 @@ namespace {
 
 // The smallest square of the slope of the smooth distance that is divided by. The slope is 1 on
 // films, and smaller only where no film is near.
-constexpr float kFlattest = 0.05F;
+constexpr float kSmallestSquare = 0.05F;
 
 float minmod(float a, float b) {
     if (a * b <= 0.0F) {
@@ -112,7 +112,7 @@ void ReliefSampler::write(const Vec2& offset, const ReliefPoints<float>& to) con
             for (std::size_t k = 0; k < count; ++k) {
                 const float x = gradient_x[k];
                 const float y = gradient_y[k];
-                const float square = max_value(x * x + y * y, kFlattest);
+                const float square = max_value(x * x + y * y, kSmallestSquare);
                 // The point is beyond the film if this factor is positive. Its mirror image is at
                 // the offset plus the factor times the gradient.
                 const float beyond =

@@ -63,7 +63,7 @@ bool is_bare(char c) {
 // Returns a part of a key as TOML writes it: in quotes if necessary.
 std::string key_part(std::string_view key) {
     const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), is_bare);
-    return bare ? std::string(key) : to_toml({std::string(key)});
+    return bare ? std::string(key) : to_toml(Value{std::string(key)});
 }
 
 // An assignment with its position in the document, by which assignments are sorted.
