@@ -23,14 +23,11 @@ export cache_dir=${XDG_CACHE_HOME:-$HOME/.cache}/foamtex/tidy
 # compiled_sources [PATTERN]...: prints the files of the compiler that are, or include, a source whose path matches
 # one of the patterns; without a pattern, all files.
 compiled_sources() {
-    local -a patterns=()
-    local file pattern
-    for pattern in "${@:-.}"; do
-        patterns+=(-e "$pattern")
-    done
+    local file patterns
+    patterns=$(printf '%s\n' "${@:-.}")  # one per line, as grep takes them
     sed -nE 's/^ *"file": "(.*)",?$/\1/p' "$build_dir/compile_commands.json" | sort -u |
         while read -r file; do
-            if sources_in "$file" | sed "s|^$root/||" | grep "${patterns[@]}" >/dev/null; then printf '%s\n' "$file"; fi
+            if sources_in "$file" | sed "s|^$root/||" | grep -e "$patterns" >/dev/null; then printf '%s\n' "$file"; fi
         done
 }
 
