@@ -26,7 +26,7 @@ namespace {
 // overlap. Positions on the floor are integers and light is summed in integers, so that a shift of
 // the grid by whole pixels shifts the image exactly.
 
-constexpr double kIndexOfWater = 1.33;  // of refraction
+constexpr double kIndexOfWater = 1.33;  // refractive index
 // Positions on the floor are in units of 1 / kUnit of a pixel. kUnit is a multiple of twice every
 // number of rays per pixel (1 to 8), so that rays start at whole units.
 constexpr std::int64_t kUnit = 1680;
