@@ -5,6 +5,7 @@
 #include "texgen/blocks/bc7_fit.h"
 #include "texgen/blocks/bc7_group.h"
 #include "texgen/blocks/bc7_modes.h"
+#include "texgen/blocks/bc7_own_indices.h"
 #include "texgen/blocks/bc7_pack.h"
 #include "texgen/blocks/bc7_partition.h"
 #include "texgen/blocks/lanes.h"
@@ -40,11 +41,6 @@ using Mode1 = Format<2, 3, 6, LowestBits::PerSubset, 3>;
 using Mode2 = Format<3, 3, 5, LowestBits::None, 2>;
 using Mode3 = Format<2, 3, 7, LowestBits::PerEndpoint, 2>;
 using Mode7 = Format<2, 4, 5, LowestBits::PerEndpoint, 2>;
-using Mode5Colors = Format<1, 3, 7, LowestBits::None, 2>;
-using Mode5Alpha = Format<1, 1, 8, LowestBits::None, 2>;
-
-constexpr int kImprovements = 2;  // of endpoints
-
 // The numbers of partitions that are tried in a mode. Bad blocks have more.
 constexpr std::size_t kTried0 = 3;
 constexpr std::size_t kTried1 = 2;
@@ -53,10 +49,6 @@ constexpr std::size_t kTried3 = 2;
 constexpr std::size_t kTried7 = 4;
 constexpr std::size_t kMoreTried1 = 6;
 constexpr std::size_t kMoreTried3 = 4;
-
-// The share of the spread along a line by which rounding adds to the error (bc7_partition.h).
-template <class Format>
-constexpr float kRoundingShare = 1.0F / static_cast<float>(Format::kSteps* Format::kSteps);
 
 // For every value of 8 bits, two endpoints of 7 bits between which the weight 21 / 64 gives it.
 using ExactEnds = Array<Array<int, 2>, 256>;
@@ -98,15 +90,6 @@ bool is_opaque(const TexelBlock& texels) {
 constexpr Array<std::size_t, 3> kRgb = {0, 1, 2};
 constexpr Array<std::size_t, 4> kRgba = {0, 1, 2, 3};
 
-// Tries a mode of one subset.
-template <class Format, class Simd>
-FOAM_INLINE Fit<Simd, Format> fit_line(const ColorLanes<Simd, Format::kChannels>& colors) {
-    const Membership<Simd, 1> all;
-    Fit<Simd, Format> fit;
-    Fitter<Format, Simd>(colors, all, 0).refine(kImprovements, fit);
-    return fit;
-}
-
 // Tries mode 6.
 template <class Format, std::size_t kChannels, class Simd>
 FOAM_INLINE void try_line(Group<Simd> group, const Array<std::size_t, kChannels>& channels) {
@@ -115,7 +98,7 @@ FOAM_INLINE void try_line(Group<Simd> group, const Array<std::size_t, kChannels>
     group.offer(fit.error, [&](std::size_t lane) { return stored.fields(6, lane); });
 }
 
-// Tries partitions of a mode of several subsets. Improves the best one further.
+// Tries partitions of a mode of several subsets. The best one is tried again with other starts.
 template <class Format, class Simd>
 FOAM_INLINE void try_partitions(Group<Simd>& group,
                                 const ColorLanes<Simd, Format::kChannels>& colors,
@@ -127,81 +110,19 @@ FOAM_INLINE void try_partitions(Group<Simd>& group,
         const bool is_last = k == partitions.count;
         const typename Simd::Ints partition = is_last ? best.partition : partitions.partitions[k];
         const auto membership = membership_of<Simd, Format::kSubsets>(partition);
-        Fitter<Format, Simd>(colors, membership, partition)
-            .refine(is_last ? kImprovements : 1, best);
+        Fitter<Format, Simd> fitter(colors, membership, partition);
+        if (!is_last) {
+            fitter.refine(1, best);
+            continue;
+        }
+#pragma GCC unroll 1
+        for (int low = 0; low < 2; ++low) {
+            fitter.start(low, 1 - low);
+            fitter.refine(kImprovements, best);
+        }
     }
     const StoredFit<Simd, Format> stored(best);
     group.offer(best.error, [&](std::size_t lane) { return stored.fields(mode, lane); });
-}
-
-// Returns the channel to which mode 5 gives indices of its own, as estimated from the scatter
-// matrix: the other channels are rounded along a line, as in bc7_partition.h.
-template <class Simd, std::size_t kChannels>
-FOAM_INLINE typename Simd::Ints own_channel(const ColorLanes<Simd, kChannels>& colors) {
-    using Floats = typename Simd::Floats;
-    const auto differences = relative<Simd, kChannels>(colors);
-    ColorSums<Simd, kChannels> sums;
-    for (std::size_t k = 0; k < kBlockTexels; ++k) {
-        sums.add(sums_of<Simd, kChannels>(differences[k]));
-    }
-    ColorOf<Simd, kChannels> mean;
-    for (std::size_t c = 0; c < kChannels; ++c) {
-        mean[c] = sums.colors[c] * Floats(1.0F / kBlockTexels);
-    }
-    const auto scatter = scatter_of<Simd, kChannels>(sums, mean);
-    Floats smallest = 1e30F;
-    typename Simd::Ints best;
-    for (std::size_t own = 0; own < kChannels; ++own) {
-        Floats trace;
-        Floats squares;
-        for (std::size_t c = 0; c < kChannels; ++c) {
-            trace += c == own ? Floats() : scatter[c][c];
-            for (std::size_t d = 0; d < kChannels; ++d) {
-                squares += c == own || d == own ? Floats() : scatter[c][d] * scatter[c][d];
-            }
-        }
-        const Floats along = Simd::square_root(squares);
-        const Floats error =
-            trace - along + (along + scatter[own][own]) * Floats(kRoundingShare<Mode5Colors>);
-        best = Simd::select(
-            Simd::less(error, smallest), typename Simd::Ints(static_cast<int>(own)), best);
-        smallest = Simd::smaller(smallest, error);
-    }
-    return best;
-}
-
-// Tries mode 5, in which one channel has indices of its own.
-template <class Simd, std::size_t kChannels>
-FOAM_INLINE void try_own_indices(Group<Simd>& group, const ColorLanes<Simd, kChannels>& colors) {
-    using Floats = typename Simd::Floats;
-    using Ints = typename Simd::Ints;
-    const Ints own = own_channel<Simd, kChannels>(colors);
-    ColorLanes<Simd, 3> others;
-    ColorLanes<Simd, 1> owns;
-    for (std::size_t k = 0; k < kBlockTexels; ++k) {
-        const Floats alpha = kChannels > 3 ? colors[k][kChannels - 1] : Floats(255.0F);
-        owns[k][0] = alpha;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const Ints is_own = Simd::equal(own, Ints(static_cast<int>(c)));
-            owns[k][0] = Simd::select(is_own, colors[k][c], owns[k][0]);
-            others[k][c] = Simd::select(is_own, alpha, colors[k][c]);
-        }
-    }
-    const auto color = fit_line<Mode5Colors, Simd>(others);
-    const auto alpha = fit_line<Mode5Alpha, Simd>(owns);
-    const StoredFit<Simd, Mode5Colors> stored_color(color);
-    const StoredFit<Simd, Mode5Alpha> stored_alpha(alpha);
-    Array<std::int32_t, Simd::kCount> channels;
-    own.store(channels.data());
-    group.offer(color.error + alpha.error, [&](std::size_t lane) {
-        BlockFields fields = stored_color.fields(5, lane);
-        const BlockFields stored = stored_alpha.fields(5, lane);
-        fields.rotation = channels[lane] < 3 ? channels[lane] + 1 : 0;
-        fields.ends[0][0][3] = stored.ends[0][0][0];
-        fields.ends[0][1][3] = stored.ends[0][1][0];
-        fields.alpha_indices = stored.indices;
-        return fields;
-    });
 }
 
 // Tries modes of two subsets, and mode 5.
@@ -222,7 +143,7 @@ struct TwoLines {
             });
         try_partitions<Mode1>(group, colors, fine, 1);
         try_partitions<Mode3>(group, colors, coarse, 3);
-        try_own_indices<Simd, 3>(group, colors);
+        try_own_indices<Mode5, Simd, 3>(group, colors);
     }
 };
 
@@ -247,7 +168,7 @@ struct ThreeLines {
     }
 };
 
-// Tries the modes 5 and 7, for blocks that are not opaque.
+// Tries the modes 4, 5 and 7, for blocks that are not opaque.
 struct TransparentModes {
     template <class Simd>
     FOAM_INLINE void operator()(Group<Simd> group) const {
@@ -259,7 +180,9 @@ struct TransparentModes {
                 coarse.insert(spread.across + spread.along * kRoundingShare<Mode7>, partition);
             });
         try_partitions<Mode7>(group, colors, coarse, 7);
-        try_own_indices<Simd, 4>(group, colors);
+        try_own_indices<Mode4, Simd, 4>(group, colors);
+        try_own_indices<Mode4Exchanged, Simd, 4>(group, colors);
+        try_own_indices<Mode5, Simd, 4>(group, colors);
     }
 };
 

@@ -78,7 +78,8 @@ class Fitter {
     using Result = Fit<Simd, Format>;
     using Lines = Array<LineOf<Simd, kChannels>, kSubsets>;
 
-    /// The colors and the membership must outlive the object.
+    /// Starts with the principal axes of the subsets. The colors and the membership must outlive
+    /// the object.
     FOAM_INLINE Fitter(const Colors& colors,
                        const Membership<Simd, kSubsets>& membership,
                        const Ints& partition)
@@ -92,6 +93,24 @@ class Fitter {
                 sums_[s][c] = sums[s].colors[c] + sums[s].count * colors[0][c];
                 lines_[s][0][c] += colors[0][c];
                 lines_[s][1][c] += colors[0][c];
+            }
+        }
+        axes_ = lines_;
+        start(0, 0);
+    }
+
+    /// Starts again with the principal axes, extended beyond the colors so that the smallest `low`
+    /// and the largest `high` indices are not used. Least squares only find the best endpoints for
+    /// given indices, and other starts lead to other indices.
+    FOAM_INLINE void start(int low, int high) {
+        const Floats stride = Floats(1.0F / (kSteps - static_cast<float>(low + high)));
+        const Floats before = stride * Floats(static_cast<float>(low));
+        const Floats after = stride * Floats(static_cast<float>(high));
+        for (std::size_t s = 0; s < kSubsets; ++s) {
+            for (std::size_t c = 0; c < kChannels; ++c) {
+                const Floats length = axes_[s][1][c] - axes_[s][0][c];
+                lines_[s][0][c] = axes_[s][0][c] - length * before;
+                lines_[s][1][c] = axes_[s][1][c] + length * after;
             }
         }
         Result unrounded;
@@ -199,8 +218,24 @@ class Fitter {
     Ints partition_;
     Array<Floats, kSubsets> counts_;                  // of texels
     Array<ColorOf<Simd, kChannels>, kSubsets> sums_;  // of colors
+    Lines axes_;                                      // the principal axes
     Lines lines_;
     Array<SquaredError<Simd, kChannels>, kSubsets> errors_;
 };
+
+inline constexpr int kImprovements = 2;  // of endpoints
+
+/// The share of the spread along a line by which rounding adds to the error (bc7_partition.h).
+template <class Format>
+inline constexpr float kRoundingShare = 1.0F / static_cast<float>(Format::kSteps* Format::kSteps);
+
+/// Tries a mode of one subset.
+template <class Format, class Simd>
+FOAM_INLINE Fit<Simd, Format> fit_line(const ColorLanes<Simd, Format::kChannels>& colors) {
+    const Membership<Simd, 1> all;
+    Fit<Simd, Format> fit;
+    Fitter<Format, Simd>(colors, all, 0).refine(kImprovements, fit);
+    return fit;
+}
 
 }  // namespace foam::texgen::bc7

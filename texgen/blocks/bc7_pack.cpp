@@ -43,11 +43,16 @@ void order_ends(BlockFields& fields,
 
 void order_all_ends(const Mode& mode, BlockFields& fields) {
     const bool has_alpha_indices = mode.alpha_index_bits > 0;
+    int color_bits = mode.index_bits;
+    int alpha_bits = mode.alpha_index_bits;
+    if (fields.exchanges_indices) {
+        std::swap(color_bits, alpha_bits);
+    }
     for (int subset = 0; subset < mode.subsets; ++subset) {
-        const IndexedChannels colors{0, has_alpha_indices ? 3U : 4U, mode.index_bits};
+        const IndexedChannels colors{0, has_alpha_indices ? 3U : 4U, color_bits};
         order_ends(fields, subset, colors, fields.indices);
         if (has_alpha_indices) {
-            order_ends(fields, subset, {3, 4, mode.alpha_index_bits}, fields.alpha_indices);
+            order_ends(fields, subset, {3, 4, alpha_bits}, fields.alpha_indices);
         }
     }
 }
@@ -91,8 +96,11 @@ Bc7Block pack_bc7(BlockFields fields) {
     bits.write(1 << fields.mode, fields.mode + 1);
     bits.write(fields.partition, mode.partition_bits);
     bits.write(fields.rotation, mode.rotation_bits);
-    bits.write(0, mode.selection_bits);
+    bits.write(fields.exchanges_indices ? 1 : 0, mode.selection_bits);
     write_ends(mode, fields, bits);
+    if (fields.exchanges_indices) {
+        std::swap(fields.indices, fields.alpha_indices);
+    }
     write_indices(mode, fields.partition, fields.indices, mode.index_bits, bits);
     if (mode.alpha_index_bits > 0) {
         write_indices(mode, fields.partition, fields.alpha_indices, mode.alpha_index_bits, bits);

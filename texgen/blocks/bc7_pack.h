@@ -20,6 +20,7 @@ struct BlockFields {
     int mode = 0;
     int partition = 0;
     int rotation = 0;
+    bool exchanges_indices = false;   // in mode 4: colors have indices of 3 bits, alpha of 2 bits
     std::array<EndValues, 3> ends{};  // of each subset
     Indices indices{};                // of all channels or, in the modes 4 and 5, of colors
     Indices alpha_indices{};          // in the modes 4 and 5

@@ -69,49 +69,15 @@ FOAM_INLINE typename Simd::Floats code_of(const typename Simd::Floats& value,
     return Simd::smaller(Simd::larger(code, Floats()), Floats(largest));
 }
 
-/// Returns the squared distance of a color from the nearest color with a lowest bit.
+/// Rounds both endpoints of a channel to values of the format with given lowest bits: of the values
+/// below and above each of them, the pair with the smallest squared error. Returns this error,
+/// apart from a constant. Precondition: the line has the smallest squared error of all lines.
 template <class Format, class Simd>
-FOAM_INLINE typename Simd::Floats distance_with(const ColorOf<Simd, Format::kChannels>& color,
-                                                const typename Simd::Ints& lowest) {
-    using Floats = typename Simd::Floats;
-    Floats distance;
-    for (std::size_t c = 0; c < Format::kChannels; ++c) {
-        const Floats code = code_of<Format, Simd>(color[c], lowest, Format::kLargestCode);
-        const Floats value = value_of<Format, Simd>(Simd::whole(code + Floats(0.5F)), lowest);
-        distance += (value - color[c]) * (value - color[c]);
-    }
-    return distance;
-}
-
-/// Returns the lowest bits with which the nearest colors are closest to both ends of a line.
-template <class Format, class Simd>
-FOAM_INLINE Array<typename Simd::Ints, 2> lowest_bits(const LineOf<Simd, Format::kChannels>& line) {
-    using Floats = typename Simd::Floats;
-    using Ints = typename Simd::Ints;
-    if constexpr (Format::kLowest == LowestBits::None || Format::kLowest == LowestBits::Ones) {
-        return {Ints(1), Ints(1)};
-    } else {
-        Array<Floats, 2> gains;  // of the lowest bit 1
-        for (std::size_t end = 0; end < 2; ++end) {
-            gains[end] = distance_with<Format, Simd>(line[end], 0) -
-                         distance_with<Format, Simd>(line[end], 1);
-        }
-        if constexpr (Format::kLowest == LowestBits::PerSubset) {
-            gains[0] = gains[1] = gains[0] + gains[1];
-        }
-        return {Simd::less(Floats(), gains[0]) & Ints(1), Simd::less(Floats(), gains[1]) & Ints(1)};
-    }
-}
-
-/// Rounds both endpoints of a channel to values of the format: of the values below and above each
-/// of them, the pair with the smallest squared error. Precondition: the line has the smallest
-/// squared error of all lines.
-template <class Format, class Simd>
-FOAM_INLINE void round_channel(std::size_t c,
-                               const LineOf<Simd, Format::kChannels>& line,
-                               const SquaredError<Simd, Format::kChannels>& error,
-                               const Array<typename Simd::Ints, 2>& lowest,
-                               LineOf<Simd, Format::kChannels>& rounded) {
+FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
+                                                const LineOf<Simd, Format::kChannels>& line,
+                                                const SquaredError<Simd, Format::kChannels>& error,
+                                                const Array<typename Simd::Ints, 2>& lowest,
+                                                LineOf<Simd, Format::kChannels>& rounded) {
     using Floats = typename Simd::Floats;
     using Ints = typename Simd::Ints;
     Array<Array<Floats, 2>, 2> values;
@@ -136,16 +102,35 @@ FOAM_INLINE void round_channel(std::size_t c,
         rounded[0][c] = Simd::select(is_better, values[0][k & 1U], rounded[0][c]);
         rounded[1][c] = Simd::select(is_better, values[1][k >> 1U], rounded[1][c]);
     }
+    return smallest;
 }
 
-/// Rounds both ends of a line to values of the format.
+/// Rounds both ends of a line to values of the format. Of the lowest bits that the format allows,
+/// those with the smallest squared error are used.
 template <class Format, class Simd>
 FOAM_INLINE void round_ends(const LineOf<Simd, Format::kChannels>& line,
                             const SquaredError<Simd, Format::kChannels>& error,
                             LineOf<Simd, Format::kChannels>& rounded) {
-    const auto lowest = lowest_bits<Format, Simd>(line);
-    for (std::size_t c = 0; c < Format::kChannels; ++c) {
-        round_channel<Format, Simd>(c, line, error, lowest, rounded);
+    using Floats = typename Simd::Floats;
+    using Ints = typename Simd::Ints;
+    constexpr int kFirst = Format::kLowest == LowestBits::Ones ? 3 : 0;
+    constexpr int kLast = Format::kLowest == LowestBits::None ? 0 : 3;
+    constexpr int kStride = Format::kLowest == LowestBits::PerSubset ? 3 : 1;
+    Floats smallest = 1e30F;
+#pragma GCC unroll 1
+    for (int bits = kFirst; bits <= kLast; bits += kStride) {
+        const Array<Ints, 2> lowest = {Ints(bits & 1), Ints(bits >> 1)};
+        LineOf<Simd, Format::kChannels> trial;
+        Floats found;
+        for (std::size_t c = 0; c < Format::kChannels; ++c) {
+            found += round_channel<Format, Simd>(c, line, error, lowest, trial);
+        }
+        const Ints is_better = Simd::less(found, smallest);
+        smallest = Simd::smaller(found, smallest);
+        for (std::size_t c = 0; c < Format::kChannels; ++c) {
+            rounded[0][c] = Simd::select(is_better, trial[0][c], rounded[0][c]);
+            rounded[1][c] = Simd::select(is_better, trial[1][c], rounded[1][c]);
+        }
     }
 }
 

@@ -111,6 +111,31 @@ TEST(Bc7Encode, IndependentChannelsUseMode5) {
     EXPECT_LE(largest_difference(decode_bc7(bytes), block), 3);
 }
 
+// Few colors, and an opacity of many values that does not depend on them: mode 4 has the most
+// indices for the opacity. It stores colors with 5 bits.
+TEST(Bc7Encode, AnOpacityOfManyValuesUsesMode4) {
+    TexelBlock block{};
+    for (std::size_t k = 0; k < block.size(); ++k) {
+        const std::uint8_t color = k % 2 == 0 ? 0 : 255;
+        block[k] = {color, color, color, static_cast<std::uint8_t>(255 / 7 * (k / 2))};
+    }
+    const Bc7Block bytes = encoded(block);
+    EXPECT_EQ(bytes[0] & 0x1f, 1 << 4);
+    EXPECT_LE(largest_difference(decode_bc7(bytes), block), 4);
+}
+
+// Few values of the opacity, and colors of many: mode 4 with exchanged indices.
+TEST(Bc7Encode, ColorsOfManyValuesUseMode4) {
+    TexelBlock block{};
+    for (std::size_t k = 0; k < block.size(); ++k) {
+        const auto color = static_cast<std::uint8_t>(255 / 7 * (k / 2));
+        block[k] = {color, color, color, static_cast<std::uint8_t>(k % 2 == 0 ? 0 : 255)};
+    }
+    const Bc7Block bytes = encoded(block);
+    EXPECT_EQ(bytes[0] & 0x1f, 1 << 4);
+    EXPECT_LE(largest_difference(decode_bc7(bytes), block), 8);
+}
+
 // Three stripes, each of a color of its own with small differences, are subsets of a partition of
 // three. Two lines between colors cannot approximate three clusters that are not on a line.
 TEST(Bc7Encode, ThreeColorsUseThreeSubsets) {
