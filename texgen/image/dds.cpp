@@ -92,7 +92,14 @@ Bytes encode_dds(const GpuTexture& texture) {
                                                  0,
                                                  static_cast<std::uint32_t>(texture.layers.size()),
                                                  texture.opaque ? kOpaque : kStraightAlpha};
+    std::size_t size = sizeof(header) + sizeof(second);
+    for (const std::vector<Bytes>& layer : texture.layers) {
+        for (const Bytes& level : layer) {
+            size += level.size();
+        }
+    }
     Bytes bytes;
+    bytes.reserve(size);
     for (const std::uint32_t number : header) {
         append_number(bytes, number);
     }

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -21,43 +23,60 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kAlpha = 3;  // index of the fourth channel
+constexpr std::size_t kAlpha = 3;  // index of the fourth channel
 
-// The samples of a picture of codes as texels of up to four channels. Rows are counted from the
-// top.
-template <class Code>
-class Texels {
-  public:
-    explicit Texels(const Image<Code>& pixels) : pixels_(pixels) {}
-
-    int width() const { return pixels_.width(); }
-    int height() const { return pixels_.height(); }
-
-    /// Returns a sample. Missing channels are 0, except for alpha, which is 1. Positions beyond the
-    /// image have the sample of the nearest pixel.
-    Code at(int x, int y, int channel) const {
-        if (channel >= pixels_.channels()) {
-            return channel == kAlpha ? std::numeric_limits<Code>::max() : Code{0};
+// Copies texels of kFrom channels to texels of kTo channels. Missing channels are 0, except for
+// alpha, which is 1.
+template <std::size_t kFrom, std::size_t kTo, class Code>
+void copy_texels(std::span<const Code> from, std::span<Code> to) {
+    for (std::size_t k = 0; k < from.size() / kFrom; ++k) {
+        for (std::size_t c = 0; c < kTo; ++c) {
+            constexpr Code kOne = std::numeric_limits<Code>::max();
+            to[kTo * k + c] = c < kFrom ? from[kFrom * k + c] : c == kAlpha ? kOne : Code{0};
         }
-        const int row = height() - 1 - std::min(y, height() - 1);
-        const int column = std::min(x, width() - 1);
-        return pixels_.pixel(column, row)[static_cast<std::size_t>(channel)];
     }
+}
 
-  private:
-    const Image<Code>& pixels_;
-};
-
+// Copies texels. The pairs of numbers of channels are those of pictures and of pixel formats.
 template <class Code>
-Bytes plain_texels(const Texels<Code>& texels, int channels) {
-    Bytes bytes;
-    bytes.reserve(static_cast<std::size_t>(texels.width()) *
-                  static_cast<std::size_t>(texels.height()) * static_cast<std::size_t>(channels) *
-                  sizeof(Code));
-    for (int y = 0; y < texels.height(); ++y) {
-        for (int x = 0; x < texels.width() * channels; ++x) {
-            append_number(bytes, texels.at(x / channels, y, x % channels));
+void copy_texels(std::span<const Code> from, int channels, std::span<Code> to, int to_channels) {
+    if (channels == to_channels) {
+        std::ranges::copy(from, to.begin());
+    } else if (channels == 3 && to_channels == 4) {
+        copy_texels<3, 4>(from, to);
+    } else if (channels == 4 && to_channels == 3) {
+        copy_texels<4, 3>(from, to);
+    } else if (channels == 3 && to_channels == 2) {
+        copy_texels<3, 2>(from, to);
+    } else {
+        assert(channels == 2 && to_channels == 3);
+        copy_texels<2, 3>(from, to);
+    }
+}
+
+// The integers of a texture are stored with the least significant byte first.
+template <class Code>
+void to_or_from_little_endian(std::span<Code> codes) {
+    if constexpr (std::endian::native != std::endian::little) {
+        for (Code& code : codes) {
+            const auto bytes = little_endian(code);
+            std::memcpy(&code, bytes.data(), sizeof(Code));
         }
+    }
+}
+
+// Returns the bytes of an image in a format that is not compressed.
+template <class Code>
+Bytes plain_texels(const Image<Code>& pixels, int channels) {
+    std::vector<Code> row(static_cast<std::size_t>(pixels.width()) *
+                          static_cast<std::size_t>(channels));
+    Bytes bytes(row.size() * sizeof(Code) * static_cast<std::size_t>(pixels.height()));
+    std::byte* to = bytes.data();
+    for (int y = pixels.height() - 1; y >= 0; --y) {
+        copy_texels<Code>(pixels.row(y), pixels.channels(), row, channels);
+        to_or_from_little_endian<Code>(row);
+        std::memcpy(to, row.data(), row.size() * sizeof(Code));
+        to += row.size() * sizeof(Code);
     }
     return bytes;
 }
@@ -115,7 +134,7 @@ Bytes compressed(const Image<std::uint8_t>& pixels, int threads, Encoder<bytes>*
 Bytes encode_image(const Picture& picture, PixelFormat format, int threads) {
     const ChannelGroup& group = picture.groups.front();
     if (group.type == SampleType::Uint16) {
-        return plain_texels(Texels(std::get<Image<std::uint16_t>>(group.samples)),
+        return plain_texels(std::get<Image<std::uint16_t>>(group.samples),
                             facts_of(format).channels);
     }
     const auto& pixels = std::get<Image<std::uint8_t>>(group.samples);
@@ -128,7 +147,7 @@ Bytes encode_image(const Picture& picture, PixelFormat format, int threads) {
         case PixelFormat::Bc7Srgb:
             return compressed(pixels, threads, encode_bc7);
         default:
-            return plain_texels(Texels(pixels), facts_of(format).channels);
+            return plain_texels(pixels, facts_of(format).channels);
     }
 }
 
@@ -191,14 +210,14 @@ template <class Code>
 Image<Code> plain_picture(const GpuTexture& texture) {
     const int stored = facts_of(texture.format).channels;
     Image<Code> pixels(texture.width, texture.height, picture_channels(texture));
+    std::vector<Code> row(static_cast<std::size_t>(texture.width) *
+                          static_cast<std::size_t>(stored));
     ByteReader reader(texture.layers.front().front());
     for (int y = texture.height - 1; y >= 0; --y) {
-        for (int x = 0; x < texture.width * stored; ++x) {
-            const Code code = reader.number<Code>();
-            if (x % stored < pixels.channels()) {
-                pixels.pixel(x / stored, y)[static_cast<std::size_t>(x % stored)] = code;
-            }
-        }
+        const auto bytes = reader.take(row.size() * sizeof(Code));
+        std::memcpy(row.data(), bytes.data(), bytes.size());
+        to_or_from_little_endian<Code>(row);
+        copy_texels<Code>(row, stored, pixels.row(y), pixels.channels());
     }
     return pixels;
 }

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <type_traits>
@@ -82,25 +83,42 @@ struct Conversion {
     }
 };
 
+// Sets the numbers of one channel of a picture.
 template <class Code>
-Planes planes_of(const Image<Code>& pixels, const Conversion<Code>& conversion) {
-    const std::size_t channels = conversion.channels;
-    Planes planes(conversion.has_opacity() ? channels + kColors : channels,
-                  Image<float>(pixels.width(), pixels.height(), 1));
+void fill_plane(const Image<Code>& pixels,
+                const Conversion<Code>& conversion,
+                std::size_t channel,
+                Image<float>& plane) {
+    const std::span<const float> numbers = conversion.numbers(channel);
     const auto samples = pixels.samples();
-    for (std::size_t c = 0; c < channels; ++c) {
-        const std::span<const float> numbers = conversion.numbers(c);
-        const auto plane = planes[c].samples();
-        for (std::size_t k = 0; k < plane.size(); ++k) {
-            plane[k] = numbers[samples[channels * k + c]];
+    const auto to = plane.samples();
+    for (std::size_t k = 0; k < to.size(); ++k) {
+        to[k] = numbers[samples[conversion.channels * k + channel]];
+    }
+}
+
+// Returns the planes of the level below a picture. Only the planes of one channel and of the
+// opacity have the full size at the same time.
+template <class Code>
+Planes first_planes(const Image<Code>& pixels, const Conversion<Code>& conversion) {
+    Planes planes;
+    Planes colors;  // that are not multiplied by the opacity
+    Image<float> plane(pixels.width(), pixels.height(), 1);
+    Image<float> opacity;
+    if (conversion.has_opacity()) {
+        opacity = plane;
+        fill_plane(pixels, conversion, kOpacity, opacity);
+    }
+    for (std::size_t c = 0; c < conversion.channels; ++c) {
+        fill_plane(pixels, conversion, c, plane);
+        if (conversion.has_opacity() && c < kColors) {
+            colors.push_back(mean_level(plane.view(), 0));
+            std::ranges::transform(
+                plane.samples(), opacity.samples(), plane.samples().begin(), std::multiplies<>());
         }
+        planes.push_back(mean_level(plane.view(), 0));
     }
-    for (std::size_t c = 0; conversion.has_opacity() && c < kColors; ++c) {
-        const auto plane = planes[c].samples();
-        std::ranges::copy(plane, planes[channels + c].samples().begin());
-        std::ranges::transform(
-            plane, planes[kOpacity].samples(), plane.begin(), std::multiplies<>());
-    }
+    std::ranges::move(colors, std::back_inserter(planes));
     return planes;
 }
 
@@ -165,7 +183,7 @@ void add_means(const Image<Code>& pixels, TexelMeaning meaning, std::vector<Pict
     const Conversion<Code> conversion(levels.front(), meaning);
     Planes planes;
     while (!is_smallest(levels.back())) {
-        planes = halved(planes.empty() ? planes_of(pixels, conversion) : planes);
+        planes = planes.empty() ? first_planes(pixels, conversion) : halved(planes);
         levels.push_back(picture_like(levels.front(), codes_of(planes, conversion)));
     }
 }
