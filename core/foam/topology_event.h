@@ -21,6 +21,19 @@ enum class TopologyEventKind {
     Birth,  // a bubble was added (nucleation)
 };
 
+/// Returns "T1", "T2" or "birth".
+constexpr const char* name_of(TopologyEventKind kind) {
+    switch (kind) {
+        case TopologyEventKind::T1:
+            return "T1";
+        case TopologyEventKind::T2:
+            return "T2";
+        case TopologyEventKind::Birth:
+            break;
+    }
+    return "birth";
+}
+
 /// The record of one topology change.
 struct TopologyEvent {
     TopologyEventKind kind = TopologyEventKind::T1;

@@ -118,6 +118,13 @@ bool JsonValue::flag() const {
     return json_->get<bool>();
 }
 
+std::string JsonValue::object_text() const {
+    if (!json_->is_object()) {
+        reject("an object");
+    }
+    return json_->dump();
+}
+
 const std::string& JsonValue::name() const {
     if (!is_plain_name(text())) {
         reject("a plain name, without '/' and control characters and not beginning with '.'");

@@ -41,6 +41,8 @@ class JsonValue {
     double number() const;
     /// Returns true or false.
     bool flag() const;
+    /// Returns an object as JSON on one line, with its members in alphabetical order.
+    std::string object_text() const;
 
     /// Returns parse(text()). If `parse` throws std::invalid_argument, throws InputError; its
     /// message ends with "must be " + must_be.

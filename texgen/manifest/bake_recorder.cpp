@@ -42,7 +42,8 @@ std::vector<std::string> written_paths(const Preset& preset,
 BakeRecorder::BakeRecorder(const Preset& preset, const BakeOptions& options)
     : folder_(manifest_folder(preset)),
       set_(describe(preset, options.frames)),
-      paths_(written_paths(preset, options, folder_)) {}
+      paths_(written_paths(preset, options, folder_)),
+      measurements_(preset.output.measurements) {}
 
 void BakeRecorder::begin() {
     if (begun_) {
@@ -56,7 +57,7 @@ void BakeRecorder::begin() {
 }
 
 void BakeRecorder::add(const BakedFrame& baked) {
-    add_frame(set_, baked, folder_);
+    add_frame(set_, baked, measurements_, folder_);
     if (Clock::now() >= next_save_) {
         save();
     }

@@ -51,7 +51,8 @@ class BakeRecorder {
 
     std::filesystem::path folder_;
     BakedSet set_;
-    std::vector<std::string> paths_;  // of the files that the bake will write
+    std::vector<std::string> paths_;         // of the files that the bake will write
+    std::vector<std::string> measurements_;  // OutputOptions::measurements
     bool begun_ = false;
     std::chrono::steady_clock::time_point next_save_{};
 };

@@ -6,6 +6,7 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/vector_files.h"
 #include "texgen/image/pixel_hash.h"
+#include "texgen/manifest/measurements.h"
 #include "texgen/preset/algorithm_version.h"
 #include "texgen/preset/drawn_images.h"
 #include "texgen/preset/preset_io.h"
@@ -58,12 +59,13 @@ ManifestConventions conventions_of(const MapOptions& maps) {
     };
 }
 
-/// Returns a hash of the version of foamtex, the name of the preset, all its keys except image.maps
-/// and output.scene, and the files that it names, so that bakes of different maps belong to one
-/// set.
+/// Returns a hash of the version of foamtex, the name of the preset, all its keys except
+/// image.maps, output.scene and output.measurements, and the files that it names, so that bakes of
+/// different maps belong to one set.
 std::string parameters_of(Preset preset) {
     preset.image.maps = Preset().image.maps;
     preset.output.scene.clear();
+    preset.output.measurements.clear();
     return text_hash(FOAMTEX_VERSION "\n" + preset.name + "\n" + to_toml(preset) +
                      file_hashes(preset));
 }
@@ -167,13 +169,17 @@ BakedSet describe(const Preset& preset, const std::vector<int>& frames) {
             .algorithm_version = kAlgorithmVersion};
 }
 
-void add_frame(BakedSet& set, const BakedFrame& baked, const std::filesystem::path& folder) {
+void add_frame(BakedSet& set,
+               const BakedFrame& baked,
+               std::span<const std::string> measurements,
+               const std::filesystem::path& folder) {
     const int frame = baked.shown.frame->number;
     for (const WrittenFile& written : baked.files) {
         store_sample_formats(set, written);
         set.files.push_back(file_of(written, frame, folder));
     }
     set.frame_statistics.push_back(statistics_of(baked));
+    set.frame_statistics.back().measurements = measurements_json(baked.shown, measurements);
     set.loop.closing_error = baked.shown.closing_error;
 }
 

@@ -94,6 +94,8 @@ struct FrameStatistics {
     double drawing = 0.0;      // wall time of one thread, with encoding and writing, seconds
     // nullopt in manifests that older versions of foamtex wrote.
     std::optional<FrameMechanics> mechanics{};
+    // The JSON object of measurements_json, which the program only stores; empty if there is none.
+    std::string measurements{};
 
     friend bool operator==(const FrameStatistics&, const FrameStatistics&) = default;
 };
@@ -126,14 +128,14 @@ struct ManifestConventions {
 };
 
 /// A set of images: maps and frames of one preset, baked with the same version of foamtex and the
-/// same values of all keys except image.maps and output.scene.
+/// same values of all keys except image.maps, output.scene and output.measurements.
 struct BakedSet {
     std::string version;  // version of foamtex
     std::string preset;   // name of the preset
     std::string description;
     std::string toml;        // all keys of the preset as TOML
-    std::string parameters;  // hash of version, preset name and all keys except image.maps and
-                             // output.scene
+    std::string parameters;  // hash of version, preset name and all keys except image.maps,
+                             // output.scene and output.measurements
     std::uint64_t seed = 0;
     int width = 0;
     int height = 0;

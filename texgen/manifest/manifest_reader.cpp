@@ -149,6 +149,11 @@ std::optional<FrameMechanics> mechanics_in(const JsonValue& value) {
                           .stress = {parts[0].number(), parts[1].number(), parts[2].number()}};
 }
 
+std::string measurements_in(const JsonValue& value) {
+    const auto measurements = value.find("measurements");
+    return measurements ? measurements->object_text() : std::string();
+}
+
 FrameStatistics frame_in(const JsonValue& value) {
     return {.frame = value["frame"].count(),
             .tiles = value["tiles"].flag(),
@@ -161,7 +166,8 @@ FrameStatistics frame_in(const JsonValue& value) {
             .angle_error = number_in(value.find("angle_error")),
             .simulating = value["simulating"].number(),
             .drawing = value["drawing"].number(),
-            .mechanics = mechanics_in(value)};
+            .mechanics = mechanics_in(value),
+            .measurements = measurements_in(value)};
 }
 
 ManifestLoop loop_in(const JsonValue& value) {

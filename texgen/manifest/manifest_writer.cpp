@@ -79,6 +79,9 @@ Json to_value(const FrameStatistics& frame) {
         value["energy"] = frame.mechanics->energy;
         value["stress"] = frame.mechanics->stress;
     }
+    if (!frame.measurements.empty()) {
+        value["measurements"] = Json::parse(frame.measurements);
+    }
     return value;
 }
 

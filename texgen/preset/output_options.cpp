@@ -141,10 +141,14 @@ Keys<OutputOptions> sheet_keys() {
 
 constexpr std::array<std::string_view, 3> kSceneFormats = {"usda", "mtlx", "gltf"};
 
-// Lists of formats of scene files, each at most once. The list may be empty. A single format may be
-// written without brackets.
-struct SceneFormats {
-    WordLists words_or_none{kSceneFormats};
+constexpr std::array<std::string_view, 3> kMeasurements = {"bubbles", "events", "shear_modulus"};
+
+// Lists of words, each at most once. The list may be empty. A single word may be written without
+// brackets.
+struct WordListsOrNone {
+    WordLists words_or_none;
+
+    explicit WordListsOrNone(std::span<const std::string_view> words) : words_or_none{words} {}
 
     std::span<const std::string_view> words() const { return words_or_none.words(); }
     std::string allowed() const { return words_or_none.allowed() + ", or []"; }
@@ -166,10 +170,20 @@ struct SceneFormats {
 
 Keys<OutputOptions> scene_keys() {
     return {key("scene",
-                SceneFormats{},
+                WordListsOrNone(kSceneFormats),
                 "scene files of the material, which bake and render write beside manifest.json: "
                 "OpenUSD (usda), MaterialX (mtlx), and a preview of the first frame (gltf)",
                 &OutputOptions::scene)};
+}
+
+Keys<OutputOptions> measurement_keys() {
+    return {
+        key("measurements",
+            WordListsOrNone(kMeasurements),
+            "what manifest.json also contains of the foam in each frame: the shape of all "
+            "bubbles, the list of T1s and T2s (events), the shear modulus, which takes about as "
+            "long as a time step",
+            &OutputOptions::measurements)};
 }
 
 Keys<OutputOptions> texture_keys() {
@@ -214,8 +228,13 @@ NamedMap parse_named_map(std::string_view text) {
 }
 
 Keys<OutputOptions> output_keys() {
-    return joined(
-        {file_keys(), name_keys(), sheet_keys(), scene_keys(), exr_keys(), texture_keys()});
+    return joined({file_keys(),
+                   name_keys(),
+                   sheet_keys(),
+                   scene_keys(),
+                   measurement_keys(),
+                   exr_keys(),
+                   texture_keys()});
 }
 
 }  // namespace foam::texgen

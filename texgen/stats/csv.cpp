@@ -40,18 +40,6 @@ std::string sides_row(const RunRecord& run,
                        run.law_rate(part.sides));
 }
 
-const char* name_of(TopologyEventKind kind) {
-    switch (kind) {
-        case TopologyEventKind::T1:
-            return "T1";
-        case TopologyEventKind::T2:
-            return "T2";
-        case TopologyEventKind::Birth:
-            break;
-    }
-    return "birth";
-}
-
 }  // namespace
 
 std::string frames_csv(const RunRecord& run) {

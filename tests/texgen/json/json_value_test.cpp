@@ -39,6 +39,7 @@ TEST(JsonValue, ReadsEveryKind) {
     EXPECT_EQ(root["version"].count(), 2);
     EXPECT_EQ(root["half"].number(), 0.5);
     EXPECT_TRUE(root["yes"].flag());
+    EXPECT_THROW(root["yes"].object_text(), InputError);
     EXPECT_EQ(root["list"].items().size(), 2U);
     EXPECT_EQ(root["list"].items()[1]["name"].text(), "x");
     EXPECT_FALSE(root.find("none"));

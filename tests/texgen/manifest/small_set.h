@@ -54,6 +54,8 @@ inline Manifest small_manifest() {
     Manifest manifest{{small_set("a", {1, 2, 3, 5}, {1, 3}), small_set("b", {7}, {7})}};
     manifest.sets[0].frame_statistics.front().mechanics =
         FrameMechanics{.strain = 0.25, .energy = 75.5, .stress = {1.0, -0.125, 0.75}};
+    manifest.sets[0].frame_statistics.front().measurements =
+        R"({"bubbles":{"area":[0.75,1.25],"elongation":[null,1.5]},"shear_modulus":null})";
     manifest.sets[0].failure = "the disk is full";
     manifest.sets[0].files.front().numbers = NumberExtent{-0.25, 0.5, 0.125};
     manifest.sets[0].files.front().displacement = 0.0625;

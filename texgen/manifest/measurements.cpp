@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/manifest/measurements.h"
+
+#include "core/dynamics/shear_modulus.h"
+#include "core/library/foam_records.h"
+#include "texgen/json/json_writer.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace foam::texgen {
+
+namespace {
+
+template <class Member>
+Json column(const std::vector<foamtex::Bubble>& bubbles, Member foamtex::Bubble::*member) {
+    Json numbers = Json::array();
+    for (const foamtex::Bubble& bubble : bubbles) {
+        if constexpr (std::is_integral_v<Member>) {
+            numbers.push_back(bubble.*member);
+        } else {
+            numbers.push_back(number_or_null(bubble.*member));
+        }
+    }
+    return numbers;
+}
+
+Json table_of(const std::vector<foamtex::Bubble>& bubbles) {
+    using foamtex::Bubble;
+    return {{"area", column(bubbles, &Bubble::area)},
+            {"elongation", column(bubbles, &Bubble::elongation)},
+            {"identity", column(bubbles, &Bubble::identity)},
+            {"orientation", column(bubbles, &Bubble::orientation)},
+            {"perimeter", column(bubbles, &Bubble::perimeter)},
+            {"pressure", column(bubbles, &Bubble::pressure)},
+            {"sides", column(bubbles, &Bubble::sides)},
+            {"target_area", column(bubbles, &Bubble::target_area)},
+            {"x", column(bubbles, &Bubble::x)},
+            {"y", column(bubbles, &Bubble::y)}};
+}
+
+Json list_of(const std::vector<TopologyEvent>& events) {
+    Json list = Json::array();
+    for (const TopologyEvent& event : events) {
+        list.push_back({{"bubbles", event.bubbles},
+                        {"kind", name_of(event.kind)},
+                        {"time", event.time},
+                        {"x", event.position.x()},
+                        {"y", event.position.y()}});
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string measurements_json(const SimulatedFrame& shown,
+                              std::span<const std::string> measurements) {
+    if (measurements.empty()) {
+        return {};
+    }
+    const auto asks_for = [&](const char* word) {
+        return std::ranges::find(measurements, word) != measurements.end();
+    };
+    // The members are in alphabetical order, as a reader of the manifest writes them again.
+    Json value = Json::object();
+    if (asks_for("bubbles")) {
+        value["bubbles"] = table_of(bubble_records(*shown.frame));
+    }
+    if (asks_for("events")) {
+        value["events"] = list_of(shown.effort.events);
+    }
+    if (asks_for("shear_modulus")) {
+        value["shear_modulus"] = number_or_null(shear_modulus(*shown.frame, 1));
+    }
+    return json_text(value);
+}
+
+}  // namespace foam::texgen
