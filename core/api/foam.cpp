@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -197,13 +198,16 @@ void Foam::write(const std::string& file) const {
     foam::with_public_errors([&] { foam::save_foam(file, state_->foam); });
 }
 
-Equilibrium Foam::relax(int threads) {
+Equilibrium Foam::relax(int threads, const std::function<void()>& poll) {
     foam::check_threads(threads);
     return foam::with_public_errors(
-        [&] { return result_of(foam::equilibrate_given(state_->foam, threads)); });
+        [&] { return result_of(foam::equilibrate_given(state_->foam, threads, poll)); });
 }
 
-Equilibrium Foam::step(double time, const Drive& drive, const StepSettings& settings) {
+Equilibrium Foam::step(double time,
+                       const Drive& drive,
+                       const StepSettings& settings,
+                       const std::function<void()>& poll) {
     require(std::isfinite(time) && time >= 0.0, "time: must be a number of at least 0");
     check(settings);
     foam::check_threads(settings.threads);
@@ -211,8 +215,13 @@ Equilibrium Foam::step(double time, const Drive& drive, const StepSettings& sett
     if (time == 0.0 && change.empty()) {
         return present_errors(state_->foam, settings.tolerance);
     }
+    foam::StepOptions options = options_of(settings);
+    options.equilibrium.on_round = poll;
     return foam::with_public_errors([&] {
-        const foam::StepSummary made = foam::step(state_->foam, time, change, options_of(settings));
+        // A copy advances, because an exception of `poll` must not change the foam.
+        foam::Foam next = state_->foam;
+        const foam::StepSummary made = foam::step(next, time, change, options);
+        state_->foam = std::move(next);
         return result_of(made.equilibrium);
     });
 }

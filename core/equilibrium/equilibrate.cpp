@@ -219,6 +219,9 @@ EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
     Work work(foam, options);
     Progress progress = initial_phase(work);
     while (!progress.is_at_rest && progress.rounds < options.max_rounds) {
+        if (options.on_round) {
+            options.on_round();
+        }
         progress = next_round(work, progress);
     }
     return conclude(foam, before, options, progress.is_at_rest, progress.summary);

@@ -136,11 +136,14 @@ std::vector<EquilibriumOptions> attempts(const Foam& foam, int threads) {
 
 }  // namespace
 
-EquilibriumSummary equilibrate_given(Foam& foam, int threads) {
+EquilibriumSummary equilibrate_given(Foam& foam,
+                                     int threads,
+                                     const std::function<void()>& on_round) {
     const Units units = units_of(foam);
     const Foam given = in_units(foam, units);
     EquilibriumSummary summary;
-    for (const EquilibriumOptions& options : attempts(given, threads)) {
+    for (EquilibriumOptions options : attempts(given, threads)) {
+        options.on_round = on_round;
         Foam trial = given;
         EquilibriumSummary attempt = equilibrate(trial, options);
         attempt.iterations += summary.iterations;

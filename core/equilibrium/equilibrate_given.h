@@ -4,6 +4,8 @@
 
 #include "core/equilibrium/equilibrate.h"
 
+#include <functional>
+
 namespace foam {
 
 /// Brings a foam that was made elsewhere to mechanical equilibrium (E2), in its own units: its mean
@@ -21,7 +23,10 @@ namespace foam {
 /// units of mean area 1 and film tension 1.
 ///
 /// `threads` has the same meaning as in parallel_for; the result has the same bits for any number
-/// of threads. Preconditions: the same as for `equilibrate`.
-EquilibriumSummary equilibrate_given(Foam& foam, int threads);
+/// of threads. `on_round` is EquilibriumOptions::on_round; if it throws, the foam stays as it was
+/// given. Preconditions: the same as for `equilibrate`.
+EquilibriumSummary equilibrate_given(Foam& foam,
+                                     int threads,
+                                     const std::function<void()>& on_round = {});
 
 }  // namespace foam

@@ -4,6 +4,8 @@
 
 #include "core/foam/topology_thresholds.h"
 
+#include <functional>
+
 namespace foam {
 
 /// Options of `equilibrate` and of `equilibrate_by_sweeps` (core/reference).
@@ -23,6 +25,9 @@ struct EquilibriumOptions {
     // Largest number of rounds. A round is a run of the solver and the response to its result: T1s,
     // relaxation, or solving the defect regions.
     int max_rounds = 100;
+    // Called before each round, if it is not empty. May throw an exception to end the solver, which
+    // passes it on; the foam is then in a state between two rounds.
+    std::function<void()> on_round = {};
 };
 
 }  // namespace foam

@@ -50,6 +50,9 @@ EquilibriumSummary equilibrate_by_sweeps(Foam& foam,
                                       .thresholds = options.thresholds};
     bool has_stopped = false;
     for (int round = 0; round < options.max_rounds && !has_stopped; ++round) {
+        if (options.on_round) {
+            options.on_round();
+        }
         const GaussSeidelSummary sweeps = gauss_seidel(foam, sweeping);
         summary.iterations += sweeps.sweeps;
         summary.t1 += sweeps.t1;

@@ -20,4 +20,14 @@ void bind_foam(pybind11::module_& module);
 void bind_texture(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 
+/// Ends a function that takes long if the user has pressed Ctrl-C: calls the handlers of signals of
+/// Python, and throws the exception that they raise. Precondition: this thread does not hold the
+/// GIL.
+inline void throw_if_interrupted() {
+    const pybind11::gil_scoped_acquire python;
+    if (PyErr_CheckSignals() != 0) {
+        throw pybind11::error_already_set();
+    }
+}
+
 }  // namespace foam::texgen

@@ -176,10 +176,11 @@ void bind_actions(FoamClass& foam) {
         .def(
             "relax",
             [](SharedFoam& self, int threads) {
-                return checked(self.use([&](foamtex::Foam& one) { return one.relax(threads); }));
+                return checked(self.change(
+                    [&](foamtex::Foam& one) { return one.relax(threads, throw_if_interrupted); }));
             },
             "Brings the foam to equilibrium at its target areas, to errors below 1e-9. Raises "
-            "EquilibriumError if there is none; the foam is then unchanged.",
+            "EquilibriumError if there is none; the foam is then unchanged, as after Ctrl-C.",
             py::kw_only(),
             py::arg("threads") = 0)
         .def(
@@ -191,14 +192,16 @@ void bind_actions(FoamClass& foam) {
                const std::vector<PushTuple>& pushes,
                const StepSettings& settings) {
                 const Drive drive = drive_of(areas, strain, pushes);
-                return checked(
-                    self.use([&](foamtex::Foam& one) { return one.step(time, drive, settings); }));
+                return checked(self.change([&](foamtex::Foam& one) {
+                    return one.step(time, drive, settings, throw_if_interrupted);
+                }));
             },
             "Advances the foam by a time, in which gas diffuses, bubbles vanish (T2) and films "
             "swap "
             "neighbors (T1). `areas` maps identities of bubbles to target areas at the end of the "
             "step; `strain` is simple shear along x; each of `pushes` is (center, radius, by). "
-            "Raises EquilibriumError if a step fails; the foam is then in the last equilibrium.",
+            "Raises EquilibriumError if a step fails; the foam is then in the last equilibrium. "
+            "After Ctrl-C, it is unchanged.",
             py::arg("time"),
             py::kw_only(),
             py::arg("areas") = std::map<std::int64_t, double>(),
@@ -208,7 +211,7 @@ void bind_actions(FoamClass& foam) {
         .def(
             "shear",
             [](SharedFoam& self, double strain) {
-                self.use([&](foamtex::Foam& one) { one.shear(strain); });
+                self.change([&](foamtex::Foam& one) { one.shear(strain); });
             },
             "Shears a torus without restoring equilibrium: every point moves right by strain * y.",
             py::arg("strain"));
@@ -257,7 +260,9 @@ void bind_values(FoamClass& foam) {
             py::arg("threads") = 0)
         .def(
             "take_events",
-            [](SharedFoam& self) { return self.use([](auto& one) { return one.take_events(); }); },
+            [](SharedFoam& self) {
+                return self.change([](auto& one) { return one.take_events(); });
+            },
             "The changes of topology since the last call, as a list of Event.")
         .def_property_readonly(
             "bubbles",

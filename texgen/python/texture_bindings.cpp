@@ -49,15 +49,6 @@ std::map<std::string, std::string> values_of(const py::dict& values) {
     return texts;
 }
 
-// Ends a wait for the next frame if the user has pressed Ctrl-C. Precondition: this thread does not
-// hold the GIL.
-void throw_if_interrupted() {
-    const py::gil_scoped_acquire python;
-    if (PyErr_CheckSignals() != 0) {
-        throw py::error_already_set();
-    }
-}
-
 // Deletes a simulation. Other threads of Python run meanwhile, because its destructor waits until
 // the step that is running has ended.
 struct SimulationDeleter {

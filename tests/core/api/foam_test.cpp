@@ -42,6 +42,28 @@ TEST(LibraryFoam, IsAValue) {
     EXPECT_EQ(moved.time(), 0.5);
 }
 
+// An exception of `poll` ends the work, and changes nothing.
+TEST(LibraryFoam, CanBeInterrupted) {
+    struct Stop {};
+    const auto stop_at = [](int call) {
+        return [calls = 0, call]() mutable {
+            if (++calls == call) {
+                throw Stop();
+            }
+        };
+    };
+    Foam foam = Foam::torus({.bubbles = 200, .seed = 6});
+    const std::string seeded = foam.state();
+    EXPECT_THROW(foam.relax(1, stop_at(1)), Stop);
+    EXPECT_TRUE(foam.state() == seeded);
+    ASSERT_TRUE(foam.relax(1).converged);
+    const std::string before = foam.state();
+    const std::size_t events = Foam(foam).take_events().size();
+    EXPECT_THROW(foam.step(200.0, {}, {}, stop_at(3)), Stop);
+    EXPECT_TRUE(foam.state() == before);
+    EXPECT_EQ(foam.take_events().size(), events);
+}
+
 TEST(LibraryFoam, KeepsEveryBitInFiles) {
     const foam::TemporaryFolder folder;
     const std::string file = (folder.path() / "a.json").string();

@@ -24,6 +24,18 @@ def test_relax_reaches_equilibrium():
     assert foam.bubbles["area"].sum() == pytest.approx(60, rel=1e-12)
 
 
+def test_records_are_those_of_the_access():
+    foam = relaxed(40, seed=5)
+    before = foam.bubbles
+    assert not before.flags.writeable
+    assert before.__array_interface__["data"] == foam.bubbles.__array_interface__["data"]  # computed once
+    pressures = before["pressure"].copy()
+    foam.step(1.0)
+    assert (before["pressure"] == pressures).all() and (foam.bubbles["pressure"] != pressures).any()
+    del foam
+    assert (before["pressure"] == pressures).all()
+
+
 def test_records_describe_one_foam():
     foam = relaxed(80, seed=2)
     bubbles, films, junctions = foam.bubbles, foam.films, foam.junctions

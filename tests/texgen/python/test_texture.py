@@ -85,18 +85,23 @@ def test_a_simulation_may_be_left_early():
     assert time.monotonic() - started < 60
 
 
-def test_ctrl_c_ends_a_simulation():
-    program = (
-        "import foamtex\n"
-        "print('ready', flush=True)\n"
-        "for frame in foamtex.Preset('sea_foam', {'foam.bubbles': 30000}).simulate('400'):\n    pass\n"
-    )
+@pytest.mark.parametrize(
+    "work",
+    [
+        "for frame in foamtex.Preset('sea_foam', {'foam.bubbles': 30000}).simulate('400'): pass",
+        "foamtex.Foam.torus(60000).relax(threads=1)",
+        "foam = foamtex.Foam.torus(2000); foam.relax(); foam.step(1000, settings=foamtex.StepSettings(kappa=1))",
+    ],
+)
+def test_ctrl_c_ends_long_work(work):
+    program = f"import foamtex\nprint('ready', flush=True)\n{work}\nprint('done')\n"
     process = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     process.stdout.readline()
     time.sleep(0.5)
     process.send_signal(signal.SIGINT)
-    _, error = process.communicate(timeout=120)
+    output, error = process.communicate(timeout=120)
     assert b"KeyboardInterrupt" in error, error
+    assert b"done" not in output
 
 
 def test_other_threads_run_during_a_simulation():

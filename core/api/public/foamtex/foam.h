@@ -7,6 +7,7 @@
 #include <foamtex/records.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -107,13 +108,18 @@ class FOAMTEX_EXPORT Foam {
 
     /// Brings the foam to equilibrium at its target areas (E2), to errors below 1e-9. If this
     /// fails, the result says so, and the foam is unchanged. `threads` is as in StepSettings.
-    Equilibrium relax(int threads = 0);
+    /// Calls `poll` before each round of the solver, if there is one; an exception of `poll` ends
+    /// the work, and the foam is unchanged.
+    Equilibrium relax(int threads = 0, const std::function<void()>& poll = {});
 
     /// Advances a foam in equilibrium by a time, in which gas diffuses (E6), bubbles vanish (T2)
     /// and films swap neighbors (T1), and `drive` acts on it. If this fails, the result says so,
     /// and the foam is in the last equilibrium that was reached. Throws ArgumentError if an
-    /// argument is not allowed.
-    Equilibrium step(double time, const Drive& drive = {}, const StepSettings& settings = {});
+    /// argument is not allowed. `poll` is as in `relax`.
+    Equilibrium step(double time,
+                     const Drive& drive = {},
+                     const StepSettings& settings = {},
+                     const std::function<void()>& poll = {});
 
     /// Shears a torus (Drive::strain) without restoring equilibrium. Throws ArgumentError for a
     /// patch.
