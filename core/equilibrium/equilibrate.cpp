@@ -12,6 +12,7 @@
 #include "core/foam/t1_rule.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -49,11 +50,16 @@ constexpr int kGlobalRelaxationPeriod = 4;
 // The foam that all rounds work on, and the buffers that they reuse.
 struct Work {
     Work(Foam& the_foam, const EquilibriumOptions& the_options)
-        : foam(the_foam), options(the_options), local(the_foam) {}
+        : foam(the_foam),
+          options(the_options),
+          kept(the_options.system ? the_options.system : std::make_shared<NewtonSystem>()),
+          whole(*kept),
+          local(the_foam) {}
 
     Foam& foam;
     const EquilibriumOptions& options;
-    NewtonSystem whole;   // system of all unknowns of the foam
+    std::shared_ptr<NewtonSystem> kept;
+    NewtonSystem& whole;  // system of all unknowns of the foam
     RegionBuffers local;  // for the defect regions and for all relaxations
 };
 
@@ -97,7 +103,8 @@ void relax_all(Work& work, bool restarts, Progress& progress) {
     const RelaxationSummary relaxation = relax_globally(work.foam, options, work.local.soft);
     progress.summary.sweeps += relaxation.sweeps;
     count_t1(relaxation.t1, progress);
-    progress.needs_restart = true;  // the factor belongs to the state before
+    progress.needs_restart = true;
+    work.whole.drop_factor();  // it belongs to the state before
 }
 
 // Solves the regions around defects on their own and returns their number. Does nothing and returns
@@ -144,8 +151,7 @@ Progress initial_phase(Work& work) {
 
 NewtonSummary solve_whole(Work& work, Progress& progress) {
     if (progress.needs_restart) {
-        // After the first start, only T1s change the network.
-        work.whole.start(work.foam, all_unknowns(work.foam.network), work.options.threads, true);
+        work.whole.start_whole(work.foam, work.options.threads);
         progress.needs_restart = false;
     }
     const bool stops_if_slow = progress.solves_regions && progress.stops_if_slow;
@@ -223,6 +229,9 @@ EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
             options.on_round();
         }
         progress = next_round(work, progress);
+    }
+    if (!progress.is_at_rest) {
+        work.whole.drop_factor();  // it belongs to a state that the caller may drop
     }
     return conclude(foam, before, options, progress.is_at_rest, progress.summary);
 }

@@ -5,8 +5,11 @@
 #include "core/foam/topology_thresholds.h"
 
 #include <functional>
+#include <memory>
 
 namespace foam {
+
+class NewtonSystem;
 
 /// Options of `equilibrate` and of `equilibrate_by_sweeps` (core/reference).
 struct EquilibriumOptions {
@@ -25,6 +28,11 @@ struct EquilibriumOptions {
     // Largest number of rounds. A round is a run of the solver and the response to its result: T1s,
     // relaxation, or solving the defect regions.
     int max_rounds = 100;
+    // The linear system that `equilibrate` uses and leaves for the next call, which may then reuse
+    // its analysis and its factor (NewtonSystem::start_whole); null for a new system. The result
+    // depends on earlier calls with the same system: on their number, states and networks. The
+    // system must not be used by two calls at the same time.
+    std::shared_ptr<NewtonSystem> system = {};
     // Called before each round, if it is not empty. May throw an exception to end the solver, which
     // passes it on; the foam is then in a state between two rounds.
     std::function<void()> on_round = {};

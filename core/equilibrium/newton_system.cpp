@@ -36,18 +36,35 @@ void remove_mean(Eigen::VectorXd& rows, std::size_t junction_count) {
 
 }  // namespace
 
-void NewtonSystem::start(const Foam& foam, Unknowns unknowns, int threads, bool keeps_order) {
+void NewtonSystem::start(const Foam& foam, Unknowns unknowns, int threads) {
+    network_.reset();
+    prepare(foam, std::move(unknowns), threads);
+}
+
+void NewtonSystem::start_whole(const Foam& foam, int threads) {
+    if (network_ && precision_ == first_precision() && threads_ == threads &&
+        network_->is_connected_as(foam.network)) {
+        return;
+    }
+    network_ = foam.network;
+    prepare(foam, all_unknowns(foam.network), threads);
+}
+
+void NewtonSystem::prepare(const Foam& foam, Unknowns unknowns, int threads) {
     unknowns_ = std::move(unknowns);
     threads_ = threads;
-    keeps_order_ = keeps_order;
     is_whole_ = unknowns_.bubbles.size() == foam.network.bubble_count();
     hessian_.emplace(foam.network, unknowns_);
-    start_solver(foam, unknowns_.size() < kFewUnknowns ? Precision::Double : Precision::Single);
+    start_solver(foam, first_precision());
+}
+
+Precision NewtonSystem::first_precision() const {
+    return unknowns_.size() < kFewUnknowns ? Precision::Double : Precision::Single;
 }
 
 void NewtonSystem::start_solver(const Foam& foam, Precision precision) {
     precision_ = precision;
-    solver_.start(foam, unknowns_, precision, threads_, keeps_order_);
+    solver_.start(foam, unknowns_, precision, threads_, network_.has_value());
     has_factor_ = false;
 }
 

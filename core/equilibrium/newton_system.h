@@ -23,9 +23,14 @@ class NewtonSystem {
 
     /// Prepares the system for the given unknowns of a foam. Afterwards no factor is available.
     /// Must be called before all other functions, and again whenever the network has changed.
-    /// `threads` has the same meaning as in parallel_for. `keeps_order` has the same meaning as in
-    /// LinearSolver::start.
-    void start(const Foam& foam, Unknowns unknowns, int threads, bool keeps_order = false);
+    /// `threads` has the same meaning as in parallel_for.
+    void start(const Foam& foam, Unknowns unknowns, int threads);
+
+    /// Prepares the system for all unknowns of a foam. Does less work than `start` if the last call
+    /// was for a similar network. If the connections are the same, the analysis is kept, and a
+    /// factor of the earlier state, too, if there is one. Otherwise, the order of elimination is
+    /// repaired (LinearSolver::start). The steps then depend on earlier calls.
+    void start_whole(const Foam& foam, int threads);
 
     const Unknowns& unknowns() const { return unknowns_; }
     int threads() const { return threads_; }
@@ -49,16 +54,18 @@ class NewtonSystem {
     bool raise_precision(const Foam& foam);
 
   private:
+    void prepare(const Foam& foam, Unknowns unknowns, int threads);
+    Precision first_precision() const;
     void start_solver(const Foam& foam, Precision precision);
     void factor(const Foam& foam);
     Eigen::VectorXd solvable_part(const Foam& foam, Eigen::VectorXd residual) const;
 
     Unknowns unknowns_;
     std::optional<Hessian> hessian_;
+    std::optional<Network> network_;  // of the last start, if it was start_whole
     LinearSolver solver_;
     Precision precision_ = Precision::Double;
     int threads_ = 1;
-    bool keeps_order_ = false;
     bool is_whole_ = false;  // no bubble is held
     bool has_factor_ = false;
 };

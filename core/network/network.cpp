@@ -97,6 +97,13 @@ void Network::rebase(JunctionId junction, LatticeOffset by) {
     }
 }
 
+bool Network::is_connected_as(const Network& other) const {
+    return half_edges_ == other.half_edges_ && outgoing_ == other.outgoing_ &&
+           first_ == other.first_ && junction_live_ == other.junction_live_ &&
+           film_live_ == other.film_live_ && bubble_live_ == other.bubble_live_ &&
+           ghost_ == other.ghost_;
+}
+
 Network::Kept Network::compact() {
     Kept kept{junctions().ids(junction_count()),
               films().ids(film_count()),

@@ -114,6 +114,10 @@ class Network {
     /// junction; the chords of the films are then unchanged.
     void rebase(JunctionId junction, LatticeOffset by);
 
+    /// Returns true if the networks have the same slots, live elements and connections. The lattice
+    /// offsets may differ.
+    bool is_connected_as(const Network& other) const;
+
     /// For each new id after compact(), the old id of the element. The elements of each kind keep
     /// their order, except that the ghost becomes the last bubble.
     struct Kept {
@@ -132,6 +136,8 @@ class Network {
         JunctionId tail = kNone<JunctionId>;
         BubbleId left = kNone<BubbleId>;
         HalfEdgeId next = kNone<HalfEdgeId>;
+
+        friend bool operator==(const HalfEdge&, const HalfEdge&) = default;
     };
 
     std::vector<HalfEdge> half_edges_;

@@ -3,6 +3,7 @@
 #include "texgen/animation/simulation.h"
 
 #include "core/dynamics/restore_rafts.h"
+#include "core/equilibrium/newton_system.h"
 #include "core/foam/measure.h"
 #include "texgen/animation/display_transform.h"
 #include "texgen/animation/seed.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,7 @@ StepOptions step_options_of(const Preset& preset, int threads) {
     options.equilibrium.tolerance = preset.equilibrium.tolerance;
     options.equilibrium.thresholds = preset.thresholds;
     options.equilibrium.threads = threads;
+    options.equilibrium.system = std::make_shared<NewtonSystem>();
     return options;
 }
 

@@ -5,6 +5,7 @@
 #include "core/equilibrium/residual.h"
 #include "core/foam/honeycomb.h"
 #include "core/foam/random.h"
+#include "core/network/t1.h"
 
 #include <gtest/gtest.h>
 
@@ -135,6 +136,36 @@ TEST(NewtonSystem, GivesTheSameBitsForAnyNumberOfThreads) {
         system.start(c.foam, c.unknowns, threads);
         EXPECT_EQ(system.step(c.foam, c.r), one) << threads;
     }
+}
+
+// The second start of the same connections keeps the factor, so that its step is the one of the
+// state before.
+TEST(NewtonSystem, KeepsTheFactorOfTheSameConnections) {
+    Case c(6);
+    NewtonSystem system;
+    system.start_whole(c.foam, 1);
+    EXPECT_FALSE(system.has_factor());
+    const Eigen::VectorXd step = system.step(c.foam, c.r);
+    Foam moved = c.foam;
+    moved.positions[JunctionId{3}] += Vec2(0.02, -0.01);
+    system.start_whole(moved, 1);
+    EXPECT_TRUE(system.has_factor());
+    EXPECT_EQ(system.step(moved, c.r), step);
+    system.drop_factor();
+    EXPECT_NE(system.step(moved, c.r), step);
+}
+
+TEST(NewtonSystem, StartsAgainWithOtherConnections) {
+    Case c(6);
+    NewtonSystem system;
+    system.start_whole(c.foam, 1);
+    system.step(c.foam, c.r);
+    flip(c.foam.network, FilmId{5});
+    c.r = residual(c.foam, c.unknowns);
+    system.start_whole(c.foam, 1);
+    EXPECT_FALSE(system.has_factor());
+    const Eigen::VectorXd step = system.step(c.foam, c.r);
+    EXPECT_LT(linear_residual(c, step).norm(), 1e-5 * c.r.norm());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "core/foam/foam.h"
 #include "core/foam/honeycomb.h"
+#include "core/network/t1.h"
 #include "core/network/t2.h"
 #include "tests/core/foams.h"
 
@@ -129,6 +130,16 @@ TEST(Network, RebaseBackIsTheSameNetwork) {
     EXPECT_FALSE(are_same(before, after));
     after.rebase(JunctionId{3}, {-1, -2});
     EXPECT_TRUE(are_same(before, after));
+}
+
+// A move of a junction by a period changes offsets, a T1 changes connections.
+TEST(Network, ComparesConnections) {
+    const Foam foam = honeycomb(4, 4);
+    Network moved = foam.network;
+    moved.rebase(JunctionId{3}, {1, 0});
+    EXPECT_TRUE(moved.is_connected_as(foam.network));
+    flip(moved, FilmId{5});
+    EXPECT_FALSE(moved.is_connected_as(foam.network));
 }
 
 TEST(Network, IsCompactWithoutDeadSlots) {
