@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Reads vector files of foamtex with programs of others: SVG with rsvg-convert and xmllint, PDF with pdftoppm, DXF with
-ezdxf. Renderings are compared with PNGs of the map albedo, maze or contour.
+ezdxf, and SVG with Inkscape if it is installed. Renderings are compared with PNGs of the map albedo, maze or contour.
 
 Usage: tests/interop/vectors.py PROGRAM SCRATCH
 """
 import json
+import shutil
 import subprocess
 import sys
 
@@ -18,7 +19,7 @@ from PIL import Image
 PIXELS = 2048
 REDUCTION = 8
 # Limits of the mean and of the largest difference, of 255.
-LIMITS = {"rsvg-convert": (1.5, 20), "pdftoppm": (2.0, 30)}
+LIMITS = {"rsvg-convert": (1.5, 20), "inkscape": (1.5, 20), "pdftoppm": (2.0, 30)}
 
 # Preset, content, settings. Films of a constant width and without shade or grain, so that an image shows what a drawing
 # can show.
@@ -64,8 +65,12 @@ def svg_and_pdf(program, folder, preset, what, walls):
     run("rsvg-convert", "--width", str(PIXELS), "--output", base + "_svg.png", base + ".svg")
     run("pdftoppm", "-png", "-singlefile", "-scale-to", str(PIXELS), base + ".pdf", base + "_pdf")
     name = f"{preset} {what} {walls}"
-    return [compare(name, "rsvg-convert", base + ".png", base + "_svg.png"),
-            compare(name, "pdftoppm", base + ".png", base + "_pdf.png")]
+    results = [compare(name, "rsvg-convert", base + ".png", base + "_svg.png"),
+               compare(name, "pdftoppm", base + ".png", base + "_pdf.png")]
+    if shutil.which("inkscape"):
+        run("inkscape", "--export-width", str(PIXELS), "--export-filename", base + "_inkscape.png", base + ".svg")
+        results.append(compare(name, "inkscape", base + ".png", base + "_inkscape.png"))
+    return results
 
 
 def arcs_of(document, layer):
