@@ -41,7 +41,8 @@ fuzz() {
     mkdir -p "$work/corpus/$target" "$work/findings/$target"
     : >"$work/$target.log"
     while left=$((end - SECONDS)) && ((left > 0)); do
-        FOAMTEX_FUZZ_TARGET=$target "$program" -max_total_time="$left" -timeout=60 -rss_limit_mb=512 \
+        # libFuzzer measures wall time, which depends on other work; the target itself limits processor time.
+        FOAMTEX_FUZZ_TARGET=$target "$program" -max_total_time="$left" -timeout=300 -report_slow_units=300 -rss_limit_mb=512 \
             -max_len=$largest_input "${dictionary[@]}" -print_final_stats=1 -verbosity=1 \
             -artifact_prefix="$work/findings/$target/" "$work/corpus/$target" "$seeds/$target" \
             >>"$work/$target.log" 2>&1 && break

@@ -49,6 +49,37 @@ test("the surface is drawn and changes with the light", () =>
         assert.deepEqual(errors, []);
     }));
 
+test("the surface plays the loop", () =>
+    with_studio(async ({ studio, browser }) => {
+        const { page, errors } = await open_studio(browser, studio.url);
+        await page.evaluate(() => {
+            window.studio.state.set("foam.bubbles", "60");
+            window.studio.state.set("frames.count", "6");
+        });
+        const version = () => page.evaluate(() => Number(document.getElementById("surface").dataset.version ?? 0));
+        await page.click("#tab-lit");
+        await page.waitForFunction(() => Number(document.getElementById("surface").dataset.version) > 0, null,
+            { timeout: 60_000 });
+        await page.waitForFunction(() => document.getElementById("loaded").textContent.includes("in memory"), null,
+            { timeout: 60_000 });
+        const before = await version();
+        if (!(await page.evaluate(() => window.studio.player.playing))) {
+            await page.click("#play");
+        }
+        // All six frames are shown, and some of them twice.
+        await page.waitForFunction((least) => Number(document.getElementById("surface").dataset.version) > least, before + 12,
+            { timeout: 60_000 });
+        await page.click("#play");
+        await page.waitForFunction((least) => Number(document.getElementById("surface").dataset.version) > least, await version(),
+            { timeout: 60_000 });
+        await page.waitForTimeout(500);
+        const first = await surface_colors(page);
+        await page.evaluate(() => window.studio.player.step(3));
+        await page.waitForTimeout(2500);
+        assert.notEqual((await surface_colors(page)).sum, first.sum);
+        assert.deepEqual(errors, []);
+    }));
+
 for (const colorScheme of ["dark", "light"]) {
     test(`axe-core finds nothing in the ${colorScheme} theme`, () =>
         with_studio(async ({ studio, browser }) => {

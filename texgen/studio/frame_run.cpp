@@ -19,11 +19,21 @@ int FrameRun::complete_frames() const {
     return complete;
 }
 
-// Assembles frames from the kept states. Precondition: all states are kept.
-void FrameRun::assemble(const Preset& shown,
-                        const std::vector<int>& numbers,
-                        NextFrames next_frames,
-                        const FrameVisitor& visit) const {
+std::map<int, SimulatedFrame> FrameRun::states_for(const Preset& shown,
+                                                   int frame,
+                                                   NextFrames next_frames) const {
+    std::map<int, SimulatedFrame> some;
+    for (const int number : FrameAssembly(shown, {frame}, next_frames, {}).states()) {
+        some.emplace(number, kept.at(number));
+    }
+    return some;
+}
+
+void assemble(const std::map<int, SimulatedFrame>& kept,
+              const Preset& shown,
+              const std::vector<int>& numbers,
+              NextFrames next_frames,
+              const FrameVisitor& visit) {
     FrameAssembly assembly(shown, numbers, next_frames, visit);
     std::optional<View> view;
     for (const int number : assembly.states()) {

@@ -39,12 +39,18 @@ struct FrameRun {
     // Returns the number of the first frames whose states are all kept.
     int complete_frames() const;
 
-    // Assembles frames from the kept states. Precondition: all states of the frames are kept.
-    void assemble(const Preset& shown,
-                  const std::vector<int>& numbers,
-                  NextFrames next_frames,
-                  const FrameVisitor& visit) const;
+    // Returns the kept states that a frame needs. Precondition: all of them are kept.
+    std::map<int, SimulatedFrame> states_for(const Preset& shown,
+                                             int frame,
+                                             NextFrames next_frames) const;
 };
+
+/// Assembles frames from kept states. Precondition: `kept` has all states of the frames.
+void assemble(const std::map<int, SimulatedFrame>& kept,
+              const Preset& shown,
+              const std::vector<int>& numbers,
+              NextFrames next_frames,
+              const FrameVisitor& visit);
 
 /// Returns the numbers of the states that frames need, and of the states after them.
 std::vector<int> states_of(const Preset& preset, const std::vector<int>& frames);

@@ -60,7 +60,10 @@ SimulationState FrameStore::want(const Preset& preset, const std::string& page) 
     return state_of(*want_run(preset, page));
 }
 
-SimulatedFrame FrameStore::frame(const Preset& preset, int number, const std::string& page) {
+SimulatedFrame FrameStore::frame(const Preset& preset,
+                                 int number,
+                                 NextFrames next_frames,
+                                 const std::string& page) {
     std::unique_lock lock(mutex_);
     const RunPointer run = want_run(preset, page);
     if (number > run->frames) {
@@ -80,10 +83,11 @@ SimulatedFrame FrameStore::frame(const Preset& preset, int number, const std::st
     if (!run->has_states(number)) {
         throw SimulationFailed(run->failure);
     }
+    const std::map<int, SimulatedFrame> states = run->states_for(preset, number, next_frames);
+    lock.unlock();  // the current of a loop takes milliseconds to move the foam
     SimulatedFrame found;
-    run->assemble(preset, {number}, NextFrames::Included, [&](const SimulatedFrame& shown) {
-        found = shown;
-    });
+    assemble(
+        states, preset, {number}, next_frames, [&](const SimulatedFrame& shown) { found = shown; });
     return found;
 }
 
@@ -124,7 +128,7 @@ FrameSource FrameStore::source(const Preset& preset) {
                                  NextFrames next_frames,
                                  const FrameVisitor& on_frame,
                                  const ProgressCallback&) {
-                run->assemble(preset, numbers, next_frames, on_frame);
+                assemble(run->kept, preset, numbers, next_frames, on_frame);
                 return *run->outcome;
             };
         }

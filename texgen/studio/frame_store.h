@@ -61,11 +61,14 @@ class FrameStore {
     /// Makes the foam of a preset the one that a page wants, and returns how far it is.
     SimulationState want(const Preset& preset, const std::string& page);
 
-    /// Does what `want` does, waits until a frame can be drawn, and returns it and the frame after
-    /// it. The options of the image, the camera and the loop are those of the given preset. Throws
-    /// FrameReplaced, and SimulationFailed if the foam has no equilibrium, the loop does not close,
-    /// or the frame is not kept.
-    SimulatedFrame frame(const Preset& preset, int number, const std::string& page);
+    /// Does what `want` does, waits until a frame can be drawn, and returns it, and the frame after
+    /// it if `next_frames` asks for it. The options of the image, the camera and the loop are those
+    /// of the given preset. Throws FrameReplaced, and SimulationFailed if the foam has no
+    /// equilibrium, the loop does not close, or the frame is not kept.
+    SimulatedFrame frame(const Preset& preset,
+                         int number,
+                         NextFrames next_frames,
+                         const std::string& page);
 
     /// Returns a draft of frame 1: the seeded foam in equilibrium, without the warm-up, the events
     /// and the loop, which can take much longer. Throws SimulationFailed.

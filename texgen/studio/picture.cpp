@@ -107,22 +107,28 @@ std::shared_ptr<Painter::Shown> Painter::shown(const Preset& preset,
                                         preset.camera.margin);
     const std::vector<std::string> names = {request.map};
     DistanceNeeds needs = distance_needs(names, preset.maps);
+    NextFrames next_frames =
+        find_map(request.map).needs_next ? NextFrames::Included : NextFrames::Omitted;
     {
         const std::scoped_lock lock(mutex_);
         const auto found = std::ranges::find(
             kept_, key, [](const auto& one) { return std::string_view(one.first); });
         if (found != kept_.end()) {
             std::shared_ptr<Shown> kept = found->second;
-            if (includes(kept->needs, needs) && ++kept->uses < kLargestUses) {
+            const bool has_next = kept->frame.next != nullptr;
+            if (includes(kept->needs, needs) && ++kept->uses < kLargestUses &&
+                (has_next || next_frames == NextFrames::Omitted)) {
                 kept_.splice(kept_.begin(), kept_, found);
                 return kept;
             }
             needs = joined(needs, kept->needs);
+            next_frames = has_next ? NextFrames::Included : next_frames;
             kept_.erase(found);
         }
     }
-    SimulatedFrame frame =
-        is_draft ? store_.draft(preset) : store_.frame(preset, request.frame, request.page);
+    SimulatedFrame frame = is_draft
+                               ? store_.draft(preset)
+                               : store_.frame(preset, request.frame, next_frames, request.page);
     const RasterGrid grid = reduced.grid(frame.view);
     auto made = std::make_shared<Shown>(std::move(frame), grid, needs);
     const std::scoped_lock lock(mutex_);

@@ -58,7 +58,8 @@ TEST(FrameStore, FramesEqualThoseOfASimulation) {
             {1, 2, 3, 4},
             NextFrames::Included,
             [&](const SimulatedFrame& expected) {
-                const SimulatedFrame kept = store.frame(preset, expected.frame->number, "page");
+                const SimulatedFrame kept =
+                    store.frame(preset, expected.frame->number, NextFrames::Included, "page");
                 EXPECT_EQ(areas_of(kept), areas_of(expected)) << kind;
                 EXPECT_EQ(kept.frame->positions, expected.frame->positions) << kind;
                 EXPECT_EQ(kept.next->positions, expected.next->positions) << kind;
@@ -115,7 +116,7 @@ TEST(FrameStore, AFailureHasAMessage) {
     const SimulationState state = complete_state(store, preset, "page");
     EXPECT_EQ(state.status, SimulationState::Status::Failed);
     EXPECT_NE(state.message.find("the loop does not close"), std::string::npos);
-    EXPECT_THROW(store.frame(preset, 1, "page"), SimulationFailed);
+    EXPECT_THROW(store.frame(preset, 1, NextFrames::Included, "page"), SimulationFailed);
 }
 
 TEST(FrameStore, KeepsOnlyTheFramesThatFit) {
@@ -124,8 +125,8 @@ TEST(FrameStore, KeepsOnlyTheFramesThatFit) {
     const Preset preset = small();
     const SimulationState state = complete_state(store, preset, "page");
     EXPECT_EQ(state.total, 2);
-    EXPECT_EQ(store.frame(preset, 2, "page").frame->number, 2);
-    EXPECT_THROW(store.frame(preset, 3, "page"), SimulationFailed);
+    EXPECT_EQ(store.frame(preset, 2, NextFrames::Omitted, "page").frame->number, 2);
+    EXPECT_THROW(store.frame(preset, 3, NextFrames::Included, "page"), SimulationFailed);
     EXPECT_FALSE(store.source(preset));
 }
 

@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The tab that shows the material on a lit surface.
+// The tab that shows the material on a lit surface. While the loop plays, the surface plays, too: the maps of all frames
+// are loaded one frame after another and kept.
 
 import {$, debounce} from "./dom.js";
 import {ApiError, postPicture} from "./api.js";
 
 const kRest = 200; // milliseconds without an edit after which the maps are requested
 const kWidth = 512; // largest width of the maps, in pixels
+const kBytesPerPixel = 28; // of the seven maps
+const kMemory = 384 * 1024 * 1024; // bytes for the maps of all frames of a loop
 
 export class Lit {
     #studio;
     #surface = null;
     #abort = null;
     #stale = true;
+    #frames = new Map(); // the maps of each frame that was loaded while the loop played
+    #loading = false;
+    #wasPlaying = false;
     #later = debounce(kRest, () => this.#update());
 
     constructor(studio) {
         this.#studio = studio;
-        studio.refreshed.on(() => this.#onChange());
-        studio.answered.on(() => this.#onChange());
-        studio.player.framed.on(() => !studio.player.playing && this.#onChange());
+        studio.refreshed.on(() => this.#onEdit());
+        studio.answered.on(() => this.#onEdit());
+        studio.player.framed.on((frame) => (studio.player.playing ? this.#onTick(frame) : this.#onChange()));
+        studio.player.changed.on(() => this.#onPlayerChange());
         studio.ui.on("mode", () => this.#onMode());
         for (const id of ["lit-shape", "lit-tiling", "lit-azimuth", "lit-elevation", "lit-ambient", "lit-relief"]) {
             $(id).addEventListener("input", () => this.#apply());
@@ -34,6 +41,81 @@ export class Lit {
 
     get #open() {
         return this.#studio.ui.get("mode") === "lit";
+    }
+
+    #onEdit() {
+        this.#frames.clear();
+        this.#abort?.abort(); // maps of the settings before
+        this.#onChange();
+    }
+
+    // After the loop was paused, the frame that is shown is drawn at the full size.
+    #onPlayerChange() {
+        const {playing} = this.#studio.player;
+        if (this.#wasPlaying && !playing) {
+            this.#onChange();
+        }
+        this.#wasPlaying = playing;
+    }
+
+    #onTick(frame) {
+        const images = this.#frames.get(frame);
+        if (!this.#open || !this.#surface) {
+            return;
+        }
+        if (images) {
+            this.#show(images);
+        }
+        if (!this.#loading) {
+            this.#loadFrames();
+        }
+    }
+
+    // Loads the maps of all frames, first those after the current one, until the loop is paused or everything is loaded.
+    async #loadFrames() {
+        const {player} = this.#studio;
+        const frames = this.#frames;
+        const mayGoOn = () => player.playing && this.#open && !this.#studio.baked && this.#studio.answer;
+        this.#loading = true;
+        try {
+            while (mayGoOn() && frames.size < player.count) {
+                const order = Array.from({length: player.count}, (_, k) => ((player.frame + k) % player.count) + 1);
+                const frame = order.find((number) => !frames.has(number));
+                this.#abort?.abort();
+                const abort = new AbortController();
+                this.#abort = abort;
+                const images = await this.#images(abort.signal, frame, this.#loopWidth());
+                if (abort.signal.aborted) {
+                    return;
+                }
+                frames.set(frame, images);
+            }
+        } catch (error) {
+            this.#report(error);
+        } finally {
+            this.#loading = false;
+        }
+    }
+
+    // Returns a width at which the maps of all frames fit into memory.
+    #loopWidth() {
+        let width = kWidth;
+        while (width > 64 && kBytesPerPixel * width * width * this.#studio.player.count > kMemory) {
+            width /= 2;
+        }
+        return width;
+    }
+
+    #show(images) {
+        this.#surface.setImages(images);
+        this.#fail(null);
+        $("surface").dataset.version = Number($("surface").dataset.version ?? 0) + 1;
+    }
+
+    #report(error) {
+        if (error instanceof ApiError && error.status !== 409) {
+            this.#fail(error.message);
+        }
     }
 
     #onChange() {
@@ -76,25 +158,21 @@ export class Lit {
         this.#abort = abort;
         this.#stale = false;
         try {
-            const images = await this.#images(abort.signal);
-            this.#surface.setImages(images);
+            this.#show(await this.#images(abort.signal, this.#studio.player.frame, kWidth));
             this.#apply();
-            this.#fail(null);
-            $("surface").dataset.version = Number($("surface").dataset.version ?? 0) + 1;
         } catch (error) {
-            if (error instanceof ApiError && error.status !== 409) {
-                this.#fail(error.message);
-            }
+            this.#report(error);
         }
     }
 
-    async #images(signal) {
-        const {answer, state, player, painter} = this.#studio;
-        const width = Math.min(kWidth, painter.width);
+    // Requests the maps of a frame. `widest` is their largest width in pixels.
+    async #images(signal, frame, widest) {
+        const {answer, state, painter} = this.#studio;
+        const width = Math.min(widest, painter.width);
         const ask = (map, samples) =>
             postPicture(
                 "/api/picture",
-                {settings: state.settings(), frame: player.frame, map, width, quality: "full", samples},
+                {settings: state.settings(), frame, map, width, quality: "full", samples},
                 signal,
             );
         const maps = {
