@@ -2,6 +2,27 @@
 
 #include "texgen/cli/program.h"
 
+#include <cstdlib>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace {
+
+// Makes the program keep freed memory for the next image. By default, glibc returns most of it to
+// the system, and clearing the pages of each new image takes 3 to 12 % of the time of a bake.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    constexpr int kLargestBlock = 32 << 20;  // bytes; the largest value that mallopt accepts
+    constexpr int kKept = 256 << 20;         // bytes at the end of the heap
+    mallopt(M_MMAP_THRESHOLD, kLargestBlock);
+    mallopt(M_TRIM_THRESHOLD, kKept);
+#endif
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+    keep_freed_memory();
     return static_cast<int>(foam::texgen::run_program(argc, argv));
 }
