@@ -112,8 +112,8 @@ void bind_files(py::module_& module) {
         .def_readonly("reasons", &Difference::reasons, "The limits that are exceeded, in words.")
         .def("__bool__", [](const Difference& self) { return self.is_within; })
         .def("__repr__", [](const Difference& self) {
-            return py::str("Difference(is_within={}, largest={:.3g}, rms={:.3g})")
-                .format(self.is_within, self.largest, self.rms);
+            return py::str("Difference(is_within={}, same_shape={}, largest={:.3g}, rms={:.3g})")
+                .format(self.is_within, self.same_shape, self.largest, self.rms);
         });
     module.def("bake",
                &bake,
