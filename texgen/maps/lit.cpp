@@ -111,18 +111,33 @@ std::vector<float> values_at(const Image<float>& image, std::span<const std::uin
     return values;
 }
 
-// Adds the shaded color at one point of each pixel to `sums`.
-void add_colors(std::span<const std::uint32_t> pixels,
-                const Image<std::uint16_t>& colors,
-                const Light& light,
-                std::span<Color> sums) {
+// One component of the colors of some pixels.
+using Component = std::vector<float>;
+
+// Returns a component of the color of some pixels.
+Component component_at(const Image<std::uint16_t>& colors,
+                       std::size_t c,
+                       std::span<const std::uint32_t> pixels) {
     const auto channels = static_cast<std::size_t>(colors.channels());
-    for (std::size_t k = 0; k < pixels.size(); ++k) {
-        const auto color = colors.samples().subspan(channels * pixels[k], 3);
-        for (std::size_t c = 0; c < 3; ++c) {
-            sums[k][c] += shaded(static_cast<float>(color[c]), light.diffuse[k], light.shine[k]);
-        }
+    Component component;
+    component.reserve(pixels.size());
+    for (const std::uint32_t pixel : pixels) {
+        component.push_back(static_cast<float>(colors.samples()[channels * pixel + c]));
     }
+    return component;
+}
+
+// Adds a component of the shaded color at one point of each pixel to `sums`.
+void add_shaded(const Component& component, const Light& light, Component& sums) {
+    at_simd_level([count = component.size(),
+                   to = sums.data(),
+                   color = component.data(),
+                   diffuse = light.diffuse.data(),
+                   shine = light.shine.data()] {
+        for (std::size_t k = 0; k < count; ++k) {
+            to[k] += shaded(color[k], diffuse[k], shine[k]);
+        }
+    });
 }
 
 // Returns the mean shaded colors of pixels, over samples² points of each of them.
@@ -138,18 +153,26 @@ std::vector<Color> mean_colors(std::span<const std::uint32_t> pixels,
     std::vector<float> y(pixels.size());
     std::vector<float> sky(pixels.size());
     Light light(pixels.size());
-    std::vector<Color> means(pixels.size());
+    std::array<Component, 3> components;
+    std::array<Component, 3> sums;
+    for (std::size_t c = 0; c < 3; ++c) {
+        components[c] = component_at(surface.colors, c, pixels);
+        sums[c].resize(pixels.size());
+    }
     const auto position = [samples](int k) { return (k + 0.5) / samples - 0.5; };
     for (int k = 0; k < samples * samples; ++k) {
         sampler.write({position(k % samples), position(k / samples)}, {x, y, sky});
         lighting.shade({x, y, sky}, {light.diffuse, light.shine});
         add_glow(glow, light);
-        add_colors(pixels, surface.colors, light, means);
-    }
-    for (Color& mean : means) {
-        for (float& component : mean) {
-            component /= static_cast<float>(samples * samples);
+        for (std::size_t c = 0; c < 3; ++c) {
+            add_shaded(components[c], light, sums[c]);
         }
+    }
+    const auto points = static_cast<float>(samples * samples);
+    std::vector<Color> means;
+    means.reserve(pixels.size());
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+        means.push_back({sums[0][k] / points, sums[1][k] / points, sums[2][k] / points});
     }
     return means;
 }
