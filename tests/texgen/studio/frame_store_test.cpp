@@ -93,7 +93,8 @@ TEST(FrameStore, AnotherFoamStopsTheFirstOne) {
     FrameStore store(kPlenty);
     // Closing this loop takes much longer than the test.
     const Preset slow = small({"foam.bubbles=300", "frames.count=12", "loop.kind=boil"});
-    auto waiting = std::async(std::launch::async, [&] { return store.frame(slow, 1, "page"); });
+    auto waiting = std::async(std::launch::async,
+                              [&] { return store.frame(slow, 1, NextFrames::Included, "page"); });
     while (store.want(small({"foam.bubbles=300", "frames.count=12", "loop.kind=boil"}), "page")
                .progress.done == 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -150,13 +151,15 @@ TEST(FrameStore, IsASourceOfAllFramesOnceComplete) {
 TEST(FrameStore, ADraftShowsTheSeededFoam) {
     FrameStore store(kPlenty);
     const Preset still = small({"loop.kind=none", "loop.current=0"});
-    EXPECT_EQ(areas_of(store.draft(small())), areas_of(store.frame(still, 1, "page")));
+    EXPECT_EQ(areas_of(store.draft(small())),
+              areas_of(store.frame(still, 1, NextFrames::Included, "page")));
 }
 
 TEST(FrameStore, StopEndsAllThatWait) {
     FrameStore store(kPlenty);
     const Preset slow = small({"foam.bubbles=300", "frames.count=12", "loop.kind=boil"});
-    auto waiting = std::async(std::launch::async, [&] { return store.frame(slow, 1, "page"); });
+    auto waiting = std::async(std::launch::async,
+                              [&] { return store.frame(slow, 1, NextFrames::Included, "page"); });
     store.stop();
     EXPECT_THROW(waiting.get(), FrameReplaced);
 }

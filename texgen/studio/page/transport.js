@@ -4,6 +4,7 @@
 
 import {$, setIcon, setLabel} from "./dom.js";
 
+const kUpdate = 100; // milliseconds between two updates while frames are loaded
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export class Transport {
@@ -50,14 +51,15 @@ export class Transport {
         this.#player.seek(frame);
     }
 
-    // Many frames can be loaded within one frame of the screen.
+    // Many frames are loaded within a second, and the browser needs milliseconds to draw the bar.
     #schedule() {
         if (!this.#scheduled) {
             this.#scheduled = true;
-            requestAnimationFrame(() => {
+            const show = () => {
                 this.#scheduled = false;
                 this.#show();
-            });
+            };
+            this.#player.loading ? setTimeout(show, kUpdate) : requestAnimationFrame(show);
         }
     }
 
