@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace foamtex {
 
@@ -40,7 +41,7 @@ foam::texgen::Preset preset_to_bake(const Preset& preset, const std::string& out
     const foam::texgen::Assignment pattern{
         "out", "output.pattern", foam::texgen::Value{pattern_of(copy, out)}};
     foam::texgen::assign(copy, std::span(&pattern, 1));
-    return copy;
+    return foam::texgen::with_sheets_beside_images(std::move(copy));
 }
 
 foam::texgen::ProgressCallback progress_of(const BakeSettings& settings) {

@@ -71,9 +71,11 @@ ExitCode bake_sizes(const std::vector<Preset>& presets,
 }
 
 ExitCode bake_once(const BakeArguments& arguments) {
-    const std::vector<Preset> presets = presets_of_sizes(
-        arguments.run,
-        [&](const RunArguments& run) { return preset_of(run, assignments_of(arguments.images)); });
+    const std::vector<Preset> presets =
+        presets_of_sizes(arguments.run, [&](const RunArguments& run) {
+            Preset preset = preset_of(run, assignments_of(arguments.images));
+            return with_sheets_placed(std::move(preset), run, arguments.images);
+        });
     const std::vector<int> frames = frames_of(arguments.run, presets.front());
     const ExitCode code = bake_sizes(presets, frames, arguments);
     if (code == ExitCode::Success && !arguments.run.quiet && !arguments.images.json) {

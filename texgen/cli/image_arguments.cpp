@@ -4,10 +4,12 @@
 
 #include "texgen/cli/options.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/sheet/flipbook.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace foam::texgen {
@@ -92,6 +94,12 @@ std::vector<Assignment> assignments_of(const ImageArguments& arguments) {
         assignments.push_back({"--out " + *arguments.out, "output.pattern", {*arguments.out}});
     }
     return assignments;
+}
+
+Preset with_sheets_placed(Preset preset, const RunArguments& run, const ImageArguments& arguments) {
+    const bool are_set = std::ranges::any_of(
+        run.sets, [](const std::string& set) { return set.starts_with("output.sheet_pattern"); });
+    return arguments.out && !are_set ? with_sheets_beside_images(std::move(preset)) : preset;
 }
 
 }  // namespace foam::texgen

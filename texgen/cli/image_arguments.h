@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/bake/bake.h"
+#include "texgen/cli/run_arguments.h"
 #include "texgen/preset/assignment.h"
 #include "texgen/preset/preset.h"
 
@@ -45,5 +46,9 @@ void add_image_options(CLI::App& command, ImageArguments& arguments);
 /// Returns one assignment for each of the options --maps, --pack, --normal-y, --scene, --wrap and
 /// --out that is given.
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
+
+/// Returns the preset with its sheets in the folder of --out (with_sheets_beside_images), unless
+/// --set places them.
+Preset with_sheets_placed(Preset preset, const RunArguments& run, const ImageArguments& arguments);
 
 }  // namespace foam::texgen

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -59,7 +60,7 @@ ExitCode run_render(const RenderArguments& arguments) {
         presets_of_sizes(arguments.run, [&](const RunArguments& run) {
             Preset preset = changed(info.preset, run, assignments_of(arguments.images));
             check_same_simulation(info.preset, preset);
-            return preset;
+            return with_sheets_placed(std::move(preset), run, arguments.images);
         });
     if (!arguments.run.quiet) {
         note_other_version(info, arguments.run.preset);

@@ -134,7 +134,8 @@ Keys<OutputOptions> sheet_keys() {
                 &OutputOptions::sheets),
             key("sheet_pattern",
                 SheetPatterns{},
-                "paths of these sheets, without suffix, with the placeholders of output.pattern",
+                "paths of these sheets, without suffix, with the placeholders of output.pattern; "
+                "the option --out also moves sheets in out/ into its folder",
                 &OutputOptions::sheet_pattern)
                 .unused_with("output.sheets", {"none"})};
 }

@@ -182,6 +182,16 @@ Flipbook write_flipbook(const BakedSet& set,
     return flipbook;
 }
 
+Preset with_sheets_beside_images(Preset preset) {
+    constexpr std::string_view kDefaultFolder = "out/";
+    std::string& sheets = preset.output.sheet_pattern;
+    if (preset.output.sheets != SheetKind::None && sheets.starts_with(kDefaultFolder) &&
+        !preset.output.pattern.starts_with(kDefaultFolder)) {
+        sheets = (FilePattern(preset).folder() / sheets.substr(kDefaultFolder.size())).string();
+    }
+    return preset;
+}
+
 void check_sheets(const Preset& preset) {
     if (preset.output.sheets == SheetKind::None) {
         return;

@@ -64,6 +64,11 @@ Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& to,
                         const ProgressCallback& on_progress = {});
 
+/// Returns the preset with its sheets in the folder of its images, if they are in the default
+/// folder "out" and the images are not. An option that moves the images thus moves the sheets, too.
+/// Throws std::invalid_argument if the preset has sheets and its file pattern is malformed.
+Preset with_sheets_beside_images(Preset preset);
+
 /// Checks the sheets of a preset before a bake. Throws std::invalid_argument if the files of the
 /// preset cannot be joined to what output.sheets asks for, or if a placeholder of
 /// output.sheet_pattern is unknown, or has a value that cannot be a part of a file name

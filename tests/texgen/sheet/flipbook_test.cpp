@@ -60,6 +60,35 @@ TEST(Flipbook, SheetsThatCannotBeMadeAreRejectedBeforeTheBake) {
 }
 
 // The second map cannot be read.
+TEST(Flipbook, SheetsFollowTheImages) {
+    const auto sheets = [](const char* pattern, const char* sheet_pattern) {
+        Preset preset;
+        preset.output.sheets = SheetKind::Dds;
+        preset.output.pattern = pattern;
+        preset.output.sheet_pattern = sheet_pattern;
+        return with_sheets_beside_images(preset).output.sheet_pattern;
+    };
+    EXPECT_EQ(sheets("out/{map}.####.png", "out/T_{map}"), "out/T_{map}");
+    EXPECT_EQ(sheets("set/{map}.####.png", "out/T_{map}"), "set/T_{map}");
+    EXPECT_EQ(sheets("set/{map}/a.####.png", "out/T_{map}"), "set/T_{map}");
+    EXPECT_EQ(sheets("{map}.####.png", "out/T_{map}"), "T_{map}");
+    EXPECT_EQ(sheets("set/{map}.####.png", "arrays/T_{map}"), "arrays/T_{map}");
+}
+
+// An explicit place of the sheets is kept.
+TEST(Flipbook, OutAlsoMovesTheSheets) {
+    const TemporaryFolder folder;
+    const std::string base = folder.path().string();
+    const std::string command =
+        "bake lava --for godot -q --size 32 --set foam.bubbles=20 --set "
+        "frames.count=2 --maps albedo,normal --frames 1,2 --out '" +
+        base + "/{map}.####.png'";
+    EXPECT_EQ(run_program(command).code, 0);
+    EXPECT_TRUE(std::filesystem::exists(base + "/lava_albedo.dds"));
+    EXPECT_EQ(run_program(command + " --set output.sheet_pattern=" + base + "/more/{map}").code, 0);
+    EXPECT_TRUE(std::filesystem::exists(base + "/more/albedo.dds"));
+}
+
 TEST(Flipbook, AFailureLeavesNoSheet) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo", "normal"});
