@@ -193,6 +193,20 @@ void respond(Work& work, const NewtonSummary& newton_summary, Progress& progress
     }
 }
 
+// Calls EquilibriumOptions::on_round. If it throws, the factor is dropped, because it belongs to a
+// state that the caller drops.
+void call_on_round(Work& work) {
+    if (!work.options.on_round) {
+        return;
+    }
+    try {
+        work.options.on_round();
+    } catch (...) {
+        work.whole.drop_factor();
+        throw;
+    }
+}
+
 // Runs one round: Newton's method for the whole foam, the response to its status, and then the
 // defect regions on their own.
 Progress next_round(Work& work, Progress progress) {
@@ -225,15 +239,15 @@ EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
     Work work(foam, options);
     Progress progress = initial_phase(work);
     while (!progress.is_at_rest && progress.rounds < options.max_rounds) {
-        if (options.on_round) {
-            options.on_round();
-        }
+        call_on_round(work);
         progress = next_round(work, progress);
     }
-    if (!progress.is_at_rest) {
+    const EquilibriumSummary summary =
+        conclude(foam, before, options, progress.is_at_rest, progress.summary);
+    if (!summary.converged()) {
         work.whole.drop_factor();  // it belongs to a state that the caller may drop
     }
-    return conclude(foam, before, options, progress.is_at_rest, progress.summary);
+    return summary;
 }
 
 EquilibriumSummary conclude(Foam& foam,

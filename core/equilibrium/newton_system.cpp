@@ -38,6 +38,7 @@ void remove_mean(Eigen::VectorXd& rows, std::size_t junction_count) {
 
 void NewtonSystem::start(const Foam& foam, Unknowns unknowns, int threads) {
     network_.reset();
+    keeps_order_ = false;
     prepare(foam, std::move(unknowns), threads);
 }
 
@@ -46,8 +47,10 @@ void NewtonSystem::start_whole(const Foam& foam, int threads) {
         network_->is_connected_as(foam.network)) {
         return;
     }
-    network_ = foam.network;
+    network_.reset();  // until everything is prepared
+    keeps_order_ = true;
     prepare(foam, all_unknowns(foam.network), threads);
+    network_ = foam.network;
 }
 
 void NewtonSystem::prepare(const Foam& foam, Unknowns unknowns, int threads) {
@@ -64,7 +67,7 @@ Precision NewtonSystem::first_precision() const {
 
 void NewtonSystem::start_solver(const Foam& foam, Precision precision) {
     precision_ = precision;
-    solver_.start(foam, unknowns_, precision, threads_, network_.has_value());
+    solver_.start(foam, unknowns_, precision, threads_, keeps_order_);
     has_factor_ = false;
 }
 

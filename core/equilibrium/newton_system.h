@@ -22,14 +22,16 @@ class NewtonSystem {
     NewtonSystem& operator=(const NewtonSystem&) = delete;
 
     /// Prepares the system for the given unknowns of a foam. Afterwards no factor is available.
-    /// Must be called before all other functions, and again whenever the network has changed.
+    /// This function or `start_whole` must be called before all other functions, and again whenever
+    /// the network has changed.
     /// `threads` has the same meaning as in parallel_for.
     void start(const Foam& foam, Unknowns unknowns, int threads);
 
     /// Prepares the system for all unknowns of a foam. Does less work than `start` if the last call
-    /// was for a similar network. If the connections are the same, the analysis is kept, and a
-    /// factor of the earlier state, too, if there is one. Otherwise, the order of elimination is
-    /// repaired (LinearSolver::start). The steps then depend on earlier calls.
+    /// was for a similar network. If the connections, the number of threads and the precision are
+    /// the same, the analysis is kept, and a factor of the earlier state, too, if there is one.
+    /// Otherwise, the order of elimination is repaired (LinearSolver::start). The steps then depend
+    /// on earlier calls.
     void start_whole(const Foam& foam, int threads);
 
     const Unknowns& unknowns() const { return unknowns_; }
@@ -46,7 +48,7 @@ class NewtonSystem {
     /// position of the junctions. Factors H at the present state of the foam if no factor is
     /// available. With an older factor, this is the step of the chord method. If H cannot be
     /// factored, returns a zero step, and no factor is available afterwards. Precondition: the foam
-    /// has the network that was given to `start`.
+    /// has the network of the last start.
     Eigen::VectorXd step(const Foam& foam, const Eigen::VectorXd& residual);
 
     /// Switches to factors in double precision and drops the present factor. Returns false and does
@@ -66,6 +68,7 @@ class NewtonSystem {
     LinearSolver solver_;
     Precision precision_ = Precision::Double;
     int threads_ = 1;
+    bool keeps_order_ = false;
     bool is_whole_ = false;  // no bubble is held
     bool has_factor_ = false;
 };

@@ -11,6 +11,7 @@
 #include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
+#include "texgen/bake/measurements.h"
 #include "texgen/bake/vector_files.h"
 #include "texgen/image/format.h"
 #include "texgen/preset/drawn_images.h"
@@ -77,18 +78,22 @@ class FrameWriter {
 
     void write(const SimulatedFrame& shown) {
         const Clock::time_point begin = Clock::now();
-        if (files_.is_vector()) {
-            report({shown, files_.write_vectors(shown), seconds_since(begin)});
-            return;
-        }
-        const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
-        DrawableFrame drawable(shown, grid, files_.distance(), 1);
-        BakedFrame baked{shown, files_.write(drawable.layers()), 0.0};
+        BakedFrame baked{shown, write_files(shown)};
+        baked.measurements = measurements_json(shown, preset_.output.measurements);
         baked.seconds = seconds_since(begin);
         report(baked);
     }
 
   private:
+    std::vector<WrittenFile> write_files(const SimulatedFrame& shown) const {
+        if (files_.is_vector()) {
+            return files_.write_vectors(shown);
+        }
+        const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
+        DrawableFrame drawable(shown, grid, files_.distance(), 1);
+        return files_.write(drawable.layers());
+    }
+
     void report(const BakedFrame& baked) {
         const std::scoped_lock lock(mutex_);
         if (callbacks_.on_baked) {

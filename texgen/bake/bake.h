@@ -50,7 +50,8 @@ struct BakeSummary {
 struct BakedFrame {
     SimulatedFrame shown;
     std::vector<WrittenFile> files;
-    double seconds = 0.0;  // wall time of drawing, encoding and writing
+    double seconds = 0.0;           // wall time of drawing, encoding, writing and measuring
+    std::string measurements = {};  // measurements_json
 };
 
 /// Callbacks of a running bake; each may be empty.

@@ -9,9 +9,10 @@
 #include <utility>
 
 // Approximates the colors of blocks in a mode of BC7, for several blocks at once. The first
-// endpoints are the ends of the principal axes of the subsets. Every texel gets the index of the
-// nearest color between the endpoints. For these indices, the endpoints are then improved by least
-// squares, as in S. Brown's "DXT compression techniques" (2006).
+// endpoints are the ends of the principal axes of the subsets, or lie beyond them (Fitter::start).
+// Every texel gets the index of the nearest color between the endpoints. For these indices, the
+// endpoints are then improved by least squares, as in S. Brown's "DXT compression techniques"
+// (2006).
 
 namespace foam::texgen::bc7 {
 

@@ -42,8 +42,7 @@ std::vector<std::string> written_paths(const Preset& preset,
 BakeRecorder::BakeRecorder(const Preset& preset, const BakeOptions& options)
     : folder_(manifest_folder(preset)),
       set_(describe(preset, options.frames)),
-      paths_(written_paths(preset, options, folder_)),
-      measurements_(preset.output.measurements) {}
+      paths_(written_paths(preset, options, folder_)) {}
 
 void BakeRecorder::begin() {
     if (begun_) {
@@ -57,7 +56,7 @@ void BakeRecorder::begin() {
 }
 
 void BakeRecorder::add(const BakedFrame& baked) {
-    add_frame(set_, baked, measurements_, folder_);
+    add_frame(set_, baked, folder_);
     if (Clock::now() >= next_save_) {
         save();
     }

@@ -51,8 +51,7 @@ class BakeRecorder {
 
     std::filesystem::path folder_;
     BakedSet set_;
-    std::vector<std::string> paths_;         // of the files that the bake will write
-    std::vector<std::string> measurements_;  // OutputOptions::measurements
+    std::vector<std::string> paths_;  // of the files that the bake will write
     bool begun_ = false;
     std::chrono::steady_clock::time_point next_save_{};
 };

@@ -6,7 +6,6 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/vector_files.h"
 #include "texgen/image/pixel_hash.h"
-#include "texgen/manifest/measurements.h"
 #include "texgen/preset/algorithm_version.h"
 #include "texgen/preset/drawn_images.h"
 #include "texgen/preset/preset_io.h"
@@ -118,10 +117,12 @@ FrameStatistics statistics_of(const BakedFrame& baked) {
             .angle_error = effort.angle_error,
             .simulating = effort.seconds,
             .drawing = baked.seconds,
-            .mechanics = FrameMechanics{
-                .strain = effort.strain,
-                .energy = effort.energy,
-                .stress = {effort.stress(0, 0), effort.stress(0, 1), effort.stress(1, 1)}}};
+            .mechanics =
+                FrameMechanics{
+                    .strain = effort.strain,
+                    .energy = effort.energy,
+                    .stress = {effort.stress(0, 0), effort.stress(0, 1), effort.stress(1, 1)}},
+            .measurements = baked.measurements};
 }
 
 ManifestFile file_of(const WrittenFile& written, int frame, const std::filesystem::path& folder) {
@@ -169,17 +170,13 @@ BakedSet describe(const Preset& preset, const std::vector<int>& frames) {
             .algorithm_version = kAlgorithmVersion};
 }
 
-void add_frame(BakedSet& set,
-               const BakedFrame& baked,
-               std::span<const std::string> measurements,
-               const std::filesystem::path& folder) {
+void add_frame(BakedSet& set, const BakedFrame& baked, const std::filesystem::path& folder) {
     const int frame = baked.shown.frame->number;
     for (const WrittenFile& written : baked.files) {
         store_sample_formats(set, written);
         set.files.push_back(file_of(written, frame, folder));
     }
     set.frame_statistics.push_back(statistics_of(baked));
-    set.frame_statistics.back().measurements = measurements_json(baked.shown, measurements);
     set.loop.closing_error = baked.shown.closing_error;
 }
 

@@ -7,8 +7,6 @@
 #include "texgen/preset/preset.h"
 
 #include <filesystem>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace foam::texgen {
@@ -17,13 +15,10 @@ namespace foam::texgen {
 /// any order. The set has no files and no statistics yet.
 BakedSet describe(const Preset& preset, const std::vector<int>& frames);
 
-/// Adds the files and the statistics of a baked frame to a set, with the measurements of
-/// `measurements` (OutputOptions::measurements). `folder` is the folder of the manifest; the paths
-/// of the files are stored relative to it. Precondition: the set has all maps of the files.
-void add_frame(BakedSet& set,
-               const BakedFrame& baked,
-               std::span<const std::string> measurements,
-               const std::filesystem::path& folder);
+/// Adds the files and the statistics of a baked frame to a set. `folder` is the folder of the
+/// manifest; the paths of the files are stored relative to it. Precondition: the set has all maps
+/// of the files.
+void add_frame(BakedSet& set, const BakedFrame& baked, const std::filesystem::path& folder);
 
 /// Converts a path to the form in which manifests store it: relative to `folder`, the folder of the
 /// manifest, with '/' as separator.

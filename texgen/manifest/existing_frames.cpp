@@ -4,6 +4,7 @@
 
 #include "core/files/content_text.h"
 #include "core/files/file_io.h"
+#include "texgen/bake/measurements.h"
 #include "texgen/bake/vector_files.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
@@ -73,6 +74,11 @@ std::set<int> existing_frames_of(const Preset& preset,
     };
     std::set<int> present;
     std::ranges::copy_if(frames, std::inserter(present, present.end()), [&](int frame) {
+        const FrameStatistics* const statistics = set->find_frame(frame);
+        if (!contains(statistics == nullptr ? std::string() : statistics->measurements,
+                      preset.output.measurements)) {
+            return false;
+        }
         return std::ranges::all_of(names, [&](const std::string& name) {
             const ManifestFile* const file = set->find_file(name, frame);
             return file != nullptr && std::ranges::all_of(file->maps, is_wanted) &&

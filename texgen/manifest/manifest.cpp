@@ -59,12 +59,15 @@ void merge_into(BakedSet& into, const BakedSet& more) {
         into.conventions = more.conventions;
     }
     merge_maps(into, more.maps);
-    for (const FrameStatistics& frame : more.frame_statistics) {
+    for (FrameStatistics frame : more.frame_statistics) {
+        if (const FrameStatistics* const old = into.find_frame(frame.frame)) {
+            frame.measurements =
+                frame.measurements.empty() ? old->measurements : frame.measurements;
+        }
         std::erase_if(into.frame_statistics,
                       [&](const auto& old) { return old.frame == frame.frame; });
+        into.frame_statistics.push_back(std::move(frame));
     }
-    into.frame_statistics.insert(
-        into.frame_statistics.end(), more.frame_statistics.begin(), more.frame_statistics.end());
     into.files.insert(into.files.end(), more.files.begin(), more.files.end());
     std::ranges::sort(into.frame_statistics, {}, &FrameStatistics::frame);
     std::ranges::sort(into.files, {}, [&](const auto& file) { return sort_key_of(into, file); });

@@ -182,7 +182,8 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// Merges the set of a bake into a manifest. First, every file of the manifest that has the same
 /// path as a file of `set` is removed from the manifest. If the manifest has a set with the same
 /// parameters, the maps, files and frame statistics of `set` are then added to that set; new
-/// statistics of a frame replace its old statistics. The members `toml`, `loop` and `failure` of
+/// statistics of a frame replace its old statistics, except that old measurements stay if there are
+/// no new ones. The members `toml`, `loop` and `failure` of
 /// `set` replace the old ones, with two exceptions: the old closing error stays if `set` has none,
 /// and there is no failure if the merged set is complete. The scene files of the old set stay. The
 /// conventions are replaced if `set` has the map motion. If the manifest has no set with the same

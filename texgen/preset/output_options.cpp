@@ -181,9 +181,9 @@ Keys<OutputOptions> measurement_keys() {
     return {
         key("measurements",
             WordListsOrNone(kMeasurements),
-            "what manifest.json also contains of the foam in each frame: the shape of all "
-            "bubbles, the list of T1s and T2s (events), the shear modulus, which takes about as "
-            "long as a time step",
+            "what manifest.json also lists for each frame: the shapes of all bubbles (bubbles), "
+            "all T1s, T2s and births (events), the shear modulus, which takes about as long as "
+            "a time step",
             &OutputOptions::measurements)};
 }
 

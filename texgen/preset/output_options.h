@@ -53,7 +53,7 @@ struct OutputOptions {
     std::string sheet_pattern = "out/{preset}_sheet_{map}";
     std::vector<std::string> scene = {};  // the scene files to write; words of scene_formats()
     // What manifest.json also contains of each frame: "bubbles", "events", "shear_modulus"
-    // (manifest/measurements.h).
+    // (bake/measurements.h).
     std::vector<std::string> measurements = {};
     FileTexts texts = FileTexts::Written;
     int frames_per_second = 24;  // stored in EXR files and in manifest.json

@@ -219,10 +219,9 @@ TEST(Equilibrate, GivesTheSameBitsTwice) {
     EXPECT_TRUE(are_same(equilibrated_foam(200, 5), equilibrated_foam(200, 5)));
 }
 
-// The target areas determine all lengths, and pressures are proportional to the film tension.
 // A system that was used before changes only rounding errors, as long as it makes the same T1s. The
 // target areas change by up to 2 % from call to call.
-TEST(Equilibrate, AnUsedSystemGivesTheSameEquilibrium) {
+TEST(Equilibrate, AUsedSystemGivesTheSameEquilibrium) {
     EquilibriumOptions options{.relaxes_first = false};
     EquilibriumOptions used = options;
     used.system = std::make_shared<NewtonSystem>();
@@ -247,6 +246,7 @@ TEST(Equilibrate, AnUsedSystemGivesTheSameEquilibrium) {
     EXPECT_GT(iterations, 20);
 }
 
+// The target areas determine all lengths, and pressures are proportional to the film tension.
 TEST(Equilibrate, PressuresScaleWithTheTensionAndPositionsDoNot) {
     SeedingOptions seeding;
     seeding.bubbles = 60;

@@ -9,6 +9,7 @@ import {ApiError, postPicture} from "./api.js";
 const kRest = 200; // milliseconds without an edit after which the maps are requested
 const kWidth = 512; // largest width of the maps, in pixels
 const kBytesPerPixel = 28; // of the seven maps
+const kRetry = 1000; // milliseconds after an error
 const kMemory = 384 * 1024 * 1024; // bytes for the maps of all frames of a loop
 
 export class Lit {
@@ -17,7 +18,9 @@ export class Lit {
     #abort = null;
     #stale = true;
     #frames = new Map(); // the maps of each frame that was loaded while the loop played
-    #loading = false;
+    #loading = false; // maps of a frame of the loop
+    #updating = false; // the maps of the frame that is shown
+    #retryAt = 0; // when frames may be loaded again after an error, in milliseconds
     #wasPlaying = false;
     #later = debounce(kRest, () => this.#update());
 
@@ -66,7 +69,7 @@ export class Lit {
         if (images) {
             this.#show(images);
         }
-        if (!this.#loading) {
+        if (!this.#loading && !this.#updating && performance.now() >= this.#retryAt) {
             this.#loadFrames();
         }
     }
@@ -91,6 +94,7 @@ export class Lit {
                 frames.set(frame, images);
             }
         } catch (error) {
+            this.#retryAt = performance.now() + kRetry;
             this.#report(error);
         } finally {
             this.#loading = false;
@@ -135,7 +139,10 @@ export class Lit {
     async #create() {
         try {
             const {Surface} = await import("./surface.js");
-            this.#surface ??= new Surface($("surface"));
+            if (!this.#surface) {
+                this.#surface = new Surface($("surface"));
+                this.#apply();
+            }
             this.#showBackground();
             return true;
         } catch (error) {
@@ -157,11 +164,14 @@ export class Lit {
         const abort = new AbortController();
         this.#abort = abort;
         this.#stale = false;
+        this.#updating = true;
         try {
             this.#show(await this.#images(abort.signal, this.#studio.player.frame, kWidth));
             this.#apply();
         } catch (error) {
             this.#report(error);
+        } finally {
+            this.#updating = this.#abort !== abort && this.#updating;
         }
     }
 

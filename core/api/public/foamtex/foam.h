@@ -108,8 +108,9 @@ class FOAMTEX_EXPORT Foam {
 
     /// Brings the foam to equilibrium at its target areas (E2), to errors below 1e-9. If this
     /// fails, the result says so, and the foam is unchanged. `threads` is as in StepSettings.
-    /// Calls `poll` before each round of the solver, if there is one; an exception of `poll` ends
-    /// the work, and the foam is unchanged.
+    /// If `poll` is not empty, it is called now and then while the solver works. An exception of
+    /// `poll` ends the work, and the foam is unchanged; std::invalid_argument and std::system_error
+    /// arrive as ArgumentError and OutputError.
     Equilibrium relax(int threads = 0, const std::function<void()>& poll = {});
 
     /// Advances a foam in equilibrium by a time, in which gas diffuses (E6), bubbles vanish (T2)

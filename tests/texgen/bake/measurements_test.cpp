@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/manifest/measurements.h"
+#include "texgen/bake/measurements.h"
 
 #include "core/dynamics/shear_modulus.h"
 #include "core/foam/frame.h"
@@ -93,6 +93,35 @@ TEST(Measurements, StandInTheManifest) {
     EXPECT_EQ(set.find_frame(1)->measurements, "");
     const std::vector<SimulatedFrame> frames = frames_of(preset, 3);
     EXPECT_EQ(set.find_frame(3)->measurements, measurements_json(frames[2], kAll));
+    // A bake without measurements keeps them.
+    preset.output.measurements.clear();
+    preset.image.maps = {"id"};
+    bake_recorded(preset, {.frames = {3}, .threads = 1}, {});
+    EXPECT_EQ(read_manifest(folder.path()).sets.front().find_frame(3)->measurements,
+              set.find_frame(3)->measurements);
+}
+
+// A frame is only kept if it has the measurements that the preset asks for.
+TEST(Measurements, ResumingAddsThem) {
+    const TemporaryFolder folder;
+    Preset preset = coarsening_preset(folder.path() / "{map}.####.png");
+    const auto frames_baked = [&] {
+        int count = 0;
+        bake_recorded(preset,
+                      {.frames = {1, 2}, .threads = 1},
+                      {.on_baked = [&](const BakedFrame&) { ++count; }},
+                      {.resume = Resume::Yes});
+        return count;
+    };
+    EXPECT_EQ(frames_baked(), 2);
+    EXPECT_EQ(frames_baked(), 0);
+    preset.output.measurements = {"events"};
+    EXPECT_EQ(frames_baked(), 2);
+    EXPECT_EQ(frames_baked(), 0);
+    preset.output.measurements = {"bubbles", "events"};
+    EXPECT_EQ(frames_baked(), 2);
+    preset.output.measurements.clear();
+    EXPECT_EQ(frames_baked(), 0);
 }
 
 }  // namespace

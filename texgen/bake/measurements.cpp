@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/manifest/measurements.h"
+#include "texgen/bake/measurements.h"
 
 #include "core/dynamics/shear_modulus.h"
 #include "core/library/foam_records.h"
@@ -74,6 +74,12 @@ std::string measurements_json(const SimulatedFrame& shown,
         value["shear_modulus"] = number_or_null(shear_modulus(*shown.frame, 1));
     }
     return json_text(value);
+}
+
+bool contains(const std::string& text, std::span<const std::string> measurements) {
+    const Json value = text.empty() ? Json::object() : Json::parse(text);
+    return std::ranges::all_of(measurements,
+                               [&](const std::string& word) { return value.contains(word); });
 }
 
 }  // namespace foam::texgen
