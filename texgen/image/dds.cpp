@@ -46,6 +46,17 @@ void check_dds(bool holds, const char* reason) {
     }
 }
 
+// Returns the bytes of all mip levels of all layers.
+std::size_t level_bytes(const GpuTexture& texture) {
+    std::size_t bytes = 0;
+    for (const std::vector<Bytes>& layer : texture.layers) {
+        for (const Bytes& level : layer) {
+            bytes += level.size();
+        }
+    }
+    return bytes;
+}
+
 }  // namespace
 
 Bytes encode_dds(const GpuTexture& texture) {
@@ -92,14 +103,8 @@ Bytes encode_dds(const GpuTexture& texture) {
                                                  0,
                                                  static_cast<std::uint32_t>(texture.layers.size()),
                                                  texture.opaque ? kOpaque : kStraightAlpha};
-    std::size_t size = sizeof(header) + sizeof(second);
-    for (const std::vector<Bytes>& layer : texture.layers) {
-        for (const Bytes& level : layer) {
-            size += level.size();
-        }
-    }
     Bytes bytes;
-    bytes.reserve(size);
+    bytes.reserve(sizeof(header) + sizeof(second) + level_bytes(texture));
     for (const std::uint32_t number : header) {
         append_number(bytes, number);
     }
