@@ -47,7 +47,8 @@ constexpr int kRoundsWithRegions = 20;
 // whole foam is relaxed. Reaching the limit of iterations is treated as a stall.
 constexpr int kGlobalRelaxationPeriod = 4;
 
-// The foam that all rounds work on, and the buffers that they reuse.
+// The foam that all rounds work on, and the buffers that they reuse. Unless an equilibrium has been
+// found, the destructor drops the factor, because it belongs to a state that the caller may drop.
 struct Work {
     Work(Foam& the_foam, const EquilibriumOptions& the_options)
         : foam(the_foam),
@@ -55,9 +56,17 @@ struct Work {
           kept(the_options.system ? the_options.system : std::make_shared<NewtonSystem>()),
           whole(*kept),
           local(the_foam) {}
+    Work(const Work&) = delete;
+    Work& operator=(const Work&) = delete;
+    ~Work() {
+        if (!has_converged) {
+            whole.drop_factor();
+        }
+    }
 
     Foam& foam;
     const EquilibriumOptions& options;
+    bool has_converged = false;
     std::shared_ptr<NewtonSystem> kept;
     NewtonSystem& whole;  // system of all unknowns of the foam
     RegionBuffers local;  // for the defect regions and for all relaxations
@@ -193,20 +202,6 @@ void respond(Work& work, const NewtonSummary& newton_summary, Progress& progress
     }
 }
 
-// Calls EquilibriumOptions::on_round. If it throws, the factor is dropped, because it belongs to a
-// state that the caller drops.
-void call_on_round(Work& work) {
-    if (!work.options.on_round) {
-        return;
-    }
-    try {
-        work.options.on_round();
-    } catch (...) {
-        work.whole.drop_factor();
-        throw;
-    }
-}
-
 // Runs one round: Newton's method for the whole foam, the response to its status, and then the
 // defect regions on their own.
 Progress next_round(Work& work, Progress progress) {
@@ -239,14 +234,14 @@ EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
     Work work(foam, options);
     Progress progress = initial_phase(work);
     while (!progress.is_at_rest && progress.rounds < options.max_rounds) {
-        call_on_round(work);
+        if (options.on_round) {
+            options.on_round();
+        }
         progress = next_round(work, progress);
     }
     const EquilibriumSummary summary =
         conclude(foam, before, options, progress.is_at_rest, progress.summary);
-    if (!summary.converged()) {
-        work.whole.drop_factor();  // it belongs to a state that the caller may drop
-    }
+    work.has_converged = summary.converged();
     return summary;
 }
 
