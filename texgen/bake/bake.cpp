@@ -166,6 +166,7 @@ void check_bake(const Preset& preset, const BakeOptions& options) {
     pattern.check_distinct(options.frames.size(), file_words(preset).size());
     check_primaries(preset, pattern);
     check_vector_files(preset);
+    check_measurements(preset, options.frames.size());
     if (!pattern.is_vector()) {
         check_file_words(preset);
         check_packings(drawn_images(preset), pattern.format());

@@ -71,8 +71,9 @@ struct BakeCallbacks {
 };
 
 /// Checks the arguments of a bake. Throws std::invalid_argument if there are no frames, if a frame
-/// number is below 1, if the file pattern is malformed, or if it would give two images the same
-/// file. Throws OutputError if the images of the first frame cannot be written into their folders.
+/// number is below 1, if the file pattern is malformed, if it would give two images the same file,
+/// or if the manifest would become too large (check_measurements). Throws OutputError if the images
+/// of the first frame cannot be written into their folders.
 void check_bake(const Preset& preset, const BakeOptions& options);
 
 /// Takes the frames from their source, draws them, and writes all maps of each frame. Creates

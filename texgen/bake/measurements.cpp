@@ -3,15 +3,25 @@
 #include "texgen/bake/measurements.h"
 
 #include "core/dynamics/shear_modulus.h"
+#include "core/files/input_limits.h"
 #include "core/library/foam_records.h"
 #include "texgen/json/json_writer.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace foam::texgen {
 
 namespace {
+
+bool is_among(const char* word, std::span<const std::string> measurements) {
+    return std::ranges::find(measurements, word) != measurements.end();
+}
 
 template <class Member>
 Json column(const std::vector<foamtex::Bubble>& bubbles, Member foamtex::Bubble::*member) {
@@ -59,27 +69,41 @@ std::string measurements_json(const SimulatedFrame& shown,
     if (measurements.empty()) {
         return {};
     }
-    const auto asks_for = [&](const char* word) {
-        return std::ranges::find(measurements, word) != measurements.end();
-    };
     // The members are in alphabetical order, as a reader of the manifest writes them again.
     Json value = Json::object();
-    if (asks_for("bubbles")) {
+    if (is_among("bubbles", measurements)) {
         value["bubbles"] = table_of(bubble_records(*shown.frame));
     }
-    if (asks_for("events")) {
+    if (is_among("events", measurements)) {
         value["events"] = list_of(shown.effort.events);
     }
-    if (asks_for("shear_modulus")) {
+    if (is_among("shear_modulus", measurements)) {
         value["shear_modulus"] = number_or_null(shear_modulus(*shown.frame, 1));
     }
     return json_text(value);
 }
 
-bool contains(const std::string& text, std::span<const std::string> measurements) {
-    const Json value = text.empty() ? Json::object() : Json::parse(text);
+bool has_measurements(const std::string& json, std::span<const std::string> measurements) {
+    const Json value = json.empty() ? Json::object() : Json::parse(json);
     return std::ranges::all_of(measurements,
                                [&](const std::string& word) { return value.contains(word); });
+}
+
+void check_measurements(const Preset& preset, std::size_t frames) {
+    constexpr std::uint64_t kBytesPerBubble = 180;  // ten numbers with commas, at most
+    if (!is_among("bubbles", preset.output.measurements)) {
+        return;
+    }
+    const std::uint64_t bytes =
+        kBytesPerBubble * frames * static_cast<std::uint64_t>(preset.seeding.bubbles);
+    if (bytes > kDescriptionInput.max_bytes) {
+        throw std::invalid_argument(fmt::format(
+            "output.measurements: the shapes of {} bubbles in {} frames would make manifest.json "
+            "larger than {} MiB; bake tables instead (--out 'x.####.csv')",
+            preset.seeding.bubbles,
+            frames,
+            kDescriptionInput.max_bytes / kMebibyte));
+    }
 }
 
 }  // namespace foam::texgen

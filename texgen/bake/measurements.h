@@ -3,7 +3,9 @@
 #pragma once
 
 #include "texgen/animation/simulated_frame.h"
+#include "texgen/preset/preset.h"
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -18,15 +20,21 @@ namespace foam::texgen {
 /// - events: the T1s, T2s and births of FrameEffort::events, as objects.
 /// - shear_modulus: a number, or null if the frame has none (core/dynamics/shear_modulus.h).
 ///
-/// Bubbles and the shear modulus are those of the frame as it is shown. In a shear loop, and with a
-/// current, it is displaced; it then has no shear modulus, and its positions are not those of
-/// events.
+/// Bubbles and the shear modulus are those of the frame as it is shown. In a shear loop and with a
+/// current, the shown foam is displaced: its positions are not those of the events, and it seldom
+/// has a shear modulus.
+///
 /// Lengths are in foam units. A number that is not finite becomes null.
 std::string measurements_json(const SimulatedFrame& shown,
                               std::span<const std::string> measurements);
 
-/// Returns true if the text, which measurements_json has returned, has a member for each word of
+/// Returns true if `json`, a result of measurements_json, has a member for each word of
 /// `measurements`.
-bool contains(const std::string& text, std::span<const std::string> measurements);
+bool has_measurements(const std::string& json, std::span<const std::string> measurements);
+
+/// Checks before a bake that the manifest can hold the measurements of a number of frames. Throws
+/// std::invalid_argument if the shapes of their bubbles would make it larger than the program reads
+/// (kDescriptionInput).
+void check_measurements(const Preset& preset, std::size_t frames);
 
 }  // namespace foam::texgen

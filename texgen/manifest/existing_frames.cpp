@@ -75,8 +75,8 @@ std::set<int> existing_frames_of(const Preset& preset,
     std::set<int> present;
     std::ranges::copy_if(frames, std::inserter(present, present.end()), [&](int frame) {
         const FrameStatistics* const statistics = set->find_frame(frame);
-        if (!contains(statistics == nullptr ? std::string() : statistics->measurements,
-                      preset.output.measurements)) {
+        if (!has_measurements(statistics == nullptr ? std::string() : statistics->measurements,
+                              preset.output.measurements)) {
             return false;
         }
         return std::ranges::all_of(names, [&](const std::string& name) {

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,18 @@ TEST(Measurements, StandInTheManifest) {
     bake_recorded(preset, {.frames = {3}, .threads = 1}, {});
     EXPECT_EQ(read_manifest(folder.path()).sets.front().find_frame(3)->measurements,
               set.find_frame(3)->measurements);
+}
+
+// A manifest that the program could not read again would end the bake.
+TEST(Measurements, ThatAreTooLargeAreRejectedBeforeTheBake) {
+    Preset preset;
+    preset.seeding.bubbles = 10000;
+    EXPECT_NO_THROW(check_measurements(preset, 100000));
+    preset.output.measurements = kAll;
+    EXPECT_NO_THROW(check_measurements(preset, 298));
+    EXPECT_THROW(check_measurements(preset, 299), std::invalid_argument);
+    preset.output.measurements = {"events"};
+    EXPECT_NO_THROW(check_measurements(preset, 100000));
 }
 
 // A frame is only kept if it has the measurements that the preset asks for.
