@@ -43,6 +43,9 @@ enum class SheetKind {
 /// Returns the formats of scene files, as output.scene names them: "usda", "mtlx" and "gltf".
 std::span<const std::string_view> scene_formats();
 
+/// The folder of images and sheets by default, with which their patterns begin.
+inline constexpr std::string_view kDefaultFolder = "out/";
+
 /// The names, the channels and the encoding of image files.
 struct OutputOptions {
     std::string pattern = "out/{preset}_{map}.####.png";  // see FilePattern (bake/file_pattern.h)
@@ -52,8 +55,8 @@ struct OutputOptions {
     // The paths of sheets without a suffix. {map}, {preset} and so on are replaced as in `pattern`.
     std::string sheet_pattern = "out/{preset}_sheet_{map}";
     std::vector<std::string> scene = {};  // the scene files to write; words of scene_formats()
-    // What manifest.json also contains of each frame: "bubbles", "events", "shear_modulus"
-    // (bake/measurements.h).
+    // Words for what manifest.json also contains of each frame: "bubbles", "events" and
+    // "shear_modulus" (bake/measurements.h).
     std::vector<std::string> measurements = {};
     FileTexts texts = FileTexts::Written;
     int frames_per_second = 24;  // stored in EXR files and in manifest.json

@@ -183,7 +183,6 @@ Flipbook write_flipbook(const BakedSet& set,
 }
 
 Preset with_sheets_beside_images(Preset preset) {
-    constexpr std::string_view kDefaultFolder = "out/";
     std::string& sheets = preset.output.sheet_pattern;
     if (preset.output.sheets != SheetKind::None && sheets.starts_with(kDefaultFolder) &&
         !preset.output.pattern.starts_with(kDefaultFolder)) {

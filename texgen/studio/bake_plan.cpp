@@ -20,8 +20,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::string_view kDefaultFolder = "out/";
-
 std::vector<int> frames_of(const BakeRequest& request, const Preset& preset) {
     if (request.frames) {
         return parse_frame_range(*request.frames);

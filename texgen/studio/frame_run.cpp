@@ -23,7 +23,7 @@ std::map<int, SimulatedFrame> FrameRun::states_for(const Preset& shown,
                                                    int frame,
                                                    NextFrames next_frames) const {
     std::map<int, SimulatedFrame> some;
-    for (const int number : FrameAssembly(shown, {frame}, next_frames, {}).states()) {
+    for (const int number : states_of(shown, {frame}, next_frames)) {
         some.emplace(number, kept.at(number));
     }
     return some;
@@ -46,8 +46,10 @@ void assemble(const std::map<int, SimulatedFrame>& kept,
     }
 }
 
-std::vector<int> states_of(const Preset& preset, const std::vector<int>& frames) {
-    return FrameAssembly(preset, frames, NextFrames::Included, {}).states();
+std::vector<int> states_of(const Preset& preset,
+                           const std::vector<int>& frames,
+                           NextFrames next_frames) {
+    return FrameAssembly(preset, frames, next_frames, {}).states();
 }
 
 }  // namespace foam::texgen

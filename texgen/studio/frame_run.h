@@ -52,7 +52,9 @@ void assemble(const std::map<int, SimulatedFrame>& kept,
               NextFrames next_frames,
               const FrameVisitor& visit);
 
-/// Returns the numbers of the states that frames need, and of the states after them.
-std::vector<int> states_of(const Preset& preset, const std::vector<int>& frames);
+/// Returns the numbers of the states that frames need.
+std::vector<int> states_of(const Preset& preset,
+                           const std::vector<int>& frames,
+                           NextFrames next_frames);
 
 }  // namespace foam::texgen

@@ -141,9 +141,9 @@ FrameStore::RunPointer FrameStore::new_run(const Preset& preset,
     const std::vector<int> frames = numbers_to(frames_that_fit(preset, bytes_));
     auto run = std::make_shared<FrameRun>(FrameRun{.preset = preset, .simulation = simulation});
     run->frames = static_cast<int>(frames.size());
-    run->states = states_of(preset, frames);
+    run->states = states_of(preset, frames, NextFrames::Included);
     for (const int frame : frames) {
-        run->last_states.push_back(states_of(preset, {frame}).back());
+        run->last_states.push_back(states_of(preset, {frame}, NextFrames::Included).back());
     }
     return run;
 }
