@@ -62,10 +62,10 @@ export class Lit {
     }
 
     #onTick(frame) {
-        const images = this.#frames.get(frame);
         if (!this.#open || !this.#surface) {
             return;
         }
+        const images = this.#frames.get(frame);
         if (images) {
             this.#show(images);
         }
@@ -94,7 +94,9 @@ export class Lit {
                 frames.set(frame, images);
             }
         } catch (error) {
-            this.#retryAt = performance.now() + kRetry;
+            if (error instanceof ApiError) { // not an aborted request
+                this.#retryAt = performance.now() + kRetry;
+            }
             this.#report(error);
         } finally {
             this.#loading = false;
@@ -171,7 +173,9 @@ export class Lit {
         } catch (error) {
             this.#report(error);
         } finally {
-            this.#updating = this.#abort !== abort && this.#updating;
+            if (this.#abort === abort) { // no later update has begun
+                this.#updating = false;
+            }
         }
     }
 
