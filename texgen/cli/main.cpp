@@ -2,7 +2,7 @@
 
 #include "texgen/cli/program.h"
 
-#include <cstdlib>
+#include <cstdlib>  // defines __GLIBC__
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif

@@ -183,9 +183,9 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// path as a file of `set` is removed from the manifest. If the manifest has a set with the same
 /// parameters, the maps, files and frame statistics of `set` are then added to that set; new
 /// statistics of a frame replace its old statistics, except that old measurements stay if there are
-/// no new ones. The members `toml`, `loop` and `failure` of
-/// `set` replace the old ones, with two exceptions: the old closing error stays if `set` has none,
-/// and there is no failure if the merged set is complete. The scene files of the old set stay. The
+/// no new ones. The members `toml`, `loop` and `failure` of `set` replace the old ones, with two
+/// exceptions: the old closing error stays if `set` has none, and there is no failure if the merged
+/// set is complete. The scene files of the old set stay. The
 /// conventions are replaced if `set` has the map motion. If the manifest has no set with the same
 /// parameters, `set` is appended. In either case, the set becomes the last one of the manifest.
 /// Other sets that have no files left are removed.
