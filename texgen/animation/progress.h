@@ -8,9 +8,8 @@
 namespace foam::texgen {
 
 /// The phases of a long run, in the order in which they occur. Each phase counts its progress in a
-/// unit of its own. The phases before Ranges prepare the first frame. If a run has the phase
-/// Ranges, the phases that prepare the first frame occur twice: before Ranges and again before
-/// Frames.
+/// unit of its own. The phases before Ranges prepare the first frame. Between Ranges and Frames,
+/// the phase States occurs again if the frames are read from a cache.
 enum class Phase {
     Seeding,      // places the bubbles of the first foam; counts nothing
     Equilibrium,  // brings the first foam to equilibrium; counts nothing

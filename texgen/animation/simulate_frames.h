@@ -40,8 +40,8 @@ std::string failure_of(const RunOutcome& outcome);
 /// order of FrameAssembly, and returns how the run ended. `next_frames` decides whether the visitor
 /// also receives the frame after each frame. The progress callback receives the phases from Seeding
 /// to States; from a source that reads a cache, only the phase States. The phase States is reported
-/// before every state except the first. The reports continue after the first frame has been passed
-/// to the visitor, although States is otherwise the phase before the first frame (progress.h).
+/// before every state except the first, also after the visitor has received the first frame. A
+/// ProgressMeter (for_source) replaces these later reports by reports of its own phase.
 using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
                                              NextFrames next_frames,
                                              const FrameVisitor&,

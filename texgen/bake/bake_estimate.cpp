@@ -28,9 +28,9 @@ struct MeasuredFrames {
     std::size_t files = 0;
 };
 
-/// Returns the time of fitting automatic ranges, divided by the time of the frames: ranges are
-/// fitted to all frames, which are simulated once more and drawn at a reduced size, but only the
-/// maps with such ranges, here one of the images.
+/// Returns the time of fitting automatic ranges to a frame, divided by the time of drawing a frame:
+/// the frame is drawn at a reduced size, but only the maps with such ranges, here one of the
+/// images.
 double share_of_fitting(const Preset& preset) {
     if (!has_automatic_ranges(preset)) {
         return 0.0;
@@ -40,7 +40,9 @@ double share_of_fitting(const Preset& preset) {
            (image.reduction * image.reduction * static_cast<double>(drawn_images(preset).size()));
 }
 
-/// Stores the times of a bake with the given number of frames.
+/// Stores the times of a bake with the given number of frames. Without automatic ranges, frames are
+/// drawn while the next ones are simulated. Otherwise, ranges are fitted to the frames of the whole
+/// animation while it is simulated, and then the frames are drawn.
 void extrapolate(const MeasuredFrames& measured,
                  const Preset& preset,
                  double frames,
@@ -50,13 +52,13 @@ void extrapolate(const MeasuredFrames& measured,
     const double preparation = measured.begins.front();
     const double step = (measured.begins.back() - preparation) / std::max(count - 1.0, 1.0);
     const double drawing = measured.drawing / count / threads;
-    const auto run = [&](double share) {
-        return preparation + std::max((frames - 1.0) * step, frames * share * drawing);
-    };
     const double share = share_of_fitting(preset);
-    estimate.seconds = run(1.0) + drawing + (share > 0.0 ? run(share) : 0.0);
-    estimate.simulating = preparation + (frames - 1.0) * step;
-    estimate.drawing = frames * (1.0 + share) * drawing;
+    const double simulated = share > 0.0 ? std::max<double>(frames, preset.frames.count) : frames;
+    const double meanwhile = share > 0.0 ? simulated * share * drawing : frames * drawing;
+    const double afterwards = share > 0.0 ? frames * drawing : drawing;
+    estimate.simulating = preparation + (simulated - 1.0) * step;
+    estimate.drawing = frames * drawing + simulated * share * drawing;
+    estimate.seconds = std::max(estimate.simulating, preparation + meanwhile) + afterwards;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/geometry/elementary.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_meter.h"
+#include "texgen/bake/bounded_workers.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/reduced_image.h"
 #include "texgen/image/format.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <variant>
@@ -63,10 +65,8 @@ std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
 // Draws the maps with automatic ranges at a reduced size and measures their numbers.
 class RangeMeter {
   public:
-    RangeMeter(const Preset& preset, int threads)
-        : maps_(maps_to_measure(preset)),
-          image_(reduced_image(preset, kMeasuredSide)),
-          threads_(thread_count(threads)) {
+    explicit RangeMeter(const Preset& preset)
+        : maps_(maps_to_measure(preset)), image_(reduced_image(preset, kMeasuredSide)) {
         for (const MeasuredMap& one : maps_) {
             names_.emplace_back(one.map->name);
         }
@@ -77,6 +77,7 @@ class RangeMeter {
                                    [](const MeasuredMap& one) { return one.map->needs_next; });
     }
 
+    /// Measures a frame. May be called from several threads at once.
     void measure(const SimulatedFrame& shown) {
         measure_state(shown, shown.view);
         if (shown.fading_in.frame) {
@@ -92,13 +93,13 @@ class RangeMeter {
             return;  // without bubbles there is nothing to measure
         }
         const MapOptions& options = image_.options;
-        FrameLayers layers(
-            state.input(distance_needs(names_, options)), image_.grid(view), threads_);
+        FrameLayers layers(state.input(distance_needs(names_, options)), image_.grid(view), 1);
         for (MeasuredMap& one : maps_) {
             const MapImage image = one.map->draw(layers, options);
             const NumberPixels& numbers = std::get<NumberPixels>(image);
             const NumberExtent extent = extent_of(numbers);
             const double largest = std::max(std::abs(extent.smallest), std::abs(extent.largest));
+            const std::scoped_lock lock(mutex_);
             one.largest = std::max(one.largest, scale_of(*one.map) * largest / numbers.high);
         }
     }
@@ -110,9 +111,9 @@ class RangeMeter {
         return in_pixels ? image_.reduction : 1.0;
     }
 
+    std::mutex mutex_;  // guards MeasuredMap::largest
     std::vector<MeasuredMap> maps_;
     ReducedImage image_;
-    int threads_;
     std::vector<std::string> names_;
 };
 
@@ -127,15 +128,19 @@ RunOutcome fit_automatic_ranges(Preset& preset,
                                 const std::vector<int>& frames,
                                 int threads,
                                 const ProgressCallback& on_progress) {
-    RangeMeter ranges(preset, threads);
+    RangeMeter ranges(preset);
     ProgressMeter progress(Phase::Ranges, static_cast<int>(frames.size()), on_progress);
     const NextFrames next = ranges.needs_next() ? NextFrames::Included : NextFrames::Omitted;
+    BoundedWorkers workers(thread_count(threads) - 1);
     const auto measure = [&](const SimulatedFrame& shown) {
         progress.begin();
-        ranges.measure(shown);
-        progress.add(shown);
+        workers.submit([shown, &ranges, &progress] {
+            ranges.measure(shown);
+            progress.add(shown);
+        });
     };
     RunOutcome outcome = source(frames, next, measure, progress.for_source());
+    workers.finish();
     if (outcome.status == RunStatus::Complete) {
         for (const MeasuredMap& one : ranges.maps()) {
             AutoReal& range = *range_option_of(*one.map, preset.maps);

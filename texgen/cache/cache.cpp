@@ -78,10 +78,17 @@ SimulatedFrame Cache::state(int number) const {
 }
 
 FrameSource Cache::frames_of(const Preset& preset) const {
-    return [this, preset](const std::vector<int>& numbers,
-                          NextFrames next_frames,
-                          const FrameVisitor& on_frame,
-                          const ProgressCallback& on_progress) {
+    return frames_from_states(
+        preset, [this](int number) { return state(number); }, info_.closing_error);
+}
+
+FrameSource frames_from_states(const Preset& preset,
+                               std::function<SimulatedFrame(int)> state,
+                               std::optional<double> closing_error) {
+    return [preset, state = std::move(state), closing_error](const std::vector<int>& numbers,
+                                                             NextFrames next_frames,
+                                                             const FrameVisitor& on_frame,
+                                                             const ProgressCallback& on_progress) {
         std::optional<View> view;
         FrameAssembly assembly(preset, numbers, next_frames, on_frame);
         RunProgress progress{.phase = Phase::States,
@@ -95,11 +102,11 @@ FrameSource Cache::frames_of(const Preset& preset) const {
                 view = camera_view(*read.frame, preset.image, preset.camera);
             }
             read.view = view;
-            read.closing_error = info_.closing_error;
+            read.closing_error = closing_error;
             assembly.add(read);
             ++progress.done;
         }
-        return RunOutcome{RunStatus::Complete, 0, info_.closing_error};
+        return RunOutcome{RunStatus::Complete, 0, closing_error};
     };
 }
 

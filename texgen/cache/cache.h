@@ -8,9 +8,18 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace foam::texgen {
+
+/// Returns a source of frames whose states come from a function, such as Cache::state. The function
+/// receives the number of a state and is called in increasing order; the source sets the member
+/// `view` of the states. The source reports the phase States.
+FrameSource frames_from_states(const Preset& preset,
+                               std::function<SimulatedFrame(int)> state,
+                               std::optional<double> closing_error);
 
 /// A read-only view of a cache: a folder with the states of a simulation, one file per state.
 /// Frames can be drawn from the states on any machine. Several programs may read the folder at

@@ -2,10 +2,13 @@
 
 #include "texgen/cache/shared_simulation.h"
 
+#include "core/files/file_io.h"
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_range.h"
+#include "texgen/cache/cache_writer.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -14,24 +17,65 @@ namespace foam::texgen {
 SharedSimulation::SharedSimulation(const Preset& preset, std::vector<int> frames, int threads)
     : preset_(preset), frames_(std::move(frames)), threads_(threads) {}
 
-const RunOutcome& SharedSimulation::simulate(const ProgressCallback& on_progress) {
-    if (outcome_) {
-        return *outcome_;
+// Simulates, stores all states, and passes those to the assembly that it needs.
+RunOutcome SharedSimulation::simulate(FrameAssembly& assembly,
+                                      const ProgressCallback& on_progress) {
+    try {
+        folder_.emplace();
+    } catch (const OutputError&) {
+        folder_.reset();
     }
-    ProgressCallback report;
-    if (on_progress) {
-        report = [&](RunProgress progress) {
-            progress.phase = progress.phase == Phase::Frames ? Phase::States : progress.phase;
-            on_progress(progress);
-        };
+    CacheWriter writer(preset_, frames_, folder_ ? folder_->path() : std::filesystem::path());
+    const auto store = [&](const SimulatedFrame& state) {
+        try {
+            writer.write(state);
+        } catch (const OutputError&) {
+            folder_.reset();
+        }
+    };
+    const std::vector<int> needed = assembly.states();
+    int previous = 0;
+    efforts_.clear();
+    const auto add = [&](const SimulatedFrame& state) {
+        if (folder_) {
+            store(state);
+        }
+        const int number = state.frame->number;
+        efforts_[number] = state.effort;
+        if (std::ranges::binary_search(needed, number)) {
+            SimulatedFrame added = state;
+            added.effort = effort_between(previous, number);
+            assembly.add(added);
+            previous = number;
+        }
+    };
+    const std::vector<int> states =
+        FrameAssembly(preset_, frames_, NextFrames::Included, {}).states();
+    return simulate_states(preset_, threads_, states, add, on_progress);
+}
+
+// Returns the effort of a state since the state `previous`.
+FrameEffort SharedSimulation::effort_between(int previous, int number) const {
+    FrameEffort sum = efforts_.at(number);
+    std::vector<TopologyEvent> events;
+    for (auto at = efforts_.upper_bound(previous); at->first < number; ++at) {
+        const FrameEffort& effort = at->second;
+        sum.t1 += effort.t1;
+        sum.t2 += effort.t2;
+        sum.seconds += effort.seconds;
+        events.insert(events.end(), effort.events.begin(), effort.events.end());
     }
-    const BakeOptions options{.frames = frames_, .threads = threads_};
-    folder_.emplace();
-    outcome_ = simulate_into_cache(preset_, options, folder_->path(), report);
-    if (outcome_->status == RunStatus::Complete) {
-        cache_.emplace(folder_->path());
-    }
-    return *outcome_;
+    sum.events.insert(sum.events.begin(), events.begin(), events.end());
+    return sum;
+}
+
+FrameSource SharedSimulation::stored_frames(const Preset& drawn) const {
+    const auto state = [this, previous = 0](int number) mutable {
+        SimulatedFrame stored = cache_->state(number);
+        stored.effort = effort_between(std::exchange(previous, number), number);
+        return stored;
+    };
+    return frames_from_states(drawn, state, outcome_->closing_error);
 }
 
 FrameSource SharedSimulation::source(const Preset& drawn) {
@@ -39,11 +83,18 @@ FrameSource SharedSimulation::source(const Preset& drawn) {
                          NextFrames next_frames,
                          const FrameVisitor& on_frame,
                          const ProgressCallback& on_progress) {
-        const RunOutcome& simulated = simulate(on_progress);
-        if (simulated.status == RunStatus::Complete) {
-            cache_->frames_of(drawn)(numbers, next_frames, on_frame, on_progress);
+        if (!outcome_) {
+            FrameAssembly assembly(drawn, numbers, next_frames, on_frame);
+            outcome_ = simulate(assembly, on_progress);
+            if (outcome_->status == RunStatus::Complete && folder_) {
+                cache_.emplace(folder_->path());
+            }
+        } else if (cache_) {
+            stored_frames(drawn)(numbers, next_frames, on_frame, on_progress);
+        } else if (outcome_->status == RunStatus::Complete) {
+            simulation_of(drawn, threads_)(numbers, next_frames, on_frame, on_progress);
         }
-        return simulated;
+        return *outcome_;
     };
 }
 

@@ -3,40 +3,48 @@
 #pragma once
 
 #include "core/files/scratch_folder.h"
-#include "texgen/bake/bake.h"
+#include "texgen/animation/frame_assembly.h"
+#include "texgen/animation/simulate_frames.h"
 #include "texgen/cache/cache.h"
 #include "texgen/preset/preset.h"
 
+#include <map>
 #include <optional>
 #include <vector>
 
 namespace foam::texgen {
 
-/// One simulation for several bakes of a preset, for example in several sizes. The foam is
-/// simulated when a frame is first requested. Its states are stored in a cache in the system's
-/// folder for temporary files, which the destructor removes. If no bake requests a frame, nothing
-/// is simulated.
+/// One simulation for several passes over the frames of a preset, such as fitting automatic ranges
+/// and drawing, or drawing in several sizes. The first pass receives each frame as soon as it is
+/// simulated. The states are stored in a cache in the system's folder for temporary files, from
+/// which further passes read them. If they cannot be stored, because this folder cannot be written
+/// or its disk is full, each pass simulates. The destructor removes the cache. If no pass requests
+/// a frame, nothing is simulated.
 class SharedSimulation {
   public:
-    /// `frames` are all frames that any of the bakes needs. `threads` is as for thread_count.
+    /// `frames` are all frames that any of the passes needs. `threads` is as for thread_count.
     SharedSimulation(const Preset& preset, std::vector<int> frames, int threads);
 
-    /// Returns a source of frames for a bake. Its frames equal those of a simulation of `drawn` to
-    /// the last bit. If the simulation fails, the source gives no frame and returns the outcome.
-    /// The source reports the simulation as the phase States, throws the exceptions of
-    /// simulate_into_cache and Cache, and keeps a reference to this object. Precondition: `drawn`
-    /// has the same simulation_hash as the preset of this object.
+    /// Returns a source of frames for one or more passes. Its frames equal those of a simulation of
+    /// `drawn` to the last bit. If the simulation fails, the first pass receives the frames before
+    /// the failure, and further passes receive no frame; all return the outcome. The source throws
+    /// the exceptions of Simulation and Cache, and keeps a reference to this object. Precondition:
+    /// `drawn` has the same simulation_hash as the preset of this object.
     FrameSource source(const Preset& drawn);
 
   private:
-    const RunOutcome& simulate(const ProgressCallback& on_progress);
+    RunOutcome simulate(FrameAssembly& assembly, const ProgressCallback& on_progress);
+    FrameEffort effort_between(int previous, int number) const;
+    FrameSource stored_frames(const Preset& drawn) const;
 
     Preset preset_;
     std::vector<int> frames_;
     int threads_;
-    std::optional<ScratchFolder> folder_;  // set when the simulation begins
+    std::optional<ScratchFolder> folder_;  // set while all states have been stored
     std::optional<RunOutcome> outcome_;    // nullopt until the foam has been simulated
-    std::optional<Cache> cache_;           // set if the simulation is complete
+    std::optional<Cache> cache_;           // set if the simulation is complete and stored
+    // By state: the effort since the state that was simulated before it.
+    std::map<int, FrameEffort> efforts_;
 };
 
 /// Returns all frames that bakes of the presets need to draw the given frames: also the whole

@@ -52,9 +52,9 @@ std::string aspect_of(const ImageOptions& image) {
 }
 
 constexpr const char* kAllowed =
-    "with a cache, only keys of the image, the output and the maps can be changed, and the camera "
-    "of "
-    "a patch if no event has a position";
+    "with a cache, only the description of the preset and keys of the image, the output, drawings, "
+    "meshes and maps can be changed; for a patch without events that have positions, also keys of "
+    "the camera";
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "texgen/bake/bake_estimate.h"
+#include "texgen/bake/fitted_ranges.h"
 #include "texgen/cache/shared_simulation.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/image_run.h"
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,16 @@ std::vector<int> simulated_frames(const std::vector<Preset>& presets,
     return frames_to_simulate(presets, frames);
 }
 
+/// Warns of too little space for the states of the given frames, which are stored as temporary
+/// files (SharedSimulation).
+void warn_of_full_temporary_disk(const Preset& preset, const std::vector<int>& frames) {
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+    if (!error) {
+        warn_of_full_disk(estimated_cache_size(preset, frames, folder), folder);
+    }
+}
+
 /// Draws each of the presets, which differ in the size of their images.
 ExitCode bake_sizes(const std::vector<Preset>& presets,
                     const std::vector<int>& frames,
@@ -63,9 +75,9 @@ ExitCode bake_sizes(const std::vector<Preset>& presets,
         }
         runs.push_back({preset, std::move(options)});
     }
-    if (!is_single && !is_dry && !arguments.run.quiet) {
-        const std::filesystem::path temporary = std::filesystem::temp_directory_path();
-        warn_of_full_disk(estimated_cache_size(presets.front(), frames, temporary), temporary);
+    const bool stores_states = !is_single || has_automatic_ranges(presets.front());
+    if (stores_states && !is_dry && !arguments.run.quiet) {
+        warn_of_full_temporary_disk(presets.front(), simulated_frames(presets, frames, false));
     }
     return run_images(runs, arguments.images, progress_options(arguments.run, frames.size()));
 }

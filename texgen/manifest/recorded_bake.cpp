@@ -7,6 +7,7 @@
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
+#include "texgen/cache/shared_simulation.h"
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/existing_frames.h"
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <exception>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -83,7 +85,15 @@ BakeSummary bake_and_record(const Preset& preset,
     return bake(preset, options, recording);
 }
 
-// Fits the automatic ranges of a preset to the frames of a sequence.
+// Returns all frames that are drawn or to which automatic ranges are fitted, in increasing order.
+std::vector<int> needed_frames(const std::vector<int>& drawn, const std::vector<int>& sequence) {
+    std::set<int> all(drawn.begin(), drawn.end());
+    all.insert(sequence.begin(), sequence.end());
+    return {all.begin(), all.end()};
+}
+
+// Fits the automatic ranges of a preset to the frames of a sequence. Precondition: the options have
+// a source if the preset has automatic ranges.
 RunOutcome fit_ranges(Preset& preset,
                       const BakeOptions& options,
                       const std::vector<int>& sequence,
@@ -91,11 +101,9 @@ RunOutcome fit_ranges(Preset& preset,
     if (!has_automatic_ranges(preset)) {
         return {};
     }
-    const FrameSource source =
-        options.source ? options.source : simulation_of(preset, options.threads);
     try {
         return fit_automatic_ranges(
-            preset, source, sequence, options.threads, callbacks.on_progress);
+            preset, options.source, sequence, options.threads, callbacks.on_progress);
     } catch (const InputError& error) {
         throw InputError(
             fmt::format("{}; ranges that are \"auto\", such as height.full, need all "
@@ -161,13 +169,19 @@ BakeSummary bake_recorded(const Preset& given,
     Preset preset = given;
     const std::vector<int> animation = frames_to(preset.frames.count);
     const std::vector<int>& sequence = options.sequence.empty() ? animation : options.sequence;
+    BakeOptions effective = options;
+    // Automatic ranges need all frames before the first one is drawn. The foam is simulated once
+    // for both.
+    SharedSimulation simulation(preset, needed_frames(options.frames, sequence), options.threads);
+    if (!options.source && has_automatic_ranges(preset)) {
+        effective.source = simulation.source(preset);
+    }
     RunOutcome fitted;
     if (sequence != animation) {
-        fitted = fit_ranges(preset, options, sequence, callbacks);
+        fitted = fit_ranges(preset, effective, sequence, callbacks);
         make_ranges_fixed(preset);
     }
     const Manifest manifest = manifest_in(folder);
-    BakeOptions effective = options;
     if (record.resume == Resume::Yes) {
         effective.existing_frames = existing_frames_of(preset, options.frames, folder, manifest);
     }
@@ -175,7 +189,7 @@ BakeSummary bake_recorded(const Preset& given,
     const bool all_exist =
         effective.existing_frames.size() == options.frames.size() && !callbacks.on_frame;
     if (!all_exist && sequence == animation) {
-        fitted = fit_ranges(preset, options, sequence, callbacks);
+        fitted = fit_ranges(preset, effective, sequence, callbacks);
     }
     BakeRecorder writer(preset, effective);
     try {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -35,31 +36,105 @@ std::vector<std::string> hashes_of(const BakeSummary& summary) {
     return hashes;
 }
 
-// The map `motion` also needs the state after each frame.
-TEST(SharedSimulation, GivesEachBakeTheFramesOfASimulationOfItsOwn) {
-    const TemporaryFolder folder;
-    const Preset large = coarsening(folder, 48);
-    const Preset small = coarsening(folder, 24);
-    ASSERT_EQ(simulation_hash(large), simulation_hash(small));
+// Counts the simulations of a foam by their reports.
+class SimulationCounter {
+  public:
+    ProgressCallback callback() {
+        return [this](const RunProgress& progress) {
+            count_ += progress.phase == Phase::Equilibrium && last_ != Phase::Equilibrium ? 1 : 0;
+            last_ = progress.phase;
+        };
+    }
+
+    int count() const { return count_; }
+
+  private:
+    int count_ = 0;
+    Phase last_ = Phase::Frames;
+};
+
+// As long as this object exists, nothing can be created in the folder for temporary files: it is
+// /proc, which not even root can write.
+class NoTemporaryFolder {
+  public:
+    NoTemporaryFolder() : before_(getenv("TMPDIR") == nullptr ? "" : getenv("TMPDIR")) {
+        setenv("TMPDIR", "/proc", 1);
+    }
+
+    ~NoTemporaryFolder() {
+        if (before_.empty()) {
+            unsetenv("TMPDIR");
+        } else {
+            setenv("TMPDIR", before_.c_str(), 1);
+        }
+    }
+
+    NoTemporaryFolder(const NoTemporaryFolder&) = delete;
+    NoTemporaryFolder& operator=(const NoTemporaryFolder&) = delete;
+
+  private:
+    std::string before_;
+};
+
+// Bakes in two sizes from one shared simulation. Returns the number of simulations.
+int simulations_of_two_sizes(const Preset& large, const Preset& small) {
     SharedSimulation shared(large, frames_to(3), 1);
-    int simulations = 0;
-    Phase last = Phase::Frames;
-    const auto count = [&](const RunProgress& progress) {
-        simulations += progress.phase == Phase::Equilibrium && last != Phase::Equilibrium ? 1 : 0;
-        last = progress.phase;
-    };
+    SimulationCounter counter;
     for (const Preset* const preset : {&large, &small}) {
         const std::vector<std::string> own =
             hashes_of(bake(*preset, {.frames = frames_to(3), .threads = 1}));
         const BakeSummary summary =
             bake(*preset,
                  {.frames = frames_to(3), .threads = 1, .source = shared.source(*preset)},
-                 {.on_progress = count});
+                 {.on_progress = counter.callback()});
         EXPECT_EQ(summary.outcome.status, RunStatus::Complete);
         EXPECT_EQ(hashes_of(summary), own);
         EXPECT_EQ(own.size(), 6U);
     }
-    EXPECT_EQ(simulations, 1);
+    return counter.count();
+}
+
+// The map `motion` also needs the state after each frame.
+TEST(SharedSimulation, GivesEachBakeTheFramesOfASimulationOfItsOwn) {
+    const TemporaryFolder folder;
+    const Preset large = coarsening(folder, 48);
+    const Preset small = coarsening(folder, 24);
+    ASSERT_EQ(simulation_hash(large), simulation_hash(small));
+    EXPECT_EQ(simulations_of_two_sizes(large, small), 1);
+}
+
+TEST(SharedSimulation, SimulatesAgainIfStatesCannotBeStored) {
+    const TemporaryFolder folder;
+    const NoTemporaryFolder missing;
+    EXPECT_EQ(simulations_of_two_sizes(coarsening(folder, 48), coarsening(folder, 24)), 2);
+}
+
+// A pass over some of the frames reports the effort of the states between them, too.
+TEST(SharedSimulation, GivesTheEffortSinceTheFrameBefore) {
+    const TemporaryFolder folder;
+    Preset preset = coarsening(folder, 16);
+    preset.coarsening.kappa = 0.5;
+    preset.frames.count = 4;
+    const auto efforts = [](const FrameSource& source) {
+        std::vector<FrameEffort> all;
+        source({2, 4},
+               NextFrames::Omitted,
+               [&](const SimulatedFrame& shown) { all.push_back(shown.effort); },
+               {});
+        return all;
+    };
+    const std::vector<FrameEffort> own = efforts(simulation_of(preset, 1));
+    SharedSimulation shared(preset, frames_to(4), 1);
+    for (const char* const pass : {"simulated", "stored"}) {
+        const std::vector<FrameEffort> given = efforts(shared.source(preset));
+        ASSERT_EQ(given.size(), own.size());
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            EXPECT_EQ(given[k].t1, own[k].t1) << pass;
+            EXPECT_EQ(given[k].t2, own[k].t2) << pass;
+            EXPECT_EQ(given[k].events.size(), own[k].events.size()) << pass;
+        }
+    }
+    EXPECT_GT(own[1].events.size(), 0U);
 }
 
 TEST(SharedSimulation, OfAFoamThatFailsGivesNoFrame) {

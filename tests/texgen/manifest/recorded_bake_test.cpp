@@ -96,6 +96,21 @@ TEST(RecordedBake, AutomaticRangesFitTheWholeAnimation) {
     EXPECT_EQ(set.conventions.motion_multiplier, set.find_map("motion")->samples->range->at(1));
 }
 
+// Ranges are fitted to all frames before the first one is drawn. Both use one simulation.
+TEST(RecordedBake, SimulatesOnceForRangesAndImages) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.image.maps = {"height"};
+    int simulations = 0;
+    Phase last = Phase::Frames;
+    const auto count = [&](const RunProgress& progress) {
+        simulations += progress.phase == Phase::Equilibrium && last != Phase::Equilibrium ? 1 : 0;
+        last = progress.phase;
+    };
+    bake_recorded(preset, {.frames = {2, 1}, .threads = 2}, {.on_progress = count});
+    EXPECT_EQ(simulations, 1);
+}
+
 // If a part of the animation is all that a source has, its ranges are recorded as numbers.
 TEST(RecordedBake, RangesOfAPartOfTheAnimationMakeAnotherSet) {
     const TemporaryFolder folder;

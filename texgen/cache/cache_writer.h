@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/animation/simulated_frame.h"
+#include "texgen/cache/cache_files.h"
+#include "texgen/preset/preset.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace foam::texgen {
+
+/// Writes states to a cache as they are simulated. cache.json is written immediately before the
+/// first state, so a simulation that fails before its first state creates no cache.
+class CacheWriter {
+  public:
+    /// `frames` are the frames that can be drawn once all states have been written.
+    CacheWriter(const Preset& preset, std::vector<int> frames, std::filesystem::path folder);
+
+    /// Writes the file of a state. Throws OutputError if a file cannot be written.
+    void write(const SimulatedFrame& state);
+
+  private:
+    void begin(const std::optional<double>& closing_error);
+
+    CacheInfo info_;
+    std::filesystem::path folder_;
+    bool begun_ = false;
+    std::vector<double> first_pressures_;
+};
+
+}  // namespace foam::texgen
