@@ -40,7 +40,8 @@ AreaField AreaField::stretched_over(const Vec2& low, const Vec2& size) const {
 
 double AreaField::at(const Vec2& point) const {
     const Vec2 at = (point - low_).cwiseQuotient(size_);
-    // The remainder may be rounded to 1, which the minimum takes back to the last cell.
+    // If `position` is slightly negative, `inside` may be rounded to 1; std::min then selects the
+    // last cell.
     const auto cell = [](double position, int cells) {
         const double inside = position - std::floor(position);
         return std::min(static_cast<int>(inside * cells), cells - 1);

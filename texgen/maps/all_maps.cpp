@@ -21,8 +21,8 @@ bool uses_smooth_distance(const Map& map, const MapOptions& options) {
             film_distance_needs(options.albedo).smooth);
 }
 
-// Returns the range of a map, or nullptr if the map has none. `Options` is MapOptions or const
-// MapOptions.
+// Returns the option that sets the range of a map, or nullptr if the map has no such option.
+// `Options` is MapOptions or const MapOptions.
 template <class Options>
 auto find_full(const Map& map, Options& options) -> decltype(&options.height.full) {
     const std::array ranges = {std::pair(kHeightMap.full_key, &options.height.full),

@@ -10,8 +10,8 @@ namespace foam::texgen {
 /// The unit of a pressure.
 enum class PressureUnit {
     Seed,     // film tension / sqrt(mean area of the seeded foam); this mean area is 1
-    Current,  // film tension / sqrt(present mean area of the bubbles, FoamValues::mean_area),
-              // which preserves contrast while the foam coarsens
+    Current,  // film tension / sqrt(FoamValues::mean_area), the mean area of the bubbles now or
+              // averaged over recent frames; it preserves contrast while the foam coarsens
 };
 
 inline constexpr Choices<PressureUnit> kPressureUnits = {

@@ -55,9 +55,9 @@ Texel light_of(const LinearRgb& color) {
     return {to_sample(color.r), to_sample(color.g), to_sample(color.b), kFullValue};
 }
 
-// A linear scale of 65535 steps. The scale begins at the smallest number in a CellNumbers and ends
-// at the largest one. The class converts numbers to steps, which are the 16-bit integers of the
-// rasterizer, and back.
+// A linear scale from the smallest number in a CellNumbers to the largest one, divided into 65535
+// equal steps. The class converts between numbers and counts of steps from the start of the scale,
+// which are the 16-bit integers of the rasterizer.
 class Steps {
   public:
     explicit Steps(const CellNumbers& numbers) {

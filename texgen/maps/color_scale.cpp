@@ -77,7 +77,7 @@ std::vector<double> positions_of(const std::vector<Stop>& stops, ScaleEnd end) {
     return positions;
 }
 
-// Returns the reason why a text is no list of colors; empty if it is one.
+// Returns the reason why a list of texts is not a valid list of colors; empty if it is valid.
 std::string fault_of(const std::vector<std::string>& list) {
     try {
         parse_gradient(list, ScaleEnd::LastColor);

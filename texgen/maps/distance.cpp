@@ -17,8 +17,9 @@ Keys<DistanceOptions> distance_keys() {
         {{{"foam", DistanceUnit::Foam}, {"px", DistanceUnit::Pixels}}}};
     return {key("kind",
                 kKinds,
-                "plain: distance from the center line of the nearest film; signed: distance from "
-                "the edge of this film, negative inside films and around a patch",
+                "plain: distance from the center line of the nearest film, 0 around a patch; "
+                "signed: distance from the edge of this film on the side of the bubble, negative "
+                "inside films and around a patch",
                 &DistanceOptions::kind),
             key("unit", kUnits, "foam units or pixels", &DistanceOptions::unit),
             key("full",

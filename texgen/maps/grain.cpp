@@ -18,7 +18,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMaxOctaves = 5;
-constexpr double kSmallestFeature = 2.0;  // pixels; octaves of smaller features are left out
+constexpr double kSmallestFeature = 2.0;  // pixels; smaller octaves, except the first, are left out
 
 // Returns the centroid of the polygon of a bubble's junctions, in foam units. On a torus, the
 // centroid belongs to that copy of the bubble whose first junction is at its stored position. If
@@ -58,7 +58,7 @@ int octaves_of(double size) {
     return octaves;
 }
 
-// The grains of the bubbles, indexed by the ids of the distance field.
+// The origin and the seed of the noise in each bubble, indexed by the ids of the distance field.
 struct Origins {
     std::vector<std::int32_t> x;  // the centroid of the bubble on the unshifted grid, in subpixels
     std::vector<std::int32_t> y;
@@ -105,15 +105,17 @@ Periods periods_of(const RasterGrid& grid, const Domain& domain) {
     return {grid.width * kSubpixel, grid.height * kSubpixel, shear_in_subpixels(grid, domain)};
 }
 
-// Returns the number of periods in a distance, rounded to nearest. The result is exact, because a
-// double distinguishes the quotient from the next integer.
+// Returns the number of periods in a distance, rounded to nearest. Rounding errors do not change
+// the result: a quotient that is not an integer differs from every integer by at least 1 / period,
+// which is far more than its rounding error.
 std::int32_t periods_in(std::int32_t distance, std::int32_t period) {
     const std::int32_t half = period / 2;
     return floor_of((static_cast<double>(distance) + half) / period);
 }
 
-// The points of the noise in a row of pixels, relative to the centroids of their bubbles, in
-// features of the first octave.
+// For each pixel of a row: the position of its center relative to the centroid of its bubble, in
+// units of the size of the largest features (those of the first octave), and the seed of the noise
+// in this bubble.
 struct RowPoints {
     explicit RowPoints(std::size_t width) : x(width), y(width), seeds(width) {}
 
@@ -157,7 +159,7 @@ void set_points(const FrameLayers& layers,
     });
 }
 
-// The spans of a grain in a row of pixels.
+// One row of each of the three images of a Grain.
 struct GrainRow {
     std::span<float> value;
     std::span<float> slope_x;

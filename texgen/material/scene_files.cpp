@@ -30,7 +30,8 @@ namespace {
 constexpr std::string_view kGltf = "gltf";
 constexpr std::string_view kUsda = "usda";
 
-// Returns the suffix of the files of a format. A file of glTF in one piece ends in ".glb".
+// Returns the suffix of the scene files of a format. A glTF scene is one binary file (".glb"),
+// which contains its images.
 std::string_view suffix_of(std::string_view format) {
     return format == kGltf ? "glb" : format;
 }
@@ -45,7 +46,8 @@ Bytes content_of(std::string_view format, const SceneMaterial& material) {
     return content;
 }
 
-// Returns true if a scene can refer to the files of a bake.
+// Returns true if scene files can refer to the images of a bake: if each map has a file of its own,
+// and the files are not textures (DDS or KTX2).
 bool has_single_images(const FilePattern& pattern) {
     return find_texture_format(pattern.format().suffix) == nullptr &&
            !pattern.stores_all_maps_in_one_file();

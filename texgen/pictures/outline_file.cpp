@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::string_view kSvgSuffix = ".svg";
 // The largest number of pixels along a side of the picture of a drawing. The picture of a very long
-// drawing has fewer pixels than kOutlineGridPoints.
+// drawing has fewer pixels than `grid_points` of outlines_of_svg.
 constexpr double kMaxSide = 16384.0;
 constexpr double kMargin = 1.0;  // around the drawing, in pixels
 // The largest deviation of polygons from curves, in pixels.
@@ -70,9 +70,9 @@ Bounds bounds_of(const std::vector<SvgShape>& shapes) {
 
 // Returns the map from the coordinates of the document to the pixels of a picture, in which y
 // points up. `size` is the size of the drawing.
-AffineMap map_to_pixels(const Bounds& bounds, const Vec2& size) {
+AffineMap map_to_pixels(const Bounds& bounds, const Vec2& size, double grid_points) {
     const double scale =
-        std::min(kMaxSide / size.maxCoeff(), std::sqrt(kOutlineGridPoints / (size.x() * size.y())));
+        std::min(kMaxSide / size.maxCoeff(), std::sqrt(grid_points / (size.x() * size.y())));
     return {{scale,
              0.0,
              0.0,
@@ -138,14 +138,14 @@ bool is_outline_name(std::string_view text) {
     return is_svg_name(text) || find_format(text) != nullptr;
 }
 
-std::vector<foam::Outline> outlines_of_svg(std::string_view document) {
+std::vector<foam::Outline> outlines_of_svg(std::string_view document, double grid_points) {
     std::vector<SvgShape> shapes = read_svg_shapes(document);
     const Bounds bounds = bounds_of(shapes);
     const Vec2 size = bounds.high - bounds.low;
     if (!(size.minCoeff() > 0.0)) {
         throw InputError("it has no filled shape");
     }
-    const AffineMap map = map_to_pixels(bounds, size);
+    const AffineMap map = map_to_pixels(bounds, size, grid_points);
     const std::vector<FilledShape> on_pixels = all_filled(std::move(shapes), map);
     const double scale = map.abcdef[0];
     const auto pixels = [&](double length) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/foam/outline.h"
+#include "texgen/pictures/traced_outlines.h"
 
 #include <string>
 #include <string_view>
@@ -26,8 +27,10 @@ bool is_outline_name(std::string_view text);
 /// has too little memory.
 FileOutline read_outline_file(const std::string& path);
 
-/// Returns the outline of the document of an SVG. Throws InputError, whose message does not name
+/// Returns the outline of the document of an SVG. The shapes are drawn as a picture of about
+/// `grid_points` pixels, whose outline is traced. Throws InputError, whose message does not name
 /// the file.
-std::vector<foam::Outline> outlines_of_svg(std::string_view document);
+std::vector<foam::Outline> outlines_of_svg(std::string_view document,
+                                           double grid_points = kOutlineGridPoints);
 
 }  // namespace foam::texgen

@@ -11,7 +11,8 @@ namespace {
 
 namespace py = pybind11;
 
-// Makes an exception of Python for a kind of errors, with the given base classes.
+// Registers a Python exception class for the C++ exception type ErrorKind. `bases` is its base
+// class, or a tuple of them.
 template <class ErrorKind>
 py::object bind_error(py::module_& module,
                       const char* name,
@@ -66,10 +67,11 @@ void bind_records(py::module_& module) {
             "position",
             [](const Event& self) { return py::make_tuple(self.position.x, self.position.y); },
             "Where it happened, as (x, y).")
-        .def_readonly("bubbles",
-                      &Event::bubbles,
-                      "Identities of the bubbles whose neighbors changed; of a T2 and of a birth, "
-                      "the first one vanished or was added.")
+        .def_readonly(
+            "bubbles",
+            &Event::bubbles,
+            "Identities of the bubbles whose neighbors changed. For a T2, the first is the "
+            "bubble that vanished; for a birth, the bubble that was added.")
         .def("__repr__", [](const Event& self) {
             return py::str("Event({!r}, time={:.6g}, position=({:.6g}, {:.6g}), bubbles={})")
                 .format(name_of(self.kind),

@@ -18,7 +18,8 @@ namespace {
 namespace py = pybind11;
 
 // Returns a value of Python as the text of a TOML value: True becomes true, and a list or a tuple
-// becomes a list. A text stays as it is, as on the command line.
+// becomes a list. A text stays as it is, as on the command line, but a text in a list or a tuple
+// becomes a quoted string.
 std::string value_text(const py::handle& value) {
     if (py::isinstance<py::str>(value)) {
         return value.cast<std::string>();
@@ -106,8 +107,9 @@ py::array frame_table(const py::object& self) {
 void bind_preset(py::module_& module) {
     py::class_<foamtex::Preset>(module,
                                 "Preset",
-                                "All options of an animation: a shipped preset, such as "
-                                "\"sea_foam\", or a preset file, with values for keys.")
+                                "All options of an animation. Loads a shipped preset, such as "
+                                "\"sea_foam\", or a preset file, and then sets the keys in "
+                                "`values`.")
         .def(py::init([](const std::filesystem::path& name_or_path, const py::dict& values) {
                  return foamtex::Preset(name_or_path.string(), values_of(values));
              }),
@@ -116,7 +118,9 @@ void bind_preset(py::module_& module) {
         .def(
             "set",
             [](foamtex::Preset& self, const py::dict& values) { self.set(values_of(values)); },
-            "Sets keys, all or none of them: {\"foam.bubbles\": 300}.",
+            "Sets keys, such as {\"foam.bubbles\": 300}. If a key or a value is not allowed, no "
+            "key "
+            "is set.",
             py::arg("values"))
         .def("get",
              &foamtex::Preset::get,
@@ -141,13 +145,14 @@ void bind_preset(py::module_& module) {
             py::arg("frames") = py::none(),
             py::kw_only(),
             py::arg("threads") = 0)
-        .def(
-            "fit_ranges",
-            &foamtex::Preset::fit_ranges,
-            py::call_guard<py::gil_scoped_release>(),
-            "Fits the automatic ranges of maps to the whole animation, which integer samples need.",
-            py::kw_only(),
-            py::arg("threads") = 0)
+        .def("fit_ranges",
+             &foamtex::Preset::fit_ranges,
+             py::call_guard<py::gil_scoped_release>(),
+             "Fits the automatic ranges of maps to the whole animation. Integer samples of maps "
+             "with "
+             "automatic ranges need this.",
+             py::kw_only(),
+             py::arg("threads") = 0)
         .def("__repr__", [](const foamtex::Preset& self) {
             return py::str("Preset({!r})").format(self.name());
         });
@@ -167,9 +172,10 @@ void bind_texture(py::module_& module) {
         .def("map",
              &draw_map,
              "Draws a map: an array of height x width x channels, with the top row first. float32: "
-             "numbers in the unit of the map, or linear light from 0 to 1, multiplied by the "
-             "opacity "
-             "if there is one. uint8 or uint16: the samples of the PNG that `foamtex bake` writes.",
+             "numbers in the unit of the map; of a map of colors, linear light from 0 to 1, "
+             "multiplied by the opacity if there is one. uint8 or uint16: integers as in a PNG of "
+             "this depth; with the depth of the map's own PNG, the samples that `foamtex bake` "
+             "writes. Colors have only uint8.",
              py::arg("name"),
              py::arg("dtype") = py::dtype::of<float>(),
              py::kw_only(),

@@ -50,10 +50,10 @@ double signed_area(const Chain& chain) {
 
 namespace {
 
-// Returns the first moment of the segment between an arc and its chord about the chord, which is
-// not negative. The moment about the line through the center of the circle that is parallel to the
-// chord is c³ / 12, with the length c of the chord, and the center is c / 2 cot(half angle) from
-// the chord.
+// The segment of an arc is the region between the arc and its chord. Returns the magnitude of the
+// first moment of the segment about the chord. Let c be the length of the chord. About the line
+// that is parallel to the chord and goes through the center of the circle, the moment is c³ / 12.
+// The distance of this line from the chord is (c / 2) cot(half angle), negative beyond 90 degrees.
 double segment_moment(const FilmArc& arc) {
     const double length = arc.chord.norm();
     const auto [sine, cosine] = ieee::sincos(std::abs(arc.half_angle));

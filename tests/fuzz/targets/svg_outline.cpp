@@ -6,8 +6,16 @@
 
 namespace foam::fuzz {
 
+namespace {
+
+// A small grid, so that drawing and tracing do not take most of the time of a run.
+constexpr double kGridPoints = 4096.0;
+
+}  // namespace
+
 void fuzz_svg_outline(std::string_view input) {
-    const auto parts = unless_rejected<InputError>([&] { return texgen::outlines_of_svg(input); });
+    const auto parts =
+        unless_rejected<InputError>([&] { return texgen::outlines_of_svg(input, kGridPoints); });
     if (!parts) {
         return;
     }

@@ -26,8 +26,8 @@ struct HalfAngles {
 /// results are up to 1e-14.
 void find_sines_and_cosines(HalfAngles& half_angles);
 
-/// Returns the arcs of the forward sides of all films in pixels, indexed by film. `scale` is in
-/// pixels per foam unit.
+/// Returns, in pixels, the arc of the forward side (HalfEdgeId) of every film, from its tail to its
+/// head, indexed by film. `scale` is in pixels per foam unit.
 std::vector<PixelArc> film_arcs(const Frame& frame, double scale, int threads);
 
 /// Returns the arc of a half-edge, in the direction of the half-edge. `arcs` is a result of

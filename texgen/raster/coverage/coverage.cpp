@@ -69,8 +69,9 @@ void Coverage<Channels>::add_parts(std::size_t k) {
     }
 }
 
-// Stores a part of an arc that is not entirely within the columns. The class comment
-// explains the contributions of parts to the left and to the right of the columns.
+// Adds a part of an arc that may extend beyond the columns of the band. The part itself may be
+// within the columns, to the left or to the right of them. The class comment explains the
+// contributions of parts to the left and to the right of the columns.
 template <std::size_t Channels>
 void Coverage<Channels>::add_outside(const ArcSplitter::Part& part, std::uint32_t arc, Row& row) {
     const std::int32_t periods = floor_div(part.column, width_);

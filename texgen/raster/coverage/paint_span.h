@@ -55,9 +55,10 @@ struct StraightMeans {
 inline constexpr std::size_t kBlockBytes = 128;
 
 /// Stores a block of equal pixels of 2, 4, 6 or 8 bytes. A pixel is repeated until it fills a
-/// pattern of 8 bytes; a pixel of 6 bytes is a pattern by itself. The words of a block of such
-/// pixels start at different bytes of the pattern, so that each word is composed of two shifted
-/// copies of the pattern.
+/// pattern of 8 bytes; a pixel of 6 bytes is a pattern by itself. A block is written in words of 8
+/// bytes. With pixels of 6 bytes, the words start at byte 0, 2 or 4 of the pattern, so that each
+/// word is composed of two shifted copies of the pattern. With other pixels, each word is the
+/// pattern.
 template <std::size_t PixelBytes>
 [[gnu::always_inline]] inline void store_block(std::uint64_t pixel, std::uint8_t* to) {
     constexpr std::size_t kPatternBytes = PixelBytes == 6 ? 6 : 8;
@@ -73,10 +74,11 @@ template <std::size_t PixelBytes>
     }
 }
 
-/// Writes the pixels [begin, end) of a row. A pixel has 2, 4, 6 or 8 bytes: the lowest bytes of
-/// `pixel`, the first one lowest. Writes whole blocks, up to kBlockBytes beyond the end of the
-/// span. If the spans of a row are written from left to right, each overwrites what the one before
-/// it has written too much. Most spans are shorter than a block.
+/// Writes the pixels [begin, end) of a row. A pixel consists of the lowest PixelBytes (2, 4, 6 or
+/// 8) bytes of `pixel`, which are written from the lowest to the highest. The other bytes of
+/// `pixel` must be 0. Writes whole blocks, up to kBlockBytes beyond the end of the span. If the
+/// spans of a row are written from left to right, each span overwrites the bytes that the span
+/// before it wrote beyond its end. Most spans are shorter than a block.
 template <std::size_t PixelBytes>
 [[gnu::always_inline]] inline void paint_span(std::size_t begin,
                                               std::size_t end,

@@ -42,9 +42,9 @@ PixelRows band_rows(const RasterGrid& grid, int band) {
 }
 
 // Calls visit(translation) for the copies of a region that overlap the rows of an image. In the
-// plane, the only copy is the region itself. On a torus, copies are moved by whole periods so that
-// Region::first is within the columns of the image; painting wraps columns around. A copy one
-// period up is also moved to the right by `shear` subpixels.
+// plane, the only copy is the region itself. On a torus, a translation is the shift of the grid
+// plus whole periods, chosen so that Region::first is within the columns of the image; painting
+// wraps columns around. A copy one period up is also moved to the right by `shear` subpixels.
 template <class Visit>
 void for_each_copy(const Region& of,
                    const RasterGrid& grid,
@@ -106,10 +106,11 @@ bool is_within(const Region& region, const RasterGrid& grid, int band) {
     return box.bottom >= rows.begin && box.top <= rows.end;
 }
 
-// Traces the bubbles of a torus. Each worker traces the bubbles that begin (Region::first) in one
-// band of rows of the unshifted grid at a time, and paints those of them that are within the band.
-// No other worker paints the same rows, because different bands contain different rows, and a shift
-// of the grid moves all bands by the same distance. Returns the regions of all other bubbles.
+// Traces the bubbles of a torus. The work is divided by bands of rows of the unshifted grid. For
+// each band, one worker traces the bubbles whose Region::first is in the band, and paints those
+// that are entirely within it. No other worker paints the same rows, because different bands
+// contain different rows, and a shift of the grid moves all bands by the same distance. Returns the
+// regions of all other bubbles.
 std::vector<Region> paint_within_bands(const TorusRegions& regions,
                                        const RasterGrid& grid,
                                        std::vector<int>& workers,

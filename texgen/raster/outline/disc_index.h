@@ -38,8 +38,8 @@ class DiscIndex {
         build_tree(count);
     }
 
-    /// Returns the indices, in ascending order, of all discs that touch the given disc. There may
-    /// be others among them. The result is valid until the next call.
+    /// Returns, in ascending order, the indices of all discs that have a point in common with the
+    /// given disc, and possibly of some that have none. The result is valid until the next call.
     std::span<const std::size_t> near(const Disc& disc);
 
   private:
