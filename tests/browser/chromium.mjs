@@ -37,13 +37,17 @@ export async function launch_chromium(options = {}) {
     });
 }
 
-// Opens a page, with cookies of its own, whose errors are collected: messages of the console of type "error", and exceptions that no code caught.
-// Returns the page and the list, which grows.
-export async function open_page(browser) {
+// Opens a page, with cookies of its own, whose errors are collected: messages of the console of type "error" that `expected`
+// does not match, and exceptions that no code caught. Returns the page and the list, which grows.
+export async function open_page(browser, { expected = /^$/ } = {}) {
     const context = await browser.newContext();
     const page = await context.newPage();
     const errors = [];
-    page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+    page.on("console", (message) => {
+        if (message.type() === "error" && !expected.test(message.text())) {
+            errors.push(message.text());
+        }
+    });
     page.on("pageerror", (error) => errors.push(error.message));
     return { page, errors };
 }

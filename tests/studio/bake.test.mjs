@@ -29,6 +29,21 @@ test("a bake writes a folder that verify accepts", () =>
         assert.deepEqual(errors, []);
     }));
 
+test("the readout of a baked set has its numbers", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        await run(["bake", "pebbles", "--frames", "1-2", "--set", "frames.count=2", "--size", "128", "--maps", "height,id"], {
+            cwd: folder,
+        });
+        const { page, errors } = await open_studio(browser, studio.url);
+        await page.locator("#gallery-bakes").getByText("pebbles").click();
+        await page.waitForFunction(() => window.studio.baked && window.studio.view.picture?.map === "height");
+        const box = await page.locator("#picture").boundingBox();
+        await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+        await page.waitForFunction(() => /^\d/.test(document.getElementById("readout-value").textContent));
+        assert.match(await page.locator("#readout-unit").textContent(), /diameter/);
+        assert.deepEqual(errors, []);
+    }));
+
 test("a bake can be cancelled", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page } = await open_studio(browser, studio.url);

@@ -90,9 +90,11 @@ export async function with_studio(test) {
     }
 }
 
-// Opens the page of a studio and waits until the first picture is exact. Returns the page and its errors.
+// Opens the page of a studio and waits until the first picture is exact. Returns the page and its errors. The browser reports
+// each response 409 as an error, but it is expected: a request that waits for a foam is answered so if the page shows
+// another foam meanwhile.
 export async function open_studio(browser, url, { width = 1440, height = 900, colorScheme = "dark" } = {}) {
-    const opened = await open_page(browser);
+    const opened = await open_page(browser, { expected: /status of 409/ });
     await opened.page.setViewportSize({ width, height });
     await opened.page.emulateMedia({ colorScheme });
     await opened.page.goto(url);

@@ -72,7 +72,8 @@ FrameAssembly::FrameAssembly(const Preset& preset,
       first_state_(shown_states(1, loop_, count_).state),
       on_frame_(std::move(on_frame)) {
     if (loop_.current > 0.0) {
-        current_.emplace(loop_, aspect_of(preset.image), preset.seeding.seed);
+        current_ =
+            std::make_shared<const Current>(loop_, aspect_of(preset.image), preset.seeding.seed);
     }
     if (loop_.is_cross_faded()) {
         fade_order_.emplace(fade_order_of(preset));
@@ -117,29 +118,51 @@ std::vector<int> FrameAssembly::states() const {
 }
 
 void FrameAssembly::add(const SimulatedFrame& state) {
-    total_.t1 += state.effort.t1;
-    total_.t2 += state.effort.t2;
-    total_.seconds += state.effort.seconds;
+    const FrameEffort& effort = state.effort;
+    total_.t1 += effort.t1;
+    total_.t2 += effort.t2;
+    total_.seconds += effort.seconds;
+    unreported_.insert(unreported_.end(), effort.events.begin(), effort.events.end());
+    event_count_ += effort.events.size();
     const int number = state.frame->number;
-    SimulatedFrame frame = prepared(state);
-    unreported_.insert(unreported_.end(), frame.effort.events.begin(), frame.effort.events.end());
-    event_count_ += frame.effort.events.size();
-    frame.effort.events.clear();
-    frame.effort.t1 = total_.t1;
-    frame.effort.t2 = total_.t2;
-    frame.effort.seconds = total_.seconds;
-    if (number == first_state_) {
-        first_ = std::make_shared<const FrameOne>(frame.frame);
-    }
     if (uses_.at(number) > 0) {
-        kept_.emplace(number, std::move(frame));
-        event_counts_.emplace(number, event_count_);
+        keep(state);
+    }
+    if (number == first_state_) {
+        first_ = frame_one_of(state);
     }
     while (emitted_ < requests_.size() && requests_[emitted_].states.back() <= number) {
         emit(requests_[emitted_]);
         release(requests_[emitted_]);
         ++emitted_;
     }
+}
+
+void FrameAssembly::keep(const SimulatedFrame& state) {
+    SimulatedFrame frame = prepared(state);
+    frame.effort.events.clear();
+    frame.effort.t1 = total_.t1;
+    frame.effort.t2 = total_.t2;
+    frame.effort.seconds = total_.seconds;
+    const int number = state.frame->number;
+    kept_.emplace(number, std::move(frame));
+    event_counts_.emplace(number, event_count_);
+}
+
+// Few maps need frame 1. If no frame shows its state, it is therefore moved by the current only
+// when a map needs it.
+std::shared_ptr<const FrameOne> FrameAssembly::frame_one_of(const SimulatedFrame& state) const {
+    const auto kept = kept_.find(first_state_);
+    if (kept != kept_.end()) {
+        return std::make_shared<const FrameOne>(kept->second.frame);
+    }
+    if (!current_) {
+        return std::make_shared<const FrameOne>(state.frame);
+    }
+    const double progress = loop_progress(first_state_, loop_, count_);
+    return std::make_shared<const FrameOne>([current = current_, frame = state.frame, progress] {
+        return std::make_shared<const Frame>(current->carried(*frame, progress));
+    });
 }
 
 // Returns a state of the simulation as it is kept: with the ranks of its bubbles (FadeOrder) if the

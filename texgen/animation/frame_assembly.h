@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -52,6 +53,8 @@ class FrameAssembly {
     };
 
     SimulatedFrame prepared(const SimulatedFrame& state) const;
+    void keep(const SimulatedFrame& state);
+    std::shared_ptr<const FrameOne> frame_one_of(const SimulatedFrame& state) const;
     Request request_of(int number, const Preset& preset) const;
     void emit(const Request& request);
     void add_cross_fade(const Request& request, SimulatedFrame& frame) const;
@@ -61,10 +64,10 @@ class FrameAssembly {
 
     bool includes_next_;
     LoopOptions loop_;
-    int count_;                              // frames of the loop
-    int first_state_;                        // the state that frame 1 shows
-    std::shared_ptr<const FrameOne> first_;  // frame 1, after its state was added
-    std::optional<Current> current_;
+    int count_;                               // frames of the loop
+    int first_state_;                         // the state that frame 1 shows
+    std::shared_ptr<const FrameOne> first_;   // frame 1, after its state was added
+    std::shared_ptr<const Current> current_;  // null if there is none
     std::optional<FadeOrder> fade_order_;
     FrameVisitor on_frame_;
     std::vector<Request> requests_;  // in the order in which their frames are emitted

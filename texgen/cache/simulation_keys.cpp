@@ -52,9 +52,9 @@ std::string aspect_of(const ImageOptions& image) {
 }
 
 constexpr const char* kAllowed =
-    "with a cache, only the description of the preset and keys of the image, the output, drawings, "
-    "meshes and maps can be changed; for a patch without events that have positions, also keys of "
-    "the camera";
+    "with a cache, only the description and keys of images, output, drawings, meshes and maps can "
+    "be "
+    "changed; for a patch without events at positions, also the camera";
 
 }  // namespace
 

@@ -18,12 +18,21 @@ namespace foam::texgen {
 using ColorsByIdentity = std::unordered_map<BubbleIdentity, LinearRgb>;
 
 /// Frame 1 of an animation, and the colors of a picture under its bubbles. All frames of the
-/// animation share an object, so that these colors are computed only once. Thread-safe.
+/// animation share an object, so that both are computed only once, and only if a map needs them.
+/// Thread-safe.
 class FrameOne {
   public:
-    explicit FrameOne(std::shared_ptr<const Frame> frame) : frame_(std::move(frame)) {}
+    /// `make` returns frame 1. It is called when frame 1 is first needed, by one thread.
+    explicit FrameOne(std::function<std::shared_ptr<const Frame>()> make)
+        : make_(std::move(make)) {}
 
-    const Frame& frame() const { return *frame_; }
+    explicit FrameOne(std::shared_ptr<const Frame> frame)
+        : FrameOne([frame = std::move(frame)] { return frame; }) {}
+
+    const Frame& frame() const {
+        std::call_once(made_, [this] { frame_ = make_(); });
+        return *frame_;
+    }
 
     /// Returns compute(), or the earlier result if the last call was for the same picture.
     std::shared_ptr<const ColorsByIdentity> colors_under(
@@ -38,7 +47,9 @@ class FrameOne {
     }
 
   private:
-    std::shared_ptr<const Frame> frame_;
+    std::function<std::shared_ptr<const Frame>()> make_;
+    mutable std::once_flag made_;
+    mutable std::shared_ptr<const Frame> frame_;
     mutable std::mutex mutex_;  // protects the members below
     mutable std::shared_ptr<const SourcePicture> picture_;
     mutable std::shared_ptr<const ColorsByIdentity> colors_;

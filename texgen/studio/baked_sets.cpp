@@ -3,18 +3,24 @@
 #include "texgen/studio/baked_sets.h"
 
 #include "core/files/file_io.h"
+#include "texgen/image/color.h"
+#include "texgen/image/picture.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/sheet/display_frame.h"
+#include "texgen/sheet/map_frame.h"
 #include "texgen/sheet/map_sequence.h"
 #include "texgen/studio/samples.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 namespace foam::texgen {
 
@@ -65,6 +71,85 @@ HttpResponse picture_of(const MapSequence& sequence, int side) {
             .body = rgba_from_top(codes)};
 }
 
+/// Returns the description and the file of an image. The file must not be a link that leaves the
+/// folder.
+MapSequence sequence_of(const StudioFolder& folder, const BakedImage& image) {
+    const std::filesystem::path path = folder.below(image.folder);
+    const Manifest manifest = read_manifest(path);
+    const auto set = std::ranges::find(manifest.sets, image.preset, &BakedSet::preset);
+    if (set == manifest.sets.end()) {
+        throw std::invalid_argument(fmt::format("no images of '{}' were baked", image.preset));
+    }
+    MapSequence sequence = map_sequence(*set, path, image.map, std::span(&image.frame, 1));
+    folder.below(sequence.files.front().path.lexically_relative(folder.path()).string());
+    if (!sequence.map.samples) {
+        throw std::invalid_argument(fmt::format("'{}' is not an image", image.map));
+    }
+    return sequence;
+}
+
+/// Returns the index of the pixel at a fraction of the width or the height of an image.
+int pixel_at(double fraction, int count) {
+    return std::min(static_cast<int>(std::clamp(fraction, 0.0, 1.0) * count), count - 1);
+}
+
+/// Returns the channels of a map in its file, in the order of MapSamples::channels. Files of codes
+/// call them R, G and B, or Y, whatever the map calls them. Padding channels are left out.
+std::vector<PictureChannel> channels_of_map(const Picture& picture, const MapSamples& samples) {
+    const std::vector<PictureChannel> all = channels_of(picture);
+    const bool has_codes = samples.type == "uint8" || samples.type == "uint16";
+    std::string names = samples.channels;
+    std::erase(names, ' ');
+    const std::string in_file(has_codes ? code_channel_names(picture.groups.front().channels())
+                                        : names);
+    std::vector<PictureChannel> found;
+    for (std::size_t k = 0; k < std::min(names.size(), in_file.size()); ++k) {
+        const auto channel =
+            std::ranges::find(all, std::string_view(in_file).substr(k, 1), &PictureChannel::name);
+        if (names[k] != '0' && channel != all.end()) {
+            found.push_back(*channel);
+        }
+    }
+    return found;
+}
+
+/// Returns the numbers that 0 and 1 stand for in the scaled codes of a file (read_numbers). Numbers
+/// that are not stored as codes are not scaled.
+std::array<double, 2> range_of(const MapSamples& samples) {
+    const bool is_id = samples.kind == "id";
+    if (samples.type == "uint8") {
+        return samples.range.value_or(std::array{0.0, is_id ? 255.0 : 1.0});
+    }
+    if (samples.type == "uint16") {
+        return samples.range.value_or(std::array{0.0, is_id ? 65535.0 : 1.0});
+    }
+    return {0.0, 1.0};
+}
+
+/// Returns the samples of a pixel of a file, in the unit of the map.
+Json numbers_at(const Picture& picture, const MapSamples& samples, double x, double y) {
+    const auto column = static_cast<std::size_t>(pixel_at(x, picture.width()));
+    const int row = picture.height() - 1 - pixel_at(y, picture.height());
+    const auto [low, high] = range_of(samples);
+    std::vector<double> numbers(static_cast<std::size_t>(picture.width()));
+    Json all = Json::array();
+    for (const PictureChannel& channel : channels_of_map(picture, samples)) {
+        read_numbers(channel, row, numbers);
+        all.push_back(number_or_null(low + numbers[column] * (high - low)));
+    }
+    return all;
+}
+
+/// Returns the color of a pixel, as on a screen.
+std::string color_at(const DisplayFrame& frame, double x, double y) {
+    const int column = pixel_at(x, frame.pixels.width());
+    const int row = frame.pixels.height() - 1 - pixel_at(y, frame.pixels.height());
+    DisplayFrame pixel{Image<float>(1, 1, DisplayFrame::kColors), frame.is_light};
+    std::ranges::copy(frame.pixels.pixel(column, row), pixel.pixels.samples().begin());
+    const Image<std::uint8_t> code = codes_of(pixel);
+    return color_text({code.samples()[0], code.samples()[1], code.samples()[2]});
+}
+
 }  // namespace
 
 Json describe_baked_sets(const StudioFolder& folder) {
@@ -76,16 +161,19 @@ Json describe_baked_sets(const StudioFolder& folder) {
 }
 
 HttpResponse baked_picture(const StudioFolder& folder, const BakedImage& image, int side) {
-    const std::filesystem::path path = folder.below(image.folder);
-    const Manifest manifest = read_manifest(path);
-    const auto set = std::ranges::find(manifest.sets, image.preset, &BakedSet::preset);
-    if (set == manifest.sets.end()) {
-        throw std::invalid_argument(fmt::format("no images of '{}' were baked", image.preset));
+    return picture_of(sequence_of(folder, image), side);
+}
+
+Json pick_baked(const StudioFolder& folder, const BakedImage& image, double x, double y) {
+    const auto& [map, files] = sequence_of(folder, image);
+    Json picked = {
+        {"numbers", Json::array()}, {"unit", map.unit}, {"color", nullptr}, {"bubble", nullptr}};
+    if (map.samples->kind == "color") {
+        picked["color"] = color_at(read_display_frame(files.front(), map), x, y);
+    } else {
+        picked["numbers"] = numbers_at(read_map_frame(files.front(), map.name), *map.samples, x, y);
     }
-    const MapSequence sequence = map_sequence(*set, path, image.map, std::span(&image.frame, 1));
-    // The file of the image must not be a link that leaves the folder.
-    folder.below(sequence.files.front().path.lexically_relative(folder.path()).string());
-    return picture_of(sequence, side);
+    return picked;
 }
 
 }  // namespace foam::texgen

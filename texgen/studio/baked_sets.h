@@ -27,4 +27,9 @@ struct BakedImage {
 /// not baked.
 HttpResponse baked_picture(const StudioFolder& folder, const BakedImage& image, int side);
 
+/// Returns the answer to /api/baked/pick: the samples of the file of an image at a point. `x` and
+/// `y` are fractions of the width and of the height, from the upper left. Numbers are in the unit
+/// of the map. Throws the exceptions of baked_picture.
+Json pick_baked(const StudioFolder& folder, const BakedImage& image, double x, double y);
+
 }  // namespace foam::texgen

@@ -40,6 +40,13 @@ int frame_of(const JsonValue& request) {
     return static_cast<int>(request["frame"].integer(1, kLargestFrame));
 }
 
+BakedImage baked_image(const JsonValue& request) {
+    return {request["folder"].text(),
+            request["preset"].text(),
+            request["map"].text(),
+            frame_of(request)};
+}
+
 PictureRequest picture_request(const JsonValue& request) {
     constexpr std::array<std::string_view, 3> kQualities = {"draft", "full", "exact"};
     constexpr std::array<std::string_view, 2> kSamples = {"rgba", "float"};
@@ -153,12 +160,13 @@ class StudioRoutes {
     }
 
     HttpResponse baked(const JsonValue& request) const {
-        const BakedImage image{request["folder"].text(),
-                               request["preset"].text(),
-                               request["map"].text(),
-                               frame_of(request)};
         const auto side = static_cast<int>(request["width"].integer(1, kLargestPicture));
-        return baked_picture(folder_, image, side);
+        return baked_picture(folder_, baked_image(request), side);
+    }
+
+    HttpResponse baked_pick(const JsonValue& request) const {
+        return json_response(pick_baked(
+            folder_, baked_image(request), request["x"].number(), request["y"].number()));
     }
 
     HttpResponse alive(const JsonValue& request) const {
@@ -193,6 +201,7 @@ constexpr std::array kRoutes{StudioRoute{"/api/settings", &StudioRoutes::setting
                              StudioRoute{"/api/download", &StudioRoutes::download},
                              StudioRoute{"/api/bakes", &StudioRoutes::bakes},
                              StudioRoute{"/api/baked", &StudioRoutes::baked},
+                             StudioRoute{"/api/baked/pick", &StudioRoutes::baked_pick},
                              StudioRoute{"/api/alive", &StudioRoutes::alive}};
 
 }  // namespace

@@ -65,9 +65,9 @@ TEST_F(RenderCommand, TakesTheCachedFramesAndDrawingOptions) {
 TEST_F(RenderCommand, OptionThatChangesTheFoamIsOneLineAndCode2) {
     expect_rejected("foam --set foam.seed=5",
                     ExitCode::BadRequest,
-                    "key 'foam.seed' = 5: must be 1, as in the cache; with a cache, only keys of "
-                    "the image, the output and the maps can be changed, and the camera of a patch "
-                    "if no event has a position");
+                    "key 'foam.seed' = 5: must be 1, as in the cache; with a cache, only the "
+                    "description and keys of images, output, drawings, meshes and maps can be "
+                    "changed; for a patch without events at positions, also the camera");
     expect_rejected("foam --size 32",
                     ExitCode::BadRequest,
                     "key 'image.size' = [32, 32]: must have the aspect ratio 2:1 of the cache, "

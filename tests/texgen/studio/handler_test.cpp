@@ -355,6 +355,49 @@ TEST_F(StudioTest, ShowsBakedImages) {
     EXPECT_EQ(post("/api/baked", outside).status, HttpStatus::Unprocessable);
 }
 
+// A pixel of a baked image has the numbers of the live picture, up to the rounding of its codes.
+TEST_F(StudioTest, ReadsNumbersOfBakedImages) {
+    const Json maps = {"height", "id", "normal", "motion", "albedo"};
+    for (const char* format : {"png", "exr"}) {
+        const Json bake = answer(
+            "/api/bake",
+            {{"settings", settings()}, {"folder", format}, {"format", format}, {"maps", maps}});
+        ended_bake(bake["bake"]);
+        for (const Json& map : maps) {
+            Json live = picture(map);
+            live["x"] = 20;
+            live["y"] = 9;
+            const Json expected = answer("/api/pick", live);
+            const Json found = answer("/api/baked/pick",
+                                      {{"folder", format},
+                                       {"preset", "sea_foam"},
+                                       {"map", map},
+                                       {"frame", live["frame"]},
+                                       {"x", 20.5 / 64.0},
+                                       {"y", 9.5 / 32.0}});
+            EXPECT_EQ(found["color"], expected["color"]) << format << map;
+            EXPECT_EQ(found["unit"], expected["unit"]) << format << map;
+            if (found["color"] != nullptr) {
+                continue;
+            }
+            ASSERT_EQ(found["numbers"].size(), expected["numbers"].size()) << format << map;
+            for (std::size_t k = 0; k < found["numbers"].size(); ++k) {
+                EXPECT_NEAR(found["numbers"][k], expected["numbers"][k], 0.004) << format << map;
+            }
+        }
+    }
+    const Json wrong = {{"folder", "png"},
+                        {"preset", "sea_foam"},
+                        {"map", "lit"},
+                        {"frame", 1},
+                        {"x", 1e300},
+                        {"y", -1.0}};
+    EXPECT_EQ(post("/api/baked/pick", wrong).status, HttpStatus::Unprocessable);
+    Json far = wrong;
+    far["map"] = "id";
+    EXPECT_EQ(post("/api/baked/pick", far).status, HttpStatus::Ok);
+}
+
 TEST_F(StudioTest, DownloadsAFrameAsADrawing) {
     const HttpResponse drawing = post("/api/download",
                                       {{"settings", settings()},

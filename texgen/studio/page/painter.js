@@ -49,7 +49,12 @@ export class Painter {
         view.moved.on(() => this.#sharpen());
     }
 
-    /** Sets where pictures come from: see source.js. Does not request a picture. */
+    /** Where pictures come from: see source.js. */
+    get source() {
+        return this.#source;
+    }
+
+    /** Sets where pictures come from. Does not request a picture. */
     setSource(source) {
         this.#source = source;
     }

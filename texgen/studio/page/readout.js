@@ -3,7 +3,7 @@
 // Tells the value of the map under the pointer, and the bubble there.
 
 import {$, el} from "./dom.js";
-import {ApiError, page, post} from "./api.js";
+import {ApiError} from "./api.js";
 import {formatNumber} from "./scale.js";
 import {Lane} from "./lane.js";
 
@@ -61,7 +61,7 @@ export class Readout {
         }
         const x = Math.min(picture.width - 1, Math.floor(point[0] * picture.width));
         const y = Math.min(picture.height - 1, Math.floor(point[1] * picture.height));
-        if (this.#studio.baked || picture.draft) {
+        if (picture.draft) {
             this.#show(x, y, {numbers: [], unit: "", color: colorAt(picture, x, y), bubble: null});
         } else if (!this.#studio.player.playing) {
             this.#ask(picture, x, y);
@@ -71,20 +71,10 @@ export class Readout {
     }
 
     #ask(picture, x, y) {
-        const body = {
-            settings: this.#studio.state.settings(),
-            page,
-            frame: picture.frame,
-            map: picture.map,
-            width: picture.width,
-            quality: "full",
-            samples: "rgba",
-            x,
-            y,
-        };
+        const {source} = this.#studio.painter;
         this.#lane.run(async (signal) => {
             try {
-                const value = await post("/api/pick", body, signal);
+                const value = await source.pick(picture, x, y, signal);
                 if (this.#point) {
                     this.#show(x, y, value);
                 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Where pictures come from: the settings of the page, or a baked folder. A source has `size` (of full pictures),
-// `drafts` (whether it has drafts), `largestWidth`, `map`, and `picture(frame, width, quality, signal)`, which returns
-// a picture: {pixels, width, height, frame, exact, low, high, map, transparent, draft}.
+// `drafts` (whether it has drafts), `largestWidth`, `map`, `picture(frame, width, quality, signal)`, which returns a
+// picture: {pixels, width, height, frame, exact, low, high, map, transparent, draft}, and `pick(picture, x, y, signal)`,
+// which returns the answer to /api/pick for a pixel of a picture.
 
-import {postPicture} from "./api.js";
+import {page, post, postPicture} from "./api.js";
 
 /** Returns a source that draws settings. `transparent` tells whether pictures have pixels without foam. */
 export function settingsSource(settings, {size, map, largestWidth, transparent}) {
@@ -17,6 +18,11 @@ export function settingsSource(settings, {size, map, largestWidth, transparent})
         async picture(frame, width, quality, signal) {
             const body = {settings, frame, map, width, quality, samples: "rgba"};
             return {...(await postPicture("/api/picture", body, signal)), map, transparent, draft: quality === "draft"};
+        },
+        pick(picture, x, y, signal) {
+            const {frame, width} = picture;
+            const body = {settings, page, frame, map, width, quality: "full", samples: "rgba", x, y};
+            return post("/api/pick", body, signal);
         },
     };
 }
@@ -39,6 +45,17 @@ export function bakedSource(bake, map, largestWidth) {
                 samples: "rgba",
             };
             return {...(await postPicture("/api/baked", body, signal)), frame, map, exact: true, transparent: true};
+        },
+        pick(picture, x, y, signal) {
+            const body = {
+                folder: bake.folder,
+                preset: bake.preset,
+                map,
+                frame: bake.frames[picture.frame - 1],
+                x: (x + 0.5) / picture.width,
+                y: (y + 0.5) / picture.height,
+            };
+            return post("/api/baked/pick", body, signal);
         },
     };
 }
