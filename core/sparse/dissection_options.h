@@ -15,8 +15,9 @@ struct DissectionOptions {
     // A separator that was found from positions is rejected if its relative weight exceeds a limit.
     // The relative weight is the number of rows of the separator, divided by the square root of the
     // number of rows of the divided part. The limit is `heaviest_separator` before refinement, and
-    // `heaviest_refined` after it. If a separator is rejected, the part is divided by the edges of
-    // the graph alone, and so are all parts that result from its division.
+    // `heaviest_refined` after it. If a separator is rejected, the part, and all parts that
+    // result from its division, are divided without positions: their separators are found from the
+    // edges of the graph alone.
     double heaviest_separator = 5.0;
     double heaviest_refined = 2.5;
 };

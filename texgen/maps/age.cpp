@@ -13,8 +13,8 @@ Keys<AgeOptions> age_keys() {
         {{{"birth", AgeSince::Birth}, {"change", AgeSince::Change}}}};
     return {key("since",
                 kSince,
-                "start of the age: birth of the bubble (time 0 for seeded bubbles), or the last "
-                "change of its neighbors",
+                "moment from which the age counts: the birth of the bubble (time 0 for seeded "
+                "bubbles), or the last time that it gained or lost a neighbor",
                 &AgeOptions::since),
             key("full",
                 RealsOrAuto{1e-6, 1e9, AgeOptions().full},

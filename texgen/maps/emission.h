@@ -9,7 +9,7 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kEmissionMap = {
     .name = "emission",
-    .meaning = "light that the surface emits: the glow of the map lit (lit.glow), else black",
+    .meaning = "light that the surface emits: the glow that the map lit shows (key lit.glow)",
     .unit = "light",
     .channels = "R G B",
     .kind = MapKind::Color,

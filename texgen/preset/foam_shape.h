@@ -25,8 +25,8 @@ struct FoamShape {
     std::string outline = "disc";
     double outline_aspect = 1.0;  // factor that stretches the outline in x; at 1 a disc is a circle
                                   // and a rectangle is a square
-    // The outline in the file that `outline` names; null if `outline` names no file. Reading the
-    // key reads the file, so that a bad file is an error of the preset.
+    // The outline in the file that `outline` names; null if `outline` names no file. The file is
+    // read together with the key foam.outline, so that a bad file is an error of the preset.
     std::shared_ptr<const FileOutline> file_outline{};
 };
 

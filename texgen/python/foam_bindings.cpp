@@ -126,7 +126,8 @@ void bind_making(FoamClass& foam) {
             [](const std::filesystem::path& file) {
                 return made([&] { return foamtex::Foam::read(file.string()); });
             },
-            "Reads a foam: .fe or .dmp of Surface Evolver, .json a state of foamtex.",
+            "Reads a foam from a file: .fe or .dmp of Surface Evolver, or .json, a state of "
+            "foamtex.",
             py::arg("file"))
         .def_static(
             "from_evolver",
@@ -166,7 +167,9 @@ void bind_actions(FoamClass& foam) {
             [](SharedFoam& self) {
                 return self.use([](const foamtex::Foam& one) { return one.state(); });
             },
-            "The whole state as JSON. A foam made from it evolves with the same bits.")
+            "The whole state as JSON. A foam made from it evolves exactly as this foam does, bit "
+            "for "
+            "bit.")
         .def(
             "copy",
             [](SharedFoam& self) {
@@ -180,7 +183,9 @@ void bind_actions(FoamClass& foam) {
                     [&](foamtex::Foam& one) { return one.relax(threads, throw_if_interrupted); }));
             },
             "Brings the foam to equilibrium at its target areas, to errors below 1e-9. Raises "
-            "EquilibriumError if there is none; the foam is then unchanged, as after Ctrl-C.",
+            "EquilibriumError if no equilibrium is found. After this error, or after Ctrl-C, the "
+            "foam "
+            "is unchanged.",
             py::kw_only(),
             py::arg("threads") = 0)
         .def(
@@ -199,9 +204,10 @@ void bind_actions(FoamClass& foam) {
             "Advances the foam by a time, in which gas diffuses, bubbles vanish (T2) and films "
             "swap "
             "neighbors (T1). `areas` maps identities of bubbles to target areas at the end of the "
-            "step; `strain` is simple shear along x; each of `pushes` is (center, radius, by). "
-            "Raises EquilibriumError if a step fails; the foam is then in the last equilibrium. "
-            "After Ctrl-C, it is unchanged.",
+            "step; `strain` is simple shear along x; each of `pushes` is (center, radius, by), "
+            "where `by` is the displacement of the center. Raises EquilibriumError if no "
+            "equilibrium is found; the foam is then in the last equilibrium that was reached, "
+            "which may be part of the way through the step. After Ctrl-C, it is unchanged.",
             py::arg("time"),
             py::kw_only(),
             py::arg("areas") = std::map<std::int64_t, double>(),

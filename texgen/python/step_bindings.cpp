@@ -54,8 +54,13 @@ void bind_settings(py::module_& module) {
              })
         .def_readwrite("kappa", &StepSettings::kappa, "Diffusion constant, in foam units.")
         .def_readwrite("tolerance", &StepSettings::tolerance, "Largest error of areas and angles.")
-        .def_readwrite("t1_distance", &StepSettings::t1_distance, "A shorter film may flip.")
-        .def_readwrite("t2_area", &StepSettings::t2_area, "A smaller bubble may vanish.")
+        .def_readwrite("t1_distance",
+                       &StepSettings::t1_distance,
+                       "A film may flip (T1) if its chord is shorter than this, in foam units.")
+        .def_readwrite(
+            "t2_area",
+            &StepSettings::t2_area,
+            "A bubble may vanish (T2) if its target area is at most this, in square foam units.")
         .def_readwrite("threads", &StepSettings::threads, "0: all threads of the machine.");
 }
 

@@ -27,8 +27,8 @@ inline std::int32_t rounded(float x) {
 }
 
 /// Computes the points at which an arc crosses horizontal and vertical lines. The arc rises from
-/// its tail and, except in unbounded_x_at, is monotone in x and in y. Coordinates are relative to
-/// the tail of the arc.
+/// its tail and is monotone in y. It is also monotone in x, except in unbounded_x_at. Coordinates
+/// are relative to the tail of the arc.
 ///
 /// Let d be the chord of the arc, from tail to head, and alpha half the angle by which the arc
 /// turns left. Let q be the vector from the middle of the chord to a point. The point is on the
@@ -149,9 +149,10 @@ struct ArcCrossings {
     std::size_t end() const { return position + (count + kLanes - 1) / kLanes * kLanes; }
 };
 
-/// Compute the crossings of several arcs: find_xs the x of crossings with horizontal lines, find_ys
-/// the y of crossings with vertical lines. Result k of a query is stored at the index position + k.
-/// Precondition: the array has room for arcs.back().end() results.
+/// Compute the crossings of several arcs: find_xs computes the x of crossings with horizontal
+/// lines, and find_ys computes the y of crossings with vertical lines. Result k of a query is
+/// stored at the index position + k. Precondition: the array has room for arcs.back().end()
+/// results.
 void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs);
 void find_ys(std::span<const ArcCrossings> arcs, std::int32_t* ys);
 

@@ -77,8 +77,8 @@ class ArcSplitter {
     };
 
     // Returns the column of pixels that contains an x of an arc, or minus the column if the arc and
-    // x are mirrored. A point on a border between columns belongs to the column on its right, for
-    // which the bias of a mirrored arc makes pixel_of round up.
+    // x are mirrored. A point on a border between columns belongs to the column on its right in
+    // the image. To achieve this for a mirrored arc, its bias makes pixel_of round up.
     static std::int32_t column_of(const Arc& arc, std::int32_t x) { return pixel_of(x + arc.bias); }
     void measure_parts();
     void find_columns(std::size_t k);
@@ -92,10 +92,10 @@ class ArcSplitter {
     std::array<ArcCrossings, kMaxArcs> column_crossings_;  // crossings with borders between columns
     std::vector<std::int32_t> xs_;                         // results of row_crossings_
     std::vector<std::int32_t> ys_;                         // results of column_crossings_
-    // Scratch array for the arc that is being processed; otherwise all elements are 0. If the arc
-    // crosses a border between rows after its border k - 1 between columns and before its border k
-    // between columns, element k is the number of all borders between rows that it crosses before
-    // its border k. If it does not, element k is 0.
+    // Scratch array for the arc that is being processed; otherwise all elements are 0. Let the
+    // borders between columns that the arc crosses be numbered from 0. Element k is the number of
+    // borders between rows that the arc crosses before border k; it is 0 if the arc crosses no
+    // border between rows between the borders k - 1 and k.
     std::vector<std::int32_t> rows_crossed_;
     // The start of each part of each arc, and the end of the last part of each arc. The x of a
     // mirrored arc are mirrored.
