@@ -47,7 +47,7 @@ Bytes content_of(std::string_view format, const SceneMaterial& material) {
 }
 
 // Returns true if scene files can refer to the images of a bake: if each map has a file of its own,
-// and the files are not textures (DDS or KTX2).
+// and the files are not textures (DDS or KTX2). Precondition: pattern.is_vector() is false.
 bool has_single_images(const FilePattern& pattern) {
     return find_texture_format(pattern.format().suffix) == nullptr &&
            !pattern.stores_all_maps_in_one_file();
@@ -66,7 +66,14 @@ void check_scenes(const Preset& preset) {
             "output.scene to [] for no scene",
             fmt::join(preset.image.maps, ", ")));
     }
-    const bool can_refer = has_single_images(FilePattern(preset));
+    const FilePattern pattern(preset);
+    if (pattern.is_vector()) {
+        throw std::invalid_argument(fmt::format(
+            "output.scene needs images, but output.pattern is '{}'; set output.scene to [] for no "
+            "scene",
+            preset.output.pattern));
+    }
+    const bool can_refer = has_single_images(pattern);
     for (const std::string& format : preset.output.scene) {
         if (format != kGltf && !can_refer) {
             throw std::invalid_argument(fmt::format(

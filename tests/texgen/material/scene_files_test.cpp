@@ -64,6 +64,18 @@ TEST(SceneFiles, BelongToTheSetOfABakeWithoutThem) {
               std::string::npos);
 }
 
+TEST(SceneFiles, NeedImages) {
+    const TemporaryFolder folder;
+    Preset preset = small_material(folder, {"albedo", "height"});
+    for (const char* const pattern : {"x.####.svg", "{map}.####.csv", "{map}.####.stl"}) {
+        preset.output.pattern = pattern;
+        preset.output.scene = {"gltf"};
+        EXPECT_EQ(fault_of(preset),
+                  "output.scene needs images, but output.pattern is '" + std::string(pattern) +
+                      "'; set output.scene to [] for no scene");
+    }
+}
+
 TEST(SceneFiles, NeedFilesThatAFormatCanReferTo) {
     const TemporaryFolder folder;
     Preset preset = small_material(folder, {"albedo", "height"});
