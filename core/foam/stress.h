@@ -6,9 +6,10 @@
 
 namespace foam {
 
-/// Returns the mean stress of the foam (E11 in core/README.md) as a symmetric matrix, in units of
-/// film tension / length. Tension is positive, pressure negative. The mean is taken over the torus,
-/// or over the area of all bubbles of a patch, including lone bubbles.
+/// Returns the mean stress of the foam (E11 in core/README.md) as a symmetric matrix: a force per
+/// length, in the units of Frame::film_tension and of foam lengths. Tension is positive, pressure
+/// negative. The mean is taken over the torus, or over the area of all bubbles of a patch,
+/// including lone bubbles.
 ///
 /// On a torus, adding a constant to all pressures subtracts it from xx and yy, and leaves xy and
 /// xx - yy unchanged. After an equilibration the mean pressure is 0, so that the

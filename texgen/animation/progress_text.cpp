@@ -18,7 +18,7 @@ constexpr int kBarWidth = 24;  // characters between the brackets
 
 struct PhaseWords {
     std::string_view name;  // for programs
-    std::string_view text;  // for users; the numbers of units follow
+    std::string_view text;  // for users; the progress in units usually follows (phase_text)
 };
 
 // The words for all phases, in the order of Phase.
@@ -97,7 +97,7 @@ std::string progress_bar(const RunProgress& progress, const PhaseTimes& times) {
         progress.total > 0 ? static_cast<double>(progress.done) / progress.total : 0.0;
     const int filled = std::clamp(static_cast<int>(kBarWidth * share), 0, kBarWidth);
     const auto hashes = static_cast<std::size_t>(filled);
-    // The text of LoopClosing is long, and the number of bubbles does not change in this phase.
+    // The text of LoopClosing is long, so the number of bubbles is left out.
     const bool shows_bubbles = progress.bubbles > 0 && progress.phase != Phase::LoopClosing;
     return fmt::format("[{}{}] {}{}{}",
                        std::string(hashes, '#'),

@@ -28,9 +28,9 @@ struct MeasuredFrames {
     std::size_t files = 0;
 };
 
-/// Returns the time of fitting automatic ranges to a frame, divided by the time of drawing a frame:
-/// the frame is drawn at a reduced size, but only the maps with such ranges, here one of the
-/// images.
+/// Estimates the time of fitting automatic ranges to a frame, divided by the time of drawing the
+/// frame. Fitting draws only the maps with such ranges, at a reduced size. The estimate assumes
+/// that one of the images of the preset has such a range, and that all images take equally long.
 double share_of_fitting(const Preset& preset) {
     if (!has_automatic_ranges(preset)) {
         return 0.0;

@@ -32,13 +32,13 @@ constexpr double kMargin =
 // A map with an automatic range, and how large its numbers have been so far.
 struct MeasuredMap {
     const Map* map = nullptr;
-    // The largest absolute value, divided by the upper end of the range before it is fitted, that
-    // is, of the range that AutoReal::value gives.
+    // The largest absolute value of its numbers so far, divided by the upper end of the range that
+    // the present AutoReal::value gives, which is not fitted yet.
     double largest = 0.0;
 };
 
-// Returns the maps whose automatic ranges a bake needs: the maps that are stored as codes. Packings
-// store codes, or fractions of a range, in every format.
+// Returns the maps whose automatic ranges a bake needs: the maps that are stored as codes and, in
+// every format, the maps in packings, because a packing stores codes or fractions of a range.
 std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
     const FilePattern pattern(preset);
     std::vector<MeasuredMap> measured;

@@ -17,7 +17,7 @@ namespace foam::texgen {
 SharedSimulation::SharedSimulation(const Preset& preset, std::vector<int> frames, int threads)
     : preset_(preset), frames_(std::move(frames)), threads_(threads) {}
 
-// Simulates, stores all states, and passes those to the assembly that it needs.
+// Simulates, stores all states if possible, and passes to the assembly the states that it needs.
 RunOutcome SharedSimulation::simulate(FrameAssembly& assembly,
                                       const ProgressCallback& on_progress) {
     try {

@@ -40,15 +40,16 @@ class SharedSimulation {
     Preset preset_;
     std::vector<int> frames_;
     int threads_;
-    std::optional<ScratchFolder> folder_;  // set while all states have been stored
+    std::optional<ScratchFolder> folder_;  // empty if a state could not be stored
     std::optional<RunOutcome> outcome_;    // nullopt until the foam has been simulated
     std::optional<Cache> cache_;           // set if the simulation is complete and stored
     // By state: the effort since the state that was simulated before it.
     std::map<int, FrameEffort> efforts_;
 };
 
-/// Returns all frames that bakes of the presets need to draw the given frames: also the whole
-/// animation if a preset has automatic ranges of maps, which are fitted to it.
+/// Returns the frames that must be simulated to bake the given frames of the presets: these frames
+/// and, if a preset has automatic ranges of maps, all frames of its animation, because the ranges
+/// are fitted to them.
 std::vector<int> frames_to_simulate(const std::vector<Preset>& presets,
                                     const std::vector<int>& frames);
 

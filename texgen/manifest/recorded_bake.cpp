@@ -31,7 +31,7 @@ namespace foam::texgen {
 namespace {
 
 // Throws std::invalid_argument if the path of a file, relative to the folder of the manifest, is
-// not UTF-8 or is the path of the manifest. A manifest is JSON, which cannot store other texts.
+// the path of the manifest, or is not UTF-8. (A manifest is JSON, which can store only UTF-8.)
 void check_names(const Preset& preset, const BakeOptions& options) {
     const std::filesystem::path folder = manifest_folder(preset);
     for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {
@@ -170,8 +170,8 @@ BakeSummary bake_recorded(const Preset& given,
     const std::vector<int> animation = frames_to(preset.frames.count);
     const std::vector<int>& sequence = options.sequence.empty() ? animation : options.sequence;
     BakeOptions effective = options;
-    // Automatic ranges need all frames before the first one is drawn. The foam is simulated once
-    // for both.
+    // Automatic ranges need all frames before the first one is drawn. One simulation serves both
+    // the fitting of the ranges and the drawing.
     SharedSimulation simulation(preset, needed_frames(options.frames, sequence), options.threads);
     if (!options.source && has_automatic_ranges(preset)) {
         effective.source = simulation.source(preset);

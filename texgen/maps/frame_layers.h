@@ -52,9 +52,9 @@ class FrameLayers {
     /// Throws as cell_arcs does.
     const CellArcs& arcs(double film_width);
     /// Returns the distance field of the frame. It contains the ids, the distances and the images
-    /// that FrameInput::distance lists. In a cross-fade, distances are measured from the films of
-    /// the foam that is shown at a pixel, and from the border between the regions in which one and
-    /// the other foam are shown (join_at_border).
+    /// that FrameInput::distance lists. In a cross-fade, the distance at a pixel is measured
+    /// from the films of the foam that is shown there, or from the border between the two foams if
+    /// it is nearer (join_at_border).
     const DistanceField& distance();
     /// Returns the border between the two foams; nullptr without a cross-fade.
     const FadeBorder* border();

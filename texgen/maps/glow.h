@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// The map whose colors the maps lit and emission show.
+/// Selects the map whose colors are shown by two other maps, `lit` and `emission`.
 enum class LitColors { Albedo, ThinFilm, Maze };
 
 /// The colors of a surface. Borrows the options of the maps.
@@ -24,11 +24,11 @@ struct SurfaceColors {
 /// Draws the colors of a surface without light, as the map `surface.map` shows them.
 ColorPixels draw_surface_colors(FrameLayers& layers, const SurfaceColors& surface);
 
-/// Returns the fraction of the color of every pixel that is emitted light, in one channel: `glow`
-/// times the coverage of films, or times the weight of the shade beside them
-/// (AlbedoOptions::shade), whichever is larger. For LitColors::Maze it is `glow` times the coverage
-/// of walls. On the rim of a patch, the coverage of a pixel is divided by the opacity in `colors`,
-/// which is the result of draw_surface_colors.
+/// Returns, in one channel, which fraction of the color of each pixel is emitted as light: `glow`
+/// times the larger of two numbers, the coverage of films and the weight of the shade beside them
+/// (AlbedoOptions::shade). For LitColors::Maze it is `glow` times the coverage of walls. In a
+/// patch, this number, before the factor `glow`, is divided by the opacity of the pixel and limited
+/// to 1. `colors` is the result of draw_surface_colors.
 Image<float> glow_fractions(FrameLayers& layers,
                             const SurfaceColors& surface,
                             const ColorPixels& colors,

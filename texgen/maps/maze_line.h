@@ -10,7 +10,8 @@
 
 namespace foam::texgen {
 
-/// A point at which the line of the solution crosses a film, or one of its ends.
+/// A point of the line through the solution of a maze: a point where the line crosses a film, an
+/// end of the line, or a point that `refined` has inserted.
 struct Station {
     Vec2 position{0.0, 0.0};   // foam units; not wrapped into the fundamental cell of a torus
     Vec2 direction{0.0, 0.0};  // direction of the line there, a unit vector
@@ -20,12 +21,14 @@ struct Station {
 /// both ends of the line. Precondition: `way` is not empty.
 std::vector<Station> solution_stations(const Frame& frame, std::span<const HalfEdgeId> way);
 
-/// Returns stations at `pieces` equal steps of the parameter of each cubic curve between two
-/// stations, including the given stations. Precondition: `stations` is not empty, pieces > 0.
+/// Divides the cubic curve between each two successive stations into `pieces` pieces, by equal
+/// steps of its parameter. Returns the given stations and the new ones between them. Precondition:
+/// `stations` is not empty, pieces > 0.
 std::vector<Station> refined(std::span<const Station> stations, int pieces);
 
 /// Returns a smooth line through bubbles as a chain of short straight pieces. `way` lists the films
-/// that the line passes: the bubble on the right of a half-edge is on the left of the next one. The
+/// that the line crosses, as half-edges that it crosses from left to right: the bubble on the right
+/// of each is on the left of the next one. The
 /// line crosses each film in its middle and at a right angle; between two films it is a cubic
 /// curve. On a torus the line begins at the mean of the corners of the first bubble and ends at the
 /// mean of the corners of the last bubble. On a patch it begins in the middle of the first film and

@@ -71,8 +71,8 @@ HttpResponse picture_of(const MapSequence& sequence, int side) {
             .body = rgba_from_top(codes)};
 }
 
-/// Returns the description and the file of an image. The file must not be a link that leaves the
-/// folder.
+/// Returns the description and the file of an image. Throws PathRejected if the file is a link that
+/// leads out of the folder of the studio.
 MapSequence sequence_of(const StudioFolder& folder, const BakedImage& image) {
     const std::filesystem::path path = folder.below(image.folder);
     const Manifest manifest = read_manifest(path);

@@ -22,8 +22,9 @@ inline constexpr int kLargestPicture = 2048;
 /// How long a page is willing to wait for a picture.
 enum class PictureQuality {
     Draft,  // frame 1 before the warm-up and the loop (FrameStore::draft)
-    Full,   // the frame itself; an automatic range is fitted to this picture
-    Exact,  // the frame itself; automatic ranges are fitted to all frames, as in a bake
+    Full,   // the frame itself; an automatic range is fitted to this picture, until the range of
+            // all frames is known
+    Exact,  // as Full, but a range is fitted to all frames, as in a bake, if all of them are kept
 };
 
 /// A picture that a page asks for.

@@ -69,7 +69,8 @@ std::vector<PixelSums<Channels>> differences_from_film(const CellValues& values)
     return differences;
 }
 
-// Fills an image of `Channels` channels. ToPixel converts the sums of a pixel (paint_span.h).
+// Fills an image of `Channels` channels. ToPixel converts the sums of a pixel to its
+// samples.
 template <std::size_t Channels, class ToPixel>
 class Filler {
   public:
