@@ -37,6 +37,9 @@ test("the readout of a baked set has its numbers", () =>
         const { page, errors } = await open_studio(browser, studio.url);
         await page.locator("#gallery-bakes").getByText("pebbles").click();
         await page.waitForFunction(() => window.studio.baked && window.studio.view.picture?.map === "height");
+        if (await page.evaluate(() => window.studio.player.playing)) {
+            await page.click("#play");
+        }
         const box = await page.locator("#picture").boundingBox();
         await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
         await page.waitForFunction(() => /^\d/.test(document.getElementById("readout-value").textContent));

@@ -87,10 +87,11 @@ export class Studio {
     /** Shows a baked set: an entry of /api/bakes. */
     openBaked(bake) {
         this.baked = bake;
-        this.ui.set("map", bake.maps[0].name);
         this.view.setSize(bake.size);
         this.player.frame = 1;
         this.player.configure(bake.frames.length, bake.frames_per_second);
+        // Setting the map requests pictures, so the number of frames must be known before.
+        this.ui.set("map", bake.maps[0].name);
         document.body.classList.add("baked");
         this.#refresh({foam: true});
         this.#playAtFirst();
@@ -124,7 +125,16 @@ export class Studio {
         this.form.showChanges();
         this.#requestSettings();
         if (!this.baked) {
+            this.#limitFrames();
             this.#refresh({foam, live});
+        }
+    }
+
+    // Pictures are requested before the answer to the settings is known. The server rejects frames beyond the end.
+    #limitFrames() {
+        const count = Number(this.state.change("frames.count") ?? this.presetInfo?.frames);
+        if (count >= 1 && count < this.player.count) {
+            this.player.configure(count, this.player.framesPerSecond);
         }
     }
 
