@@ -167,9 +167,7 @@ void bind_actions(FoamClass& foam) {
             [](SharedFoam& self) {
                 return self.use([](const foamtex::Foam& one) { return one.state(); });
             },
-            "The whole state as JSON. A foam made from it evolves exactly as this foam does, bit "
-            "for "
-            "bit.")
+            "The whole state as JSON. A foam made from it evolves as this foam does, bit for bit.")
         .def(
             "copy",
             [](SharedFoam& self) {
@@ -183,9 +181,7 @@ void bind_actions(FoamClass& foam) {
                     [&](foamtex::Foam& one) { return one.relax(threads, throw_if_interrupted); }));
             },
             "Brings the foam to equilibrium at its target areas, to errors below 1e-9. Raises "
-            "EquilibriumError if no equilibrium is found. After this error, or after Ctrl-C, the "
-            "foam "
-            "is unchanged.",
+            "EquilibriumError if it finds none. After this error or Ctrl-C, the foam is unchanged.",
             py::kw_only(),
             py::arg("threads") = 0)
         .def(
@@ -201,13 +197,12 @@ void bind_actions(FoamClass& foam) {
                     return one.step(time, drive, settings, throw_if_interrupted);
                 }));
             },
-            "Advances the foam by a time, in which gas diffuses, bubbles vanish (T2) and films "
-            "swap "
+            "Advances the foam by a time: gas diffuses, bubbles vanish (T2), films swap "
             "neighbors (T1). `areas` maps identities of bubbles to target areas at the end of the "
             "step; `strain` is simple shear along x; each of `pushes` is (center, radius, by), "
-            "where `by` is the displacement of the center. Raises EquilibriumError if no "
-            "equilibrium is found; the foam is then in the last equilibrium that was reached, "
-            "which may be part of the way through the step. After Ctrl-C, it is unchanged.",
+            "where `by` is the displacement of the center. Raises EquilibriumError if it finds no "
+            "equilibrium; the foam then has the last one that was reached, maybe within the step. "
+            "After Ctrl-C, the foam is unchanged.",
             py::arg("time"),
             py::kw_only(),
             py::arg("areas") = std::map<std::int64_t, double>(),
