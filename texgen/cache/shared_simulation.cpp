@@ -8,7 +8,6 @@
 #include "texgen/cache/cache_writer.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -20,25 +19,25 @@ SharedSimulation::SharedSimulation(const Preset& preset, std::vector<int> frames
 // Simulates, stores all states if possible, and passes to the assembly the states that it needs.
 RunOutcome SharedSimulation::simulate(FrameAssembly& assembly,
                                       const ProgressCallback& on_progress) {
-    try {
-        folder_.emplace();
-    } catch (const OutputError&) {
-        folder_.reset();
-    }
-    CacheWriter writer(preset_, frames_, folder_ ? folder_->path() : std::filesystem::path());
-    const auto store = [&](const SimulatedFrame& state) {
+    std::optional<CacheWriter> writer;  // set while all states can be stored
+    const auto store_if_possible = [&](const auto& store) {
         try {
-            writer.write(state);
+            store();
         } catch (const OutputError&) {
+            writer.reset();
             folder_.reset();
         }
     };
+    store_if_possible([&] {
+        folder_.emplace();
+        writer.emplace(preset_, frames_, folder_->path());
+    });
     const std::vector<int> needed = assembly.states();
     int previous = 0;
     efforts_.clear();
     const auto add = [&](const SimulatedFrame& state) {
-        if (folder_) {
-            store(state);
+        if (writer) {
+            store_if_possible([&] { writer->write(state); });
         }
         const int number = state.frame->number;
         efforts_[number] = state.effort;
@@ -98,16 +97,21 @@ FrameSource SharedSimulation::source(const Preset& drawn) {
     };
 }
 
+std::vector<int> united(const std::vector<int>& some, const std::vector<int>& others) {
+    std::set<int> all(some.begin(), some.end());
+    all.insert(others.begin(), others.end());
+    return {all.begin(), all.end()};
+}
+
 std::vector<int> frames_to_simulate(const std::vector<Preset>& presets,
                                     const std::vector<int>& frames) {
-    std::set<int> all(frames.begin(), frames.end());
+    std::vector<int> all = united(frames, {});
     for (const Preset& preset : presets) {
         if (has_automatic_ranges(preset)) {
-            const std::vector<int> animation = frames_to(preset.frames.count);
-            all.insert(animation.begin(), animation.end());
+            all = united(all, frames_to(preset.frames.count));
         }
     }
-    return {all.begin(), all.end()};
+    return all;
 }
 
 }  // namespace foam::texgen

@@ -77,7 +77,7 @@ ExitCode bake_sizes(const std::vector<Preset>& presets,
     }
     const bool stores_states = !is_single || has_automatic_ranges(presets.front());
     if (stores_states && !is_dry && !arguments.run.quiet) {
-        warn_of_full_temporary_disk(presets.front(), simulated_frames(presets, frames, false));
+        warn_of_full_temporary_disk(presets.front(), frames_to_simulate(presets, frames));
     }
     return run_images(runs, arguments.images, progress_options(arguments.run, frames.size()));
 }

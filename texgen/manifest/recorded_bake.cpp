@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <exception>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -83,13 +82,6 @@ BakeSummary bake_and_record(const Preset& preset,
         }
     };
     return bake(preset, options, recording);
-}
-
-// Returns all frames that are drawn or to which automatic ranges are fitted, in increasing order.
-std::vector<int> needed_frames(const std::vector<int>& drawn, const std::vector<int>& sequence) {
-    std::set<int> all(drawn.begin(), drawn.end());
-    all.insert(sequence.begin(), sequence.end());
-    return {all.begin(), all.end()};
 }
 
 // Fits the automatic ranges of a preset to the frames of a sequence. Precondition: the options have
@@ -172,7 +164,7 @@ BakeSummary bake_recorded(const Preset& given,
     BakeOptions effective = options;
     // Automatic ranges need all frames before the first one is drawn. One simulation serves both
     // the fitting of the ranges and the drawing.
-    SharedSimulation simulation(preset, needed_frames(options.frames, sequence), options.threads);
+    SharedSimulation simulation(preset, united(options.frames, sequence), options.threads);
     if (!options.source && has_automatic_ranges(preset)) {
         effective.source = simulation.source(preset);
     }

@@ -97,11 +97,10 @@ int pixel_at(double fraction, int count) {
 /// call them R, G and B, or Y, whatever the map calls them. Padding channels are left out.
 std::vector<PictureChannel> channels_of_map(const Picture& picture, const MapSamples& samples) {
     const std::vector<PictureChannel> all = channels_of(picture);
-    const bool has_codes = samples.type == "uint8" || samples.type == "uint16";
+    const ChannelGroup& group = picture.groups.front();
     std::string names = samples.channels;
     std::erase(names, ' ');
-    const std::string in_file(has_codes ? code_channel_names(picture.groups.front().channels())
-                                        : names);
+    const std::string in_file(group.has_codes() ? code_channel_names(group.channels()) : names);
     std::vector<PictureChannel> found;
     for (std::size_t k = 0; k < std::min(names.size(), in_file.size()); ++k) {
         const auto channel =
@@ -115,22 +114,19 @@ std::vector<PictureChannel> channels_of_map(const Picture& picture, const MapSam
 
 /// Returns the numbers that 0 and 1 stand for in the scaled codes of a file (read_numbers). Numbers
 /// that are not stored as codes are not scaled.
-std::array<double, 2> range_of(const MapSamples& samples) {
-    const bool is_id = samples.kind == "id";
-    if (samples.type == "uint8") {
-        return samples.range.value_or(std::array{0.0, is_id ? 255.0 : 1.0});
+std::array<double, 2> range_of(const MapSamples& samples, const ChannelGroup& group) {
+    if (!group.has_codes()) {
+        return {0.0, 1.0};
     }
-    if (samples.type == "uint16") {
-        return samples.range.value_or(std::array{0.0, is_id ? 65535.0 : 1.0});
-    }
-    return {0.0, 1.0};
+    const double largest_code = group.type == SampleType::Uint8 ? 255.0 : 65535.0;
+    return samples.range.value_or(std::array{0.0, samples.kind == "id" ? largest_code : 1.0});
 }
 
 /// Returns the samples of a pixel of a file, in the unit of the map.
 Json numbers_at(const Picture& picture, const MapSamples& samples, double x, double y) {
     const auto column = static_cast<std::size_t>(pixel_at(x, picture.width()));
     const int row = picture.height() - 1 - pixel_at(y, picture.height());
-    const auto [low, high] = range_of(samples);
+    const auto [low, high] = range_of(samples, picture.groups.front());
     std::vector<double> numbers(static_cast<std::size_t>(picture.width()));
     Json all = Json::array();
     for (const PictureChannel& channel : channels_of_map(picture, samples)) {

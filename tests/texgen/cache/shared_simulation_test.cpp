@@ -3,6 +3,7 @@
 #include "texgen/cache/shared_simulation.h"
 
 #include "tests/support/temporary_folder.h"
+#include "tests/texgen/simulation_counter.h"
 #include "tests/texgen/small_preset.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/simulation_keys.h"
@@ -35,23 +36,6 @@ std::vector<std::string> hashes_of(const BakeSummary& summary) {
     }
     return hashes;
 }
-
-// Counts the simulations of a foam by their reports.
-class SimulationCounter {
-  public:
-    ProgressCallback callback() {
-        return [this](const RunProgress& progress) {
-            count_ += progress.phase == Phase::Equilibrium && last_ != Phase::Equilibrium ? 1 : 0;
-            last_ = progress.phase;
-        };
-    }
-
-    int count() const { return count_; }
-
-  private:
-    int count_ = 0;
-    Phase last_ = Phase::Frames;
-};
 
 // As long as this object exists, nothing can be created in the folder for temporary files: it is
 // /proc, which not even root can write.

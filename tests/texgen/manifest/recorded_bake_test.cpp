@@ -5,6 +5,7 @@
 #include "core/files/file_io.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/texgen/pictures.h"
+#include "tests/texgen/simulation_counter.h"
 #include "tests/texgen/small_preset.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/pixel_hash.h"
@@ -101,14 +102,9 @@ TEST(RecordedBake, SimulatesOnceForRangesAndImages) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);
     preset.image.maps = {"height"};
-    int simulations = 0;
-    Phase last = Phase::Frames;
-    const auto count = [&](const RunProgress& progress) {
-        simulations += progress.phase == Phase::Equilibrium && last != Phase::Equilibrium ? 1 : 0;
-        last = progress.phase;
-    };
-    bake_recorded(preset, {.frames = {2, 1}, .threads = 2}, {.on_progress = count});
-    EXPECT_EQ(simulations, 1);
+    SimulationCounter counter;
+    bake_recorded(preset, {.frames = {2, 1}, .threads = 2}, {.on_progress = counter.callback()});
+    EXPECT_EQ(counter.count(), 1);
 }
 
 // If a part of the animation is all that a source has, its ranges are recorded as numbers.
