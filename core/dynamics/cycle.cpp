@@ -5,7 +5,6 @@
 #include "core/dynamics/restore_rafts.h"
 #include "core/foam/corners.h"
 #include "core/foam/locate.h"
-#include "core/foam/random.h"
 #include "core/geometry/elementary.h"
 
 #include <algorithm>
@@ -16,13 +15,13 @@
 #include <optional>
 #include <set>
 
-// At each position of the cycle, a bubble has the target area
-// A (1 + area_amplitude sin 2 pi (t + phase)). A is the target area that the bubble had when the
-// Cycle was constructed, and the phase of each bubble is random. The shear strain of the torus is
-// strain * sin 2 pi t, relative to the shear that the torus had when the Cycle was constructed.
-// Here t is the position divided by the number of steps. A step drives the foam from its present
-// state to these target areas and this shear (state_change.h). After each step, the foam is moved
-// back to its position at the start, because equilibrium does not determine the position.
+// At each position of the cycle, a bubble has the target area A (1 + amplitude sin 2 pi (t +
+// phase)), where A is its mean area and the phase is its own (cycle_drive.h). The shear strain of
+// the torus is strain * sin 2 pi t, relative to the shear that the torus had when the Cycle was
+// constructed. Here t is the position divided by the number of steps. A step drives the foam from
+// its present state to these target areas and this shear (state_change.h). After each step, the
+// foam is moved back to its position at the start, because equilibrium does not determine the
+// position.
 //
 // Boiling bubbles have the target areas of boiling.h instead. A system that is driven periodically
 // either reaches a periodic state or keeps changing. In a sheared suspension, the amplitude of the
@@ -85,26 +84,16 @@ double mean_diameter(const Foam& foam) {
 }  // namespace
 
 Cycle::Cycle(const Foam& foam, const CycleOptions& options)
-    : options_(options), shear_(foam.domain.shear), centers_(centers(foam)), unrest_(foam) {
-    Random random(options.seed);
-    if (options.boiling > 0.0) {
-        boiling_ = choose_boiling_bubbles(foam, options.boiling, options.steps, random);
-    }
-    std::set<BubbleIdentity> boils;
-    for (const BoilingBubble& bubble : boiling_) {
-        boils.insert(bubble.identity);
+    : Cycle(foam, options, random_drive(foam, options)) {}
+
+Cycle::Cycle(const Foam& foam, const CycleOptions& options, CycleDrive drive)
+    : options_(options),
+      shear_(foam.domain.shear),
+      drive_(std::move(drive)),
+      centers_(centers(foam)),
+      unrest_(foam) {
+    for (const BoilingBubble& bubble : drive_.boiling) {
         centers_.erase(bubble.identity);
-    }
-    const auto oscillate = [&](BubbleIdentity identity, double area) {
-        if (!boils.contains(identity)) {
-            oscillations_.push_back({identity, area, options.area_amplitude, random.uniform()});
-        }
-    };
-    for (const BubbleId bubble : foam.network.bubbles()) {
-        oscillate(foam.identities[bubble], foam.target_areas[bubble]);
-    }
-    for (const LoneBubble& bubble : foam.lone_bubbles) {
-        oscillate(bubble.identity, bubble.target_area);
     }
 }
 
@@ -121,13 +110,13 @@ StepSummary Cycle::step_to(int position, Foam& foam, double time, const StepOpti
 }
 
 bool Cycle::repeats() const {
-    return std::none_of(boiling_.begin(), boiling_.end(), [](const BoilingBubble& bubble) {
-        return bubble.neighbors_changed;
-    });
+    return std::none_of(drive_.boiling.begin(),
+                        drive_.boiling.end(),
+                        [](const BoilingBubble& bubble) { return bubble.neighbors_changed; });
 }
 
 void Cycle::calm(const Foam& foam) {
-    if (boiling_.empty()) {
+    if (drive_.boiling.empty()) {
         return;
     }
     const std::vector<BubbleIdentity> restless = unrest_.restless_bubbles(foam);
@@ -140,9 +129,9 @@ void Cycle::calm(const Foam& foam) {
     for (BoilingBubble* bubble : near_unrest) {
         bubble->area_rise *= kCalming;
     }
-    for (Oscillation& oscillation : oscillations_) {
-        if (std::binary_search(restless.begin(), restless.end(), oscillation.bubble)) {
-            oscillation.amplitude *= kCalming;
+    for (OscillatingBubble& bubble : drive_.oscillating) {
+        if (std::binary_search(restless.begin(), restless.end(), bubble.bubble)) {
+            bubble.amplitude *= kCalming;
         }
     }
 }
@@ -170,7 +159,7 @@ double Cycle::strain_to(int position, const Domain& domain) const {
 // Adds the boiling bubbles that should be present at the given position of the cycle (area_at) but
 // are missing in the foam. If a bubble cannot be born (give_birth), a later step tries again.
 void Cycle::give_births(int position, Foam& foam, double first_area) const {
-    for (const BoilingBubble& bubble : boiling_) {
+    for (const BoilingBubble& bubble : drive_.boiling) {
         const auto area = area_at(bubble, position, options_.steps, first_area);
         if (area && !is_present(foam, bubble.identity)) {
             give_birth(foam, bubble, std::min(*area, first_area));
@@ -184,12 +173,12 @@ StateChange Cycle::change_to(int position,
                              const Domain& domain,
                              const TopologyThresholds& thresholds) const {
     StateChange change;
-    for (const Oscillation& bubble : oscillations_) {
+    for (const OscillatingBubble& bubble : drive_.oscillating) {
         const double area =
-            bubble.target_area * (1.0 + bubble.amplitude * sine_at(position, bubble.phase));
+            bubble.mean_area * (1.0 + bubble.amplitude * sine_at(position, bubble.phase));
         change.driven.push_back({bubble.bubble, area, false});
     }
-    for (const BoilingBubble& bubble : boiling_) {
+    for (const BoilingBubble& bubble : drive_.boiling) {
         const auto area = area_at(bubble, position, options_.steps, first_area(thresholds));
         change.driven.push_back(area ? DrivenBubble{bubble.identity, *area, false}
                                      : forced_collapse(bubble.identity, thresholds));
@@ -231,11 +220,11 @@ void Cycle::record_ends(const Foam& foam, std::size_t first_event, const Vec2& t
         if (event.kind != TopologyEventKind::T2) {
             continue;
         }
-        const auto bubble =
-            std::find_if(boiling_.begin(), boiling_.end(), [&](const BoilingBubble& boiling) {
+        const auto bubble = std::find_if(
+            drive_.boiling.begin(), drive_.boiling.end(), [&](const BoilingBubble& boiling) {
                 return boiling.identity == event.bubbles.front();
             });
-        if (bubble != boiling_.end()) {
+        if (bubble != drive_.boiling.end()) {
             record_end(*bubble, event, translation);
         }
     }
@@ -249,7 +238,7 @@ BoilingBubble* Cycle::nearest_reducible(const Domain& domain,
                                         const Vec2& point) {
     BoilingBubble* nearest = nullptr;
     double smallest = std::numeric_limits<double>::infinity();
-    for (BoilingBubble& bubble : boiling_) {
+    for (BoilingBubble& bubble : drive_.boiling) {
         const auto present = centers.find(bubble.identity);
         const Vec2& position = present != centers.end() ? present->second : bubble.last_position;
         const double distance = domain.nearest_copy(position - point).norm();

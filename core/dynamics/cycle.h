@@ -2,25 +2,14 @@
 
 #pragma once
 
-#include "core/dynamics/boiling.h"
+#include "core/dynamics/cycle_drive.h"
 #include "core/dynamics/step.h"
 #include "core/dynamics/unrest.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
-#include <vector>
 
 namespace foam {
-
-/// A periodic change of a foam (E9).
-struct CycleOptions {
-    int steps = 48;               // number of steps of one cycle; at least 10 if bubbles boil
-    double area_amplitude = 0.0;  // relative amplitude of target areas, with random phases
-    double strain = 0.0;          // amplitude of the shear strain of a torus
-    double boiling = 0.0;         // fraction of the bubbles that vanish and are born again
-    std::uint64_t seed = 1;       // seed of the random phases and of the choice of bubbles
-};
 
 /// A periodic sequence of foams, for looping animations. The equilibrium of a foam follows from its
 /// topology, its target areas and its domain. If the target areas and the domain change
@@ -30,9 +19,17 @@ struct CycleOptions {
 /// raft of a patch, is moved back to its position at the start.
 class Cycle {
   public:
-    /// Stores the present target areas of the foam, around which they will oscillate, and its
-    /// present position, to which each step moves the foam back. Chooses the bubbles that boil.
+    /// Starts a cycle of a foam that is at position 0, with a random drive (random_drive). Each
+    /// step moves the foam back to its present position.
     Cycle(const Foam& foam, const CycleOptions& options);
+
+    /// Starts a cycle with the given drive, for example the drive of an earlier Cycle. Of the
+    /// options, only the number of steps and the strain are used.
+    Cycle(const Foam& foam, const CycleOptions& options, CycleDrive drive);
+
+    /// Returns what the cycle does with each bubble. It changes in `calm` and when a boiling bubble
+    /// vanishes.
+    const CycleDrive& drive() const { return drive_; }
 
     /// Advances the foam from position `position` - 1 of the cycle, or from a state near it, to
     /// position `position`. Positions count the steps from the start of the first cycle, which is
@@ -54,13 +51,6 @@ class Cycle {
     void calm(const Foam& foam);
 
   private:
-    struct Oscillation {
-        BubbleIdentity bubble = 0;
-        double target_area = 0.0;  // mean of the oscillation
-        double amplitude = 0.0;    // relative to the mean
-        double phase = 0.0;        // in turns
-    };
-
     double sine_at(int position, double phase) const;
     double strain_to(int position, const Domain& domain) const;
     void give_births(int position, Foam& foam, double first_area) const;
@@ -75,8 +65,7 @@ class Cycle {
 
     CycleOptions options_;
     double shear_;  // shear of the domain at the start
-    std::vector<BoilingBubble> boiling_;
-    std::vector<Oscillation> oscillations_;   // of all bubbles that do not boil
+    CycleDrive drive_;
     std::map<BubbleIdentity, Vec2> centers_;  // centers of bubbles that do not boil, at the start
     Unrest unrest_;
 };

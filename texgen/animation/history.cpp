@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -73,6 +74,10 @@ void History::record_pressures(const Foam& foam) {
     record_.first_pressures =
         pressures_of(present_values(snapshot(foam, 1)), PressureUnit::Current);
     std::sort(record_.first_pressures.begin(), record_.first_pressures.end());
+}
+
+void History::set_pressures(std::vector<double> first_pressures) {
+    record_.first_pressures = std::move(first_pressures);
 }
 
 // The averages of a bubble begin with its values in the first frame after its birth. A bubble is

@@ -32,6 +32,9 @@ class History {
     /// (FoamRecord::first_pressures).
     void record_pressures(const Foam& foam);
 
+    /// Sets FoamRecord::first_pressures to pressures that were recorded earlier.
+    void set_pressures(std::vector<double> first_pressures);
+
     /// Updates the averages of values (RecentAverages) with the present values of the foam. Call it
     /// once per frame. Does nothing if `smoothing` is 0.
     void average_values(const Foam& foam);

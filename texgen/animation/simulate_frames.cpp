@@ -5,6 +5,7 @@
 #include "core/foam/measure.h"
 #include "core/foam/stress.h"
 #include "texgen/animation/display_transform.h"
+#include "texgen/animation/loop_start.h"
 #include "texgen/animation/seconds_since.h"
 #include "texgen/animation/shown_states.h"
 
@@ -110,7 +111,9 @@ RunOutcome simulate_states(const Preset& preset,
                            const ProgressCallback& on_progress) {
     const ProgressCallback report = on_progress ? on_progress : [](const RunProgress&) {};
     report({.phase = Phase::Seeding});
-    Simulation simulation(preset, threads, report);
+    std::optional<LoopStart> start = stored_loop_start(preset);
+    Simulation simulation = start ? Simulation(preset, std::move(*start), threads, report)
+                                  : Simulation(preset, threads, report);
     for (const int number : states) {
         FrameEffort effort;
         while (simulation.number() < number) {

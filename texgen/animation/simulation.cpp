@@ -3,15 +3,14 @@
 #include "texgen/animation/simulation.h"
 
 #include "core/dynamics/restore_rafts.h"
-#include "core/equilibrium/newton_system.h"
 #include "core/foam/measure.h"
 #include "texgen/animation/display_transform.h"
 #include "texgen/animation/seed.h"
 #include "texgen/animation/shown_states.h"
+#include "texgen/animation/simulation_options.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -21,7 +20,8 @@
 // events (timeline.h) are imposed. Loops differ from this sequence as follows:
 // - breathe, shear, boil: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run
 //   before frame 1 until one cycle closes (in a boil, two cycles in a row); the frames are the
-//   steps of the next cycle.
+//   steps of the next cycle. If a state from which the loop closes is stored (loop_start.h), the
+//   simulation begins with this state, and only one cycle runs before frame 1.
 // - drift: no steps; each frame shows the same foam at another position (display_transform.h).
 // - flow: steps as without a loop, while the timeline creates new bubbles; a cross-fade of two
 //   states closes the loop (shown_states.h).
@@ -31,45 +31,39 @@ namespace foam::texgen {
 
 namespace {
 
-CycleOptions cycle_options_of(const LoopOptions& loop, int steps, std::uint64_t seed) {
-    CycleOptions options{.steps = steps, .seed = seed};
-    (loop.kind == LoopKind::Shear ? options.strain : options.area_amplitude) = loop.amplitude;
-    options.boiling = loop.kind == LoopKind::Boil ? loop.boiling : 0.0;
-    return options;
-}
-
 void clamp_to_min(double min_time, std::vector<double>& times) {
     for (double& time : times) {
         time = std::max(time, min_time);
     }
 }
 
-StepOptions step_options_of(const Preset& preset, int threads) {
-    StepOptions options;
-    options.coarsening = preset.coarsening;
-    options.solver = preset.equilibrium.solver;
-    options.equilibrium.tolerance = preset.equilibrium.tolerance;
-    options.equilibrium.thresholds = preset.thresholds;
-    options.equilibrium.threads = threads;
-    options.equilibrium.system = std::make_shared<NewtonSystem>();
-    return options;
-}
-
 }  // namespace
 
 Simulation::Simulation(const Preset& preset, int threads, ProgressCallback on_progress)
+    : Simulation(preset, seeded_foam(preset), threads, std::move(on_progress)) {}
+
+Simulation::Simulation(const Preset& preset,
+                       LoopStart start,
+                       int threads,
+                       ProgressCallback on_progress)
+    : Simulation(preset, std::move(start.foam), threads, std::move(on_progress)) {
+    cycle_.emplace(foam_, cycle_options_, std::move(start.drive));
+    history_.set_pressures(std::move(start.first_pressures));
+}
+
+Simulation::Simulation(const Preset& preset, Foam foam, int threads, ProgressCallback on_progress)
     : frames_(preset.frames),
       loop_(preset.loop),
       image_(preset.image),
       camera_(preset.camera),
       next_step_(preset.frames.time_step),
       options_(step_options_of(preset, threads)),
+      cycle_options_(cycle_options_of(preset)),
       has_several_parts_(preset.shape.kind == FoamKind::Patch &&
                          outline_of(preset.shape).size() > 1),
-      foam_(seeded_foam(preset)),
+      foam_(std::move(foam)),
       timeline_(preset),
       history_(foam_, preset.frames.smoothing),
-      seed_(preset.seeding.seed),
       on_progress_(std::move(on_progress)) {}
 
 bool Simulation::advance() {
@@ -105,7 +99,7 @@ bool Simulation::reach_frame() {
 bool Simulation::reach_first_frame() {
     if (frames_.first == FirstFrame::Diagram) {
         measure_diagram();
-    } else if (!equilibrate_and_warm_up()) {
+    } else if (!cycle_ && !equilibrate_and_warm_up()) {
         return false;
     }
     record_events(number_);
@@ -136,6 +130,10 @@ int Simulation::bubble_count() const {
     return static_cast<int>(foam_.network.bubble_count() + foam_.lone_bubbles.size());
 }
 
+LoopStart Simulation::loop_start() const {
+    return {foam_, cycle_->drive(), history_.record().first_pressures};
+}
+
 FoamRecord Simulation::record() const {
     FoamRecord record = history_.record();
     for (RecordedEvent& event : record.events) {
@@ -161,16 +159,20 @@ double Simulation::loop_progress() const {
 // not compare the flags of films that have flipped (Foam::t1_armed), so the T1s of the next cycle
 // may still differ after one cycle has closed. After each cycle of a boil that does not close,
 // restless bubbles are made to oscillate less, and the boiling bubbles nearest to them are made to
-// grow less (Cycle::calm).
+// grow less (Cycle::calm). From a LoopStart, a single cycle must close, since the cycles before it
+// have closed, too, and the flags are stored with the foam.
 //
 // Returns false if the loop does not close or if a step finds no equilibrium. The cycles before the
 // last one are transients: some of their T1s and T2s do not recur. The last step of each cycle is
 // recorded as the step to frame 1, and the other steps as steps to the frames before frame 1. The
 // events of the last cycle therefore have frame numbers of at most 1.
 bool Simulation::close_loop() {
-    cycle_.emplace(foam_, cycle_options_of(loop_, frames_.count, seed_));
-    bool found = step_cycle(0);
-    const int needed = loop_.kind == LoopKind::Boil ? 2 : 1;
+    const bool is_stored = cycle_.has_value();
+    if (!is_stored) {
+        cycle_.emplace(foam_, cycle_options_);
+    }
+    const int needed = loop_.kind == LoopKind::Boil && !is_stored ? 2 : 1;
+    bool found = is_stored || step_cycle(0);
     int closed = 0;
     for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
         const Foam start = foam_;

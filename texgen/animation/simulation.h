@@ -7,6 +7,7 @@
 #include "core/foam/frame.h"
 #include "texgen/animation/camera.h"
 #include "texgen/animation/history.h"
+#include "texgen/animation/loop_start.h"
 #include "texgen/animation/progress.h"
 #include "texgen/animation/timeline.h"
 #include "texgen/preset/preset.h"
@@ -28,6 +29,13 @@ class Simulation {
     /// 1: Equilibrium, WarmUp and LoopClosing. Throws the exceptions of seeded_foam.
     explicit Simulation(const Preset& preset, int threads = 0, ProgressCallback on_progress = {});
 
+    /// Starts at a state from which the loop of the preset closes in one cycle (stored_loop_start),
+    /// instead of seeding a foam. No other phase but LoopClosing comes before frame 1.
+    Simulation(const Preset& preset,
+               LoopStart start,
+               int threads = 0,
+               ProgressCallback on_progress = {});
+
     /// Advances to the next frame. Before frame 1, the foam is equilibrated and warmed up, that is,
     /// simulated for the time FramesOptions::warm_up; if frame 1 shows the raw diagram
     /// (FirstFrame::Diagram), this happens before frame 2. Before frame 1 of a breathe, shear or
@@ -46,6 +54,10 @@ class Simulation {
     /// frame 1, in diameters of a mean bubble (closing_error in core/dynamics/cycle.h). Returns
     /// nullopt if no cycle was run.
     const std::optional<double>& closing_error() const { return closing_error_; }
+
+    /// Returns the state at frame 1 of a loop that has closed. Precondition: the loop is a breathe,
+    /// shear or boil loop, and frame 1 was reached, but no later frame.
+    LoopStart loop_start() const;
 
     /// Returns the view of a patch once frame 1 has been reached; nullopt for a torus.
     const std::optional<View>& view() const { return view_; }
@@ -79,6 +91,8 @@ class Simulation {
     const EquilibriumSummary& equilibrium() const { return equilibrium_; }
 
   private:
+    Simulation(const Preset& preset, Foam foam, int threads, ProgressCallback on_progress);
+
     bool reach_frame();
     bool reach_first_frame();
     void record_events(int frame);
@@ -98,13 +112,13 @@ class Simulation {
     CameraOptions camera_;
     double next_step_;  // length of the step to the next frame, foam time
     StepOptions options_;
+    CycleOptions cycle_options_;
     bool has_several_parts_;  // true if the outline of a patch has several parts
     Foam foam_;
     Timeline timeline_;
     History history_;
-    std::uint64_t seed_;
     ProgressCallback on_progress_;
-    std::optional<Cycle> cycle_;
+    std::optional<Cycle> cycle_;  // of a loop; before frame 1 only if there is a LoopStart
     std::optional<double> closing_error_;
     std::optional<View> view_;
     int number_ = 0;

@@ -3,8 +3,8 @@
 #include "texgen/cache/cache_writer.h"
 
 #include "texgen/cache/packed_file.h"
-#include "texgen/cache/simulation_keys.h"
 #include "texgen/cache/state_codec.h"
+#include "texgen/preset/simulation_keys.h"
 
 #include <optional>
 #include <utility>

@@ -3,8 +3,8 @@
 #include "texgen/cli/image_sizes.h"
 
 #include "texgen/bake/file_pattern.h"
-#include "texgen/cache/simulation_keys.h"
 #include "texgen/manifest/bake_recorder.h"
+#include "texgen/preset/simulation_keys.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

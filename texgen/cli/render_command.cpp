@@ -3,13 +3,13 @@
 #include "core/files/file_io.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cache/cache_files.h"
-#include "texgen/cache/simulation_keys.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/image_folder.h"
 #include "texgen/cli/image_run.h"
 #include "texgen/cli/image_sizes.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/preset/simulation_keys.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -4,7 +4,6 @@
 #include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/cache.h"
-#include "texgen/cache/simulation_keys.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
@@ -13,6 +12,7 @@
 #include "texgen/cli/run_arguments.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
+#include "texgen/preset/simulation_keys.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

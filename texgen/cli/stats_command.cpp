@@ -3,12 +3,12 @@
 #include "core/files/file_io.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/cache.h"
-#include "texgen/cache/simulation_keys.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
+#include "texgen/preset/simulation_keys.h"
 #include "texgen/stats/files.h"
 #include "texgen/stats/measure_run.h"
 

@@ -4,12 +4,12 @@
 
 #include "core/files/content_text.h"
 #include "core/files/file_io.h"
-#include "texgen/cache/simulation_keys.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/material/shipped_profiles.h"
 #include "texgen/preset/load_preset.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/rejection.h"
+#include "texgen/preset/simulation_keys.h"
 
 #include <fmt/core.h>
 

@@ -11,6 +11,9 @@ namespace foam::texgen {
 struct ShippedPreset {
     std::string_view name;
     std::string_view toml;  // the whole file, comments included
+    // The file presets/loops/NAME.json, from which the loop of the preset closes soon
+    // (animation/loop_start.h); empty if there is none.
+    std::string_view loop_start{};
 };
 
 /// Returns all presets that are part of the program. CMake embeds them from the files of presets/.

@@ -2,7 +2,7 @@
 
 #include "texgen/studio/frame_store.h"
 
-#include "texgen/cache/simulation_keys.h"
+#include "texgen/preset/simulation_keys.h"
 #include "texgen/studio/frame_run.h"
 
 #include <fmt/core.h>

@@ -7,13 +7,13 @@
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/bake/reduced_image.h"
-#include "texgen/cache/simulation_keys.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/maps/number_extent.h"
 #include "texgen/maps/quantize.h"
 #include "texgen/preset/preset_io.h"
 #include "texgen/preset/preset_keys.h"
+#include "texgen/preset/simulation_keys.h"
 #include "texgen/studio/samples.h"
 
 #include <fmt/core.h>

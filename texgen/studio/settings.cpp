@@ -2,7 +2,6 @@
 
 #include "texgen/studio/settings.h"
 
-#include "texgen/cache/simulation_keys.h"
 #include "texgen/image/shell_word.h"
 #include "texgen/material/profile.h"
 #include "texgen/preset/drawn_images.h"
@@ -13,6 +12,7 @@
 #include "texgen/preset/preset_keys.h"
 #include "texgen/preset/preset_remarks.h"
 #include "texgen/preset/preset_schema.h"
+#include "texgen/preset/simulation_keys.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "tests/texgen/small_preset.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/packed_file.h"
-#include "texgen/cache/simulation_keys.h"
+#include "texgen/preset/simulation_keys.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include "tests/texgen/simulation_counter.h"
 #include "tests/texgen/small_preset.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/cache/simulation_keys.h"
 #include "texgen/image/format.h"
 #include "texgen/image/pixel_hash.h"
+#include "texgen/preset/simulation_keys.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/cache/simulation_keys.h"
+#include "texgen/preset/simulation_keys.h"
 
 #include "tests/texgen/preset/rejection.h"
 #include "texgen/preset/assignment.h"

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/dynamics/cycle_drive.h"
+#include "core/dynamics/step.h"
+#include "texgen/preset/preset.h"
+
+namespace foam::texgen {
+
+/// Returns the options of the cycles of a breathe, shear or boil loop.
+CycleOptions cycle_options_of(const Preset& preset);
+
+/// Returns the options of the time steps of a preset, with a new linear system, which the steps
+/// share. `threads` has the same meaning as in parallel_for.
+StepOptions step_options_of(const Preset& preset, int threads);
+
+}  // namespace foam::texgen
