@@ -115,13 +115,13 @@ Restart restarted(const Preset& preset, const LoopStart& start) {
     return result;
 }
 
-// The shipped presets whose loops take long to close: `fizz` and `potion` boil, and
+// The shipped presets whose loops take long to close: `fizz`, `potion` and `surf` boil, and
 // `leather` has thousands of bubbles.
 class LongLoopStartTest : public testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Presets,
                          LongLoopStartTest,
-                         testing::Values("fizz", "potion", "leather"),
+                         testing::Values("fizz", "potion", "surf", "leather"),
                          [](const auto& preset) { return std::string(preset.param); });
 
 // The file of a preset in presets/loops has the same bytes as the file that the search for the loop

@@ -72,6 +72,7 @@ TEST_P(GoldenTest, PresetGivesThePicture) {
 INSTANTIATE_TEST_SUITE_P(Presets,
                          GoldenTest,
                          testing::Values(GoldenCase{"sea_foam", 3},
+                                         GoldenCase{"surf", 12},
                                          GoldenCase{"beer_head", 1},
                                          GoldenCase{"fizz", 20},
                                          GoldenCase{"bath_bubbles", 1},
