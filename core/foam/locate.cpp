@@ -107,13 +107,15 @@ double distance_to_segment(const Vec2& from, const Vec2& along) {
 }
 
 // Returns the distance from a point to the nearest lattice copy of a film's chord. Tries all copies
-// near the point, because the chord may be longer than the periods of the torus.
+// near the point, because the chord may be longer than the periods of the torus. The copy that
+// begins at `from` is at most |from| away, so a nearer copy begins within |from| + |along|.
 double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 along = chord(foam, h);
     const Vec2 from = foam.domain.nearest_copy(foam.positions[foam.network.tail(h)] - point);
     double min_distance = std::numeric_limits<double>::infinity();
-    for (const LatticeOffset offset : foam.domain.offsets_near(Vec2::Zero(), along.norm())) {
+    for (const LatticeOffset offset :
+         foam.domain.offsets_near(-from, from.norm() + along.norm())) {
         const Vec2 copy = from + foam.domain.translation(offset);
         min_distance = std::min(min_distance, distance_to_segment(copy, along));
     }

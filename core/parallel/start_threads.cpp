@@ -20,6 +20,9 @@ constexpr std::size_t kReserve = std::size_t{1} << 27;
 bool start_up_to(std::size_t count,
                  std::vector<std::jthread>& threads,
                  const std::function<std::jthread()>& start) {
+    if (threads.size() >= count) {
+        return true;
+    }
     try {
         const auto reserve = std::make_unique_for_overwrite<std::byte[]>(kReserve);
         // A volatile variable, so that the compiler does not leave out the unused memory.

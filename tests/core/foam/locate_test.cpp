@@ -10,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foam {
 namespace {
@@ -135,6 +137,42 @@ TEST(Locate, FindsFilmsThatReachAroundTheTorus) {
         const HalfEdgeId h = forward_side(film);
         const Vec2 tail = foam.positions[foam.network.tail(h)];
         EXPECT_EQ(nearest_film(foam, tail + 0.6 * chord(foam, h)), film);
+    }
+}
+
+// Returns the distance from the point to the nearest of many lattice copies of the film's chord.
+double distance_to_copies(const Foam& foam, FilmId film, const Vec2& point) {
+    constexpr int kCopies = 4;
+    const HalfEdgeId h = forward_side(film);
+    const Vec2 along = chord(foam, h);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int i = -kCopies; i <= kCopies; ++i) {
+        for (int j = -kCopies; j <= kCopies; ++j) {
+            const Vec2 from = foam.positions[foam.network.tail(h)] - point +
+                              foam.domain.translation(LatticeOffset{i, j});
+            const double part = std::clamp(-from.dot(along) / along.squaredNorm(), 0.0, 1.0);
+            smallest = std::min(smallest, (from + part * along).norm());
+        }
+    }
+    return smallest;
+}
+
+// Where a torus has few bubbles, a film is as long as a period, so that the copy whose start is
+// nearest to a point is often not the nearest copy.
+TEST(Locate, FindsTheNearestFilmOfFewBubbles) {
+    for (const int bubbles : {1, 2, 3, 5}) {
+        const Foam foam = bubbles == 1 ? test::single_bubble() : equilibrated_foam(bubbles, 4);
+        for (int k = 0; k < 100; ++k) {
+            const Vec2 point(foam.domain.width * (k % 10 + 0.3) / 10.0,
+                             foam.domain.height * (k / 10 + 0.7) / 10.0);
+            double smallest = std::numeric_limits<double>::infinity();
+            for (const FilmId film : foam.network.films()) {
+                smallest = std::min(smallest, distance_to_copies(foam, film, point));
+            }
+            const FilmId found = nearest_film(foam, point);
+            EXPECT_NEAR(distance_to_copies(foam, found, point), smallest, 1e-12)
+                << bubbles << " bubbles, point " << k;
+        }
     }
 }
 
