@@ -100,15 +100,8 @@ class RangeMeter {
             const NumberExtent extent = extent_of(numbers);
             const double largest = std::max(std::abs(extent.smallest), std::abs(extent.largest));
             const std::scoped_lock lock(mutex_);
-            one.largest = std::max(one.largest, scale_of(*one.map) * largest / numbers.high);
+            one.largest = std::max(one.largest, largest / numbers.high);
         }
-    }
-
-    // Returns the factor that converts numbers of the reduced image to numbers of the full image.
-    double scale_of(const Map& map) const {
-        const bool in_pixels =
-            map.name == kDistanceMap.name && image_.options.distance.unit == DistanceUnit::Pixels;
-        return in_pixels ? image_.reduction : 1.0;
     }
 
     std::mutex mutex_;  // guards MeasuredMap::largest

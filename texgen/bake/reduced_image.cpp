@@ -28,6 +28,9 @@ ReducedImage reduced_image(const Preset& preset, int side) {
     if (reduced.options.albedo.film_unit == WidthUnit::Pixels) {
         reduced.options.albedo.film_width /= reduced.reduction;
     }
+    if (reduced.options.distance.unit == DistanceUnit::Pixels) {
+        reduced.options.distance.full.value /= reduced.reduction;
+    }
     return reduced;
 }
 
