@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <clocale>
 #include <cstdlib>
 #include <limits>
 #include <utility>
@@ -31,6 +32,13 @@ bool is_space(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+// Returns the value of a number in the locale "C". Unlike std::from_chars, strtod_l also gives a
+// value for numbers that are too small or too large for a double.
+double parse_in_c_locale(const std::string& text) {
+    static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", nullptr);
+    return strtod_l(text.c_str(), nullptr, c_locale);
+}
+
 // Returns the value of a number. A number that is too small for a double becomes 0; such numbers
 // occur in dumps of Evolver. A number that is too large becomes infinity; a value that is not
 // finite is rejected (take_expression, take_integer).
@@ -38,7 +46,7 @@ double parse_real(std::string_view text) {
     double value = 0.0;
     const std::from_chars_result result =
         std::from_chars(text.data(), text.data() + text.size(), value);
-    return result.ec == std::errc() ? value : std::strtod(std::string(text).c_str(), nullptr);
+    return result.ec == std::errc() ? value : parse_in_c_locale(std::string(text));
 }
 
 // Returns the value of the digits. Returns infinity if the value does not fit into 64 bits or if
