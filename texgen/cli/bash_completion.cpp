@@ -65,11 +65,11 @@ _{0}() {{
     local current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} path={0} word
     COMPREPLY=()
     # Bash usually splits KEY=VALUE into three words.
-    if ((COMP_CWORD > 2)) && [[ $before == '=' && ${{COMP_WORDS[COMP_CWORD - 3]}} == --set ]]; then
+    if ((COMP_CWORD > 2)) && [[ $before == '=' && ${{COMP_WORDS[COMP_CWORD - 3]}} == --@(set|sweep) ]]; then
         _{0}_values "${{COMP_WORDS[COMP_CWORD - 2]}}" '' "$current"
         return
     fi
-    if ((COMP_CWORD > 2)) && [[ $current == '=' && ${{COMP_WORDS[COMP_CWORD - 2]}} == --set ]]; then
+    if ((COMP_CWORD > 2)) && [[ $current == '=' && ${{COMP_WORDS[COMP_CWORD - 2]}} == --@(set|sweep) ]]; then
         _{0}_values "$before" '' ''
         return
     fi
@@ -144,7 +144,7 @@ class BashScript {
     // Adds the entry of a command to the second `case`. A word that begins with a hyphen is
     // completed to an option. Any other word is completed to a subcommand or a value of a
     // positional argument. If none of these match and the command has a positional argument that
-    // may be a file, which is any argument not called NAME, the word is completed to a file.
+    // may be a file (PRESET, or any argument of the kind Path), the word is completed to a file.
     void add_words(const CommandGrammar& command,
                    const std::string& path,
                    const std::vector<std::string>& options) {

@@ -37,10 +37,10 @@ Values values_of(const ArgumentGrammar& argument, const CompletionWords& words) 
     if (name == "--map" || name == "MAP") {
         return {ValueKind::Words, words.maps};
     }
-    if (name == "--set") {
+    if (name == "--set" || name == "--sweep") {
         return {ValueKind::Key, words.keys};
     }
-    if (name == "PRESET" || name == "NAME") {
+    if (name == "PRESET" || name == "NAME" || name == "--preset") {
         return {ValueKind::Words, words.presets};
     }
     if (name == "--for" || name == "PROFILE") {

@@ -18,11 +18,14 @@ std::string value_of(const CLI::Option& option) {
 }
 
 ArgumentGrammar positional_of(const CLI::Option& option) {
-    return {{option.get_name(true)}, "", option.get_description()};
+    return {.names = {option.get_name(true)}, .value = "", .meaning = option.get_description()};
 }
 
 ArgumentGrammar option_of(const CLI::Option& option) {
-    ArgumentGrammar grammar{{}, value_of(option), option.get_description()};
+    ArgumentGrammar grammar{.names = {},
+                            .value = value_of(option),
+                            .meaning = option.get_description(),
+                            .repeats = option.get_expected_max() > 1};
     for (const std::string& name : option.get_snames()) {
         grammar.names.push_back("-" + name);
     }

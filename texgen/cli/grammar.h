@@ -16,6 +16,7 @@ struct ArgumentGrammar {
     std::vector<std::string> names;  // such as "-o" and "--out"; one name for a positional argument
     std::string value;               // placeholder of the value ("W[xH]"); empty without a value
     std::string meaning;
+    bool repeats = false;  // true for an option that may be given several times
 };
 
 /// The syntax of a command. The manual page and the completions are generated from it.

@@ -106,7 +106,7 @@ class ZshScript {
                               zsh_escaped(option.value),
                               zsh_action(values_of(option, words_), false, key_function_));
         const std::string tail = fmt::format("[{}]{}", zsh_escaped(option.meaning), value);
-        const std::string repeated = option.names.back() == "--set" ? "*" : "";
+        const std::string repeated = option.repeats ? "*" : "";
         return option.names.size() > 1
                    ? fmt::format(" \\\n        '({})'{{{}}}'{}'",
                                  joined(option.names),

@@ -34,6 +34,7 @@ TEST(BashCompletion, OffersCommandsOptionsAndValues) {
     EXPECT_EQ(offered("foamtex bake --normal-y ''"), "gl dx\n");
     EXPECT_EQ(offered("foamtex bake sea_f"), "sea_foam\n");
     EXPECT_EQ(offered("foamtex presets show lab"), "labyrinth\n");
+    EXPECT_EQ(offered("foamtex verify --preset lab"), "labyrinth\n");
     EXPECT_EQ(offered("foamtex presets keys lo"), "loop\n");
     EXPECT_EQ(offered("foamtex maps maz"), "maze maze_solution\n");
     EXPECT_EQ(offered("foamtex maps compl"), "\n");  // no file
@@ -44,6 +45,7 @@ TEST(BashCompletion, OffersCommandsOptionsAndValues) {
 TEST(BashCompletion, OffersTheValuesOfAKey) {
     EXPECT_EQ(offered("foamtex bake --set albedo.colormap = ma"), "magma\n");
     EXPECT_EQ(offered("foamtex bake --set relief.profile ="), "dome ridge wet\n");
+    EXPECT_EQ(offered("foamtex vary --sweep relief.profile ="), "dome ridge wet\n");
     EXPECT_EQ(offered("foamtex bake --set albedo.colormap=ma"), "albedo.colormap=magma\n");
     EXPECT_EQ(offered("foamtex bake --set foam.seed = ''"), "\n");
 }

@@ -28,5 +28,13 @@ TEST(ZshCompletion, OffersTheValuesOfKeys) {
     EXPECT_NE(script.find(":KEY=VALUE:_foamtex_keys'"), std::string::npos);
 }
 
+TEST(ZshCompletion, OffersRepeatableOptionsAgain) {
+    const std::string script = run_program("completion zsh").out;
+    for (const char* option : {"--set", "--pack", "--sweep"}) {
+        EXPECT_NE(script.find(std::string("'*") + option), std::string::npos) << option;
+    }
+    EXPECT_EQ(script.find("'*--size"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace foam::texgen
