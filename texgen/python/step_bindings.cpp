@@ -15,7 +15,7 @@ using foamtex::StepSettings;
 void bind_equilibrium(py::module_& module) {
     py::class_<Equilibrium>(module, "Equilibrium", "The work and the result of relax() or step().")
         .def_readonly("iterations", &Equilibrium::iterations, "Iterations of Newton's method.")
-        .def_readonly("t1", &Equilibrium::t1, "Number of T1s: films that swapped neighbors.")
+        .def_readonly("t1", &Equilibrium::t1, "Number of T1s, in which bubbles swap neighbors.")
         .def_readonly("t2", &Equilibrium::t2, "Number of T2s: bubbles that vanished.")
         .def_readonly("area_error", &Equilibrium::area_error, "Largest |area / target area - 1|.")
         .def_readonly("angle_error",

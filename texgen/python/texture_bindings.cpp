@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -104,6 +105,16 @@ py::array frame_table(const py::object& self) {
     return view_of(self.cast<const foamtex::Frame&>().records().*member, self);
 }
 
+// Fits a copy without the GIL, so that other threads may use the preset meanwhile.
+void fit_ranges(foamtex::Preset& preset, int threads) {
+    foamtex::Preset fitted = preset;
+    {
+        const py::gil_scoped_release others_may_run;
+        fitted.fit_ranges(threads);
+    }
+    preset = std::move(fitted);
+}
+
 void bind_preset(py::module_& module) {
     py::class_<foamtex::Preset>(module,
                                 "Preset",
@@ -146,8 +157,7 @@ void bind_preset(py::module_& module) {
             py::kw_only(),
             py::arg("threads") = 0)
         .def("fit_ranges",
-             &foamtex::Preset::fit_ranges,
-             py::call_guard<py::gil_scoped_release>(),
+             &fit_ranges,
              "Fits the automatic ranges of maps to the whole animation. Integer samples of maps "
              "with "
              "automatic ranges need this.",
