@@ -86,7 +86,7 @@ void check(const SeedOptions& options) {
     require(is_positive(options.surface_tension), "surface_tension: must be a positive number");
 }
 
-// Returns the change that a drive means for a foam. Throws ArgumentError.
+// Returns the drive as a StateChange. Throws ArgumentError if a value is not allowed.
 foam::StateChange change_of(const Drive& drive, const foam::Domain& domain) {
     require(is_from(drive.strain, -kMaxStrain, kMaxStrain), "strain: must be from -100 to 100");
     require(drive.strain == 0.0 || !domain.is_plane(), "strain: only a torus can be sheared");
@@ -123,7 +123,7 @@ Equilibrium result_of(const foam::EquilibriumSummary& summary) {
             .angle_error = summary.angle_error};
 }
 
-// The result of a step in which nothing happens.
+// Returns the result of a step in which nothing happens.
 Equilibrium present_errors(const foam::Foam& foam, double tolerance) {
     const foam::EquilibriumErrors errors = foam::equilibrium_errors(foam);
     return {.converged = errors.are_below(tolerance),

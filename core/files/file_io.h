@@ -52,8 +52,8 @@ enum class Durability {
 
 /// A file whose content is written before it gets its name, so that no reader sees a partial file.
 /// If the file system supports it, the file has no name before `publish`, and the system removes it
-/// if the program is killed. Otherwise it has a temporary name in the same folder, which ends in
-/// ".part". The destructor removes the file if it has not been published.
+/// if the program is killed. Otherwise it is in the same folder under a temporary name, which ends
+/// in ".part". The destructor removes the file if it has not been published.
 class StagedFile {
   public:
     /// Writes the content. Precondition: the folder of `target` exists. Throws OutputError if

@@ -32,7 +32,7 @@ class AreaField {
     /// 1 / area. Uses three random numbers.
     Vec2 random_point(Random& random) const;
 
-    /// Returns the area that a bubble should have which covers a polygon: the harmonic mean of the
+    /// Returns the area that a bubble covering a polygon should have: the harmonic mean of the
     /// field over the polygon, measured at points that are at most a cell of the grid apart, or
     /// 1/32 of the polygon if it is large. Precondition: the polygon is counter-clockwise.
     double mean_over(std::span<const Vec2> polygon) const;

@@ -29,8 +29,8 @@ void add_triangle(AreaMoments& sum, const Vec2& a, const Vec2& b) {
     sum.second += area / 12.0 * (a * a.transpose() + b * b.transpose() + ends * ends.transpose());
 }
 
-// Adds the segment between an arc and its chord, of which `middle` is the middle. Precondition: the
-// chord is not zero.
+// Adds the segment between an arc and its chord. `middle` is the middle of the chord. Precondition:
+// the chord is not zero.
 void add_segment(AreaMoments& sum, const FilmArc& arc, const Vec2& middle) {
     const SegmentMoments segment = segment_moments(arc);
     const Vec2 along = arc.chord.normalized();

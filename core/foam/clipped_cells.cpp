@@ -154,8 +154,8 @@ std::optional<Cell> merged(const Cell& a, const Cell& b) {
     return loop.size() == sides ? std::optional(loop) : std::nullopt;
 }
 
-// Returns the area of a cell that counts as 1 in comparisons of sizes: that of the area field, or 1
-// if there is none.
+// Returns the unit in which the area of a cell is compared with the areas of other cells: the mean
+// of the area field over the cell, or 1 if there is no area field.
 double unit_area(const PolygonMesh& mesh, const Cell& cell, const AreaField* areas) {
     return areas != nullptr ? areas->mean_over(polygon_of(mesh, cell)) : 1.0;
 }

@@ -16,12 +16,12 @@
 #include <vector>
 
 // Seeds a patch from the Voronoi diagram of random points (paper section 5). The parts of the
-// outline are scaled to a total area of 1 per bubble. Each part is seeded separately, so that it
-// gets bubbles in proportion to its area. It is placed in the middle of a square torus, whose side
-// is twice the longer side of the bounding box of the part. Random sites are drawn within the part
+// outline are scaled to a total area of 1 per bubble. Each part is seeded separately, with its
+// share of the bubbles (prepare_parts). It is placed in the middle of a square torus, whose side is
+// twice the longer side of the bounding box of the part. Random sites are drawn within the part
 // and, as an option, moved by Lloyd's algorithm (seeding.cpp). Their Voronoi diagram on the torus
 // is clipped to the part (clipped_cells.h). If a draw gives no valid foam, new sites are drawn. The
-// cells of all parts together are converted to a foam (polygon_mesh.h). A part with the area of one
+// cells of all parts together are converted to a foam (polygon_mesh.h). A part with a share of one
 // bubble becomes a lone bubble.
 
 namespace foam {
@@ -70,8 +70,8 @@ void append(PolygonMesh& mesh, const PolygonMesh& part, const Vec2& by) {
     }
 }
 
-// Seeds all parts. Positions are those of the first part in its torus, and the other parts have
-// their distances from it.
+// Seeds all parts. All positions are in the coordinates of the torus of the first part; the other
+// parts keep their positions relative to the first part.
 SeededParts seed_parts(std::span<const PreparedPart> parts,
                        const PatchOptions& options,
                        Random& random) {
@@ -130,7 +130,7 @@ Foam foam_of(const SeededParts& parts) {
 }
 
 // Sets the target areas of all bubbles except the ghost, which is the last bubble of the network.
-// Their mean is 1. Without a ratio and a field, target areas stay the areas of the cells.
+// Their mean is 1. With neither a ratio nor a field, target areas stay the areas of the cells.
 void set_targets(const SeededParts& parts, double ratio, Foam& foam) {
     std::vector<double> field = parts.field_of_cells;
     field.insert(field.end(), parts.field_of_lone.begin(), parts.field_of_lone.end());

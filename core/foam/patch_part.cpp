@@ -19,8 +19,8 @@ namespace foam {
 namespace {
 
 constexpr int kMaxPatchDraws = 8;
-// Smallest area of a part of the outline, in mean bubble areas. Cells of this area are slivers
-// (clipped_cells.cpp).
+// Smallest share of all bubbles that a part of the outline may have, as a number of bubbles. A cell
+// of this size is a sliver (clipped_cells.cpp).
 constexpr double kLeastPart = 0.1;
 
 // Points along each side of the bounding box of a part at which an area field is measured.
@@ -57,7 +57,7 @@ double mean_density(const Outline& part, const AreaField& areas) {
     return count > 0 ? sum / count : 1.0 / areas.at(0.5 * (box.low + box.high));
 }
 
-// Returns the share of each part of all bubbles, as a number of bubbles.
+// Returns each part's share of all bubbles, as a number of bubbles.
 std::vector<double> shares_of(std::span<const Outline> parts, const PatchOptions& options) {
     const Box all = bounding_box(parts);
     std::vector<double> shares;
@@ -72,7 +72,7 @@ std::vector<double> shares_of(std::span<const Outline> parts, const PatchOptions
     return shares;
 }
 
-// Returns the part without its number of bubbles. `all` is the bounding box of the whole outline.
+// Prepares a part, except for its number of bubbles. `all` is the bounding box of all parts.
 PreparedPart prepare(const Outline& part,
                      const Box& all,
                      double scale,
@@ -108,9 +108,9 @@ Vec2 random_point(const Box& box, Random& random) {
     return {x, y};
 }
 
-// Returns `count` random points inside the part. Draws points in its bounding box, uniformly, or in
-// the bounding box of the whole outline with the density of the area field, and keeps the points
-// inside the part.
+// Returns `count` random points inside the part. Draws points uniformly in the bounding box of the
+// part or, if there is an area field, in the bounding box of the whole outline with a density of
+// 1 / area. Keeps the points inside the part.
 std::vector<Vec2> random_sites(const PreparedPart& part, int count, Random& random) {
     const Box box = box_of(part.outline);
     std::vector<Vec2> sites;

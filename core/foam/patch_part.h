@@ -23,7 +23,7 @@ struct PreparedPart {
     Outline outline;
     Domain domain;
     Vec2 shift{0.0, 0.0};  // from the position in the scaled outline to the position in the torus
-    int bubbles = 1;       // the share of the part of all bubbles, rounded, but at least 1
+    int bubbles = 1;       // the part's share of all bubbles, rounded, but at least 1
     std::optional<AreaField> areas{};  // stretched over the bounding box of the whole outline
 
     const AreaField* areas_or_null() const { return areas ? &*areas : nullptr; }

@@ -22,9 +22,9 @@ struct SeedingOptions {
     std::uint64_t seed = 1;
     /// The relative areas of bubbles at every place, stretched over the torus or over the bounding
     /// box of the outline of a patch. Sites are denser where bubbles are small, and Lloyd's
-    /// algorithm is weighted. Every target area is that of the field at its cell; if `area_ratio`
-    /// is not 0, it is multiplied by a factor, and `area_ratio` is the largest divided by the
-    /// smallest factor. nullopt: bubbles have the same size everywhere.
+    /// algorithm is weighted. Every target area is proportional to the area of the field at its
+    /// cell and, if `area_ratio` is not 0, also to a factor from 1 to `area_ratio`. nullopt: the
+    /// mean area of bubbles is the same everywhere.
     std::optional<AreaField> areas = std::nullopt;
 };
 

@@ -69,9 +69,9 @@ struct Domain {
     double shear_since(const Domain& earlier) const;
 };
 
-/// The largest ratio of the width to the height of a torus, and of the height to the width, with
-/// which core/io reads a foam from a file. Functions of a sheared torus, such as nearest_copy, take
-/// time in proportion to the ratio of width to height. No image has a larger ratio.
+/// The largest ratio of the width to the height of a torus, and of the height to the width, that is
+/// accepted in files and options. Functions of a sheared torus, such as nearest_copy, take time in
+/// proportion to the ratio of width to height. No image has a larger ratio.
 inline constexpr double kMaxAspect = 16384.0;
 
 /// Returns true if neither the width nor the height of a torus exceeds the other one by more than

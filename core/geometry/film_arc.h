@@ -43,10 +43,10 @@ Vec2 point_at(const FilmArc& arc, double fraction);
 Mat2 tangent_tensor(const FilmArc& arc);
 
 /// Moments of area of the segment between an arc and its chord. Coordinates are relative to the
-/// middle of the chord: x along the chord, y to its left. As in segment_area, all moments count as
-/// negative if the segment is on the left of the arc, so that the moments of a bubble are the
-/// moments of its polygon plus the moments of the segments of its films. The moments of x and of xy
-/// are 0 by symmetry.
+/// middle of the chord: x along the chord, y to its left. As in segment_area, the integrals count
+/// with a negative sign if the segment is on the left of the chord, so that the moments of a bubble
+/// are the moments of its polygon plus the moments of the segments of its films. The moments of x
+/// and of xy are 0 by symmetry.
 struct SegmentMoments {
     double area = 0.0;  // segment_area
     double y = 0.0;     // integral of y

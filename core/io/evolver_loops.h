@@ -28,8 +28,8 @@ struct FilmLoop {
 /// The wrap of an edge is the lattice offset that the file gives for its head. If no edge of the
 /// file has a wrap, each edge ends at the copy of its head that is nearest to its tail; on a
 /// sheared torus, the nearest row of copies is chosen first. If some edges have a wrap, the wrap of
-/// all other edges is zero. Throws FormatError, with `file` as the name in its message, in these
-/// cases:
+/// all other edges is zero. In the plane, wraps are ignored. Throws FormatError, with `file` as the
+/// name in its message, in these cases:
 /// - the faces do not cover the torus once;
 /// - an edge has two faces on one side, or no face on one side; in the plane, one of the two sides
 ///   of an edge may have no face;

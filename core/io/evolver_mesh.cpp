@@ -14,7 +14,7 @@ namespace foam::evolver {
 namespace {
 
 // The wrap of an edge is its lattice offset in the file: two symbols, or one number. The number has
-// six bits per axis. The lower five bits are the number of periods in two's complement.
+// six bits per axis. The lower five of them are the number of periods in two's complement.
 constexpr unsigned kWrapBits = 6;
 
 std::int32_t decoded_wrap(unsigned bits) {

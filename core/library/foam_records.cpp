@@ -16,7 +16,7 @@ using foamtex::Film;
 using foamtex::FoamRecords;
 using foamtex::Point;
 
-// The index of a bubble among the records, or -1 for the ghost.
+// Returns the index of a bubble among the records, or -1 for the ghost.
 std::int64_t bubble_index(const Frame& frame, BubbleId bubble) {
     return bubble == frame.network.ghost() ? -1 : static_cast<std::int64_t>(index_of(bubble));
 }

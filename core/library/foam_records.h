@@ -16,7 +16,7 @@ std::vector<foamtex::Bubble> bubble_records(const Frame& frame);
 /// Returns the bubbles, films and junctions of a frame as plain values, for users of the library.
 foamtex::FoamRecords records_of(const Frame& frame);
 
-/// Returns the domain of a frame or a foam.
+/// Returns a domain as plain values.
 foamtex::Extent extent_of(const Domain& domain);
 
 /// Returns a stress (core/foam/stress.h) as plain values.

@@ -13,7 +13,7 @@
 namespace foam {
 
 /// Returns work(). Exceptions that the program throws on purpose, and errors of the operating
-/// system, become those that users of the library know.
+/// system, become the exceptions of the library (foamtex/errors.h).
 template <class Work>
 auto with_public_errors(const Work& work) {
     try {

@@ -19,11 +19,11 @@ struct Split {
 };
 
 /// Removes the film and both its junctions. Each bubble beside the film has an outer film at either
-/// end of it; these two outer films of the bubble become one film. If a bubble beside the film has
-/// only one other film, that film and the bubble are also removed from the network. If both ends of
-/// the film were on the same boundary of the ghost, the two bubbles beside the film belong to
-/// different rafts afterwards. Otherwise, the boundaries at the two ends have become one; for
-/// example, a hole is now open to the outside. Precondition: can_split.
+/// end of the film; these two outer films become one film. If a bubble beside the film has only one
+/// other film, that film and the bubble are also removed from the network. If both ends of the film
+/// were on the same boundary of the ghost, the two bubbles beside the film belong to different
+/// rafts afterwards. Otherwise, the boundaries at the two ends have become one; for example, a hole
+/// is now open to the outside. Precondition: can_split.
 Split split(Network& network, FilmId film);
 
 /// Sets the first half-edge of the ghost to one of its live half-edges, after a change that may

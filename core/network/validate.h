@@ -11,8 +11,8 @@
 namespace foam {
 
 /// The largest number of periods, along either axis, of the lattice offset of a film, and of the
-/// way around a bubble from its first half-edge to any other. Sums of two offsets within this limit
-/// do not overflow.
+/// sum of the offsets along the loop of a bubble from its first half-edge to any other. Sums of two
+/// offsets within this limit do not overflow.
 inline constexpr std::int32_t kMaxPeriods = 1'000'000;
 
 /// Returns a description of the first broken invariant, or nothing if the network is valid. The

@@ -10,10 +10,10 @@
 namespace foam {
 
 // An edge is allowed if the part of one of its nodes is an ancestor of the part of the other, or
-// the same part. One node of each other edge is moved, to the lowest common ancestor of the two
-// parts. The allowed edges of this node stay allowed: an ancestor of its old part is an ancestor or
-// a descendant of its new part, and a descendant of its old part is a descendant of its new part.
-// One pass over the edges is therefore enough.
+// the same part. If an edge is not allowed, one of its nodes is moved to the lowest common ancestor
+// of the two parts. The allowed edges of this node stay allowed: an ancestor of its old part is an
+// ancestor or a descendant of its new part, and a descendant of its old part is a descendant of its
+// new part. One pass over the edges is therefore enough.
 
 namespace {
 
@@ -53,7 +53,7 @@ std::vector<std::size_t> parts_of_nodes(const Dissection& dissection) {
 }
 
 // Moves a node of each edge that is not allowed. Nodes are visited from the last to the first,
-// because in a foam the last nodes, those of bubbles, have the fewest rows.
+// because in a foam the nodes of bubbles and outer films are last and have the fewest rows.
 void move_nodes(const NodeGraph& graph, const PartTree& tree, std::vector<std::size_t>& part_of) {
     for (std::size_t node = part_of.size(); node-- > 0;) {
         std::size_t& part = part_of[node];

@@ -21,7 +21,8 @@ struct LdltOptions {
     // If true, the order of elimination of the last call of `analyze` is repaired
     // (dissection_repair.h) instead of computed anew. This is much faster if only a few edges of
     // the graph of nodes have changed. The order is computed anew if the number of nodes has
-    // changed, or if the factor would be more than a tenth larger than with the last new order.
+    // changed, or if with the repaired order the memory would exceed `max_bytes` or the factor
+    // would be more than a tenth larger than with the last new order.
     bool keeps_order = false;
 };
 

@@ -82,7 +82,8 @@ void move(std::span<const VelocityWave> waves, PointGroup& points) {
     });
 }
 
-// Replaces points by their displacements if they move with the velocity for one unit of time.
+// Replaces each point by the displacement that it undergoes when it moves with the velocity for one
+// unit of time.
 void replace_by_displacements(std::span<const VelocityWave> waves, std::span<Vec2> points) {
     for (std::size_t begin = 0; begin < points.size(); begin += PointGroup::kSize) {
         const auto some = points.subspan(begin, std::min(PointGroup::kSize, points.size() - begin));

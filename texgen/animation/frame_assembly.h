@@ -79,8 +79,8 @@ class FrameAssembly {
     std::map<int, std::size_t> event_counts_;
     FrameEffort total_;     // effort from the seed to the last added state
     FrameEffort reported_;  // part of `total_` that emitted frames have reported
-    // The number of events from the seed to the last added state, and the last ones of them, which
-    // no emitted frame has reported.
+    // The number of events from the seed to the last added state, and the last of these events,
+    // which no emitted frame has reported yet.
     std::size_t event_count_ = 0;
     std::vector<TopologyEvent> unreported_;
 };

@@ -12,8 +12,8 @@ namespace foam::texgen {
 /// Keeps the record of a foam up to date while the foam advances from frame to frame.
 class History {
   public:
-    /// Starts the record of a newly seeded foam. The bubbles of this foam count as born at its
-    /// present time, which is 0. `smoothing` is FramesOptions::smoothing.
+    /// Starts the record of a foam. The bubbles of this foam count as born at its present time,
+    /// which is 0 if it was just seeded. `smoothing` is FramesOptions::smoothing.
     explicit History(const Foam& foam, double smoothing = 0.0);
 
     /// Moves the foam's topology events, which happened during the step to the given frame, into

@@ -20,7 +20,7 @@ enum class Phase {
     Frames,       // simulates, draws or measures the frames of the run; counts frames
     Files,        // verifies files; counts files
     Sheets,       // joins frames into sheets; counts frames, once for each map
-    Previews,     // makes previews; counts pictures that are reduced or encoded, and files
+    Previews,     // makes previews or draws variations; counts pictures and files
 };
 
 /// The progress of a run in its present phase.
@@ -43,9 +43,10 @@ struct RunProgress {
 };
 
 /// Receives the progress of a run: at the beginning of each phase and after each of its units. In
-/// the phases WarmUp and States, the last unit is not reported. The callback is called by one
-/// thread at a time, but not always by the same thread. It may throw to stop the run. An empty
-/// callback is allowed wherever a callback is an argument.
+/// the phases WarmUp and States, the last unit is not reported; in States, the beginning is not
+/// reported either. The callback is called by one thread at a time, but not always by the same
+/// thread. It may throw to stop the run. An empty callback is allowed wherever a callback is an
+/// argument.
 using ProgressCallback = std::function<void(const RunProgress&)>;
 
 }  // namespace foam::texgen

@@ -25,8 +25,8 @@ struct PhaseTimes {
 };
 
 /// Returns the text of the progress bar, without a newline. Examples:
-/// "[######------------------] frame 12 of 48  583 bubbles  0:14 left" and, for a phase that takes
-/// at least a second and has no units or no unit that is done,
+/// "[######------------------] frame 12 of 48  583 bubbles  0:14 left" and, for a phase other than
+/// LoopClosing that has run for at least a second without completing a unit,
 /// "[------------------------] finding the first equilibrium  0:12 so far".
 std::string progress_bar(const RunProgress& progress, const PhaseTimes& times);
 
@@ -36,8 +36,8 @@ std::string progress_bar(const RunProgress& progress, const PhaseTimes& times);
 /// RunProgress).
 std::string progress_line(const RunProgress& progress, double seconds);
 
-/// Returns the progress as a JSON object in one line, without a newline. README.md describes its
-/// members. `seconds` is the wall time since the run began.
+/// Returns the progress as a JSON object in one line, without a newline. texgen/cli/README.md
+/// describes its members. `seconds` is the wall time since the run began.
 std::string progress_json(const RunProgress& progress,
                           double seconds,
                           const std::optional<double>& seconds_left);

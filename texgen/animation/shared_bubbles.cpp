@@ -62,9 +62,9 @@ Frame moved_towards(const Frame& from, const Frame& to, double fraction) {
     if (fraction == 0.0) {
         return from;
     }
-    // Bubbles that are more than kRounds bubbles away from every bubble to which
-    // displacements_of_shared gives a displacement get none. Of their junctions, only those that
-    // they share with nearer bubbles move.
+    // A bubble gets no displacement if it is more than kRounds bubbles away from every bubble that
+    // has one in displacements_of_shared. Of its junctions, only those that it shares with nearer
+    // bubbles move.
     constexpr int kRounds = 2;
     Displacements of_bubbles = displacements_of_shared(from, to);
     for (int round = 0; round < kRounds; ++round) {

@@ -21,7 +21,7 @@ enum class RunStatus {
     OpenLoop,       // the loop did not close; no frame was passed to the visitor
 };
 
-/// How a run ended.
+/// The result of a run, whether or not it is complete.
 struct RunOutcome {
     RunStatus status = RunStatus::Complete;
     int failed_frame = 0;  // first frame that could not be simulated; 0 if complete

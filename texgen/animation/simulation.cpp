@@ -158,9 +158,9 @@ double Simulation::loop_progress() const {
 // Cycle::repeats returns true. In a boil, two cycles in a row must close: the closing error does
 // not compare the flags of films that have flipped (Foam::t1_armed), so the T1s of the next cycle
 // may still differ after one cycle has closed. After each cycle of a boil that does not close,
-// restless bubbles are made to oscillate less, and the boiling bubbles nearest to them are made to
-// grow less (Cycle::calm). From a LoopStart, a single cycle must close, since the cycles before it
-// have closed, too, and the flags are stored with the foam.
+// bubbles that keep changing neighbors are made to oscillate less, and the boiling bubbles nearest
+// to them are made to grow less (Cycle::calm). From a LoopStart, a single cycle must close, since
+// the cycles before it have closed, too, and the flags are stored with the foam.
 //
 // Returns false if the loop does not close or if a step finds no equilibrium. The cycles before the
 // last one are transients: some of their T1s and T2s do not recur. The last step of each cycle is

@@ -68,13 +68,13 @@ class Simulation {
     /// Returns the foam itself, in the state that was reached, without any transform for display.
     const Foam& foam() const { return foam_; }
 
-    /// Returns the total strain by which the foam has been sheared since it was seeded (E9). Unlike
+    /// Returns the total strain by which this simulation has sheared the foam (E9). Unlike
     /// Domain::shear, it is not reduced by whole periods of the torus.
     double strain() const { return strain_; }
 
-    /// Returns the topology events of the last advance(), in the order in which they happened. The
-    /// first call of advance() includes the first equilibration, the warm-up, and all cycles that
-    /// close a loop.
+    /// Returns the topology events of the last advance(), in the order in which they happened. They
+    /// include the events of the first equilibration, of the warm-up, and of the cycles that close
+    /// a loop, if this call of advance() ran them.
     const std::vector<TopologyEvent>& events() const { return events_; }
 
     /// Returns the number of bubbles of the foam.
@@ -118,7 +118,7 @@ class Simulation {
     Timeline timeline_;
     History history_;
     ProgressCallback on_progress_;
-    std::optional<Cycle> cycle_;  // of a loop; before frame 1 only if there is a LoopStart
+    std::optional<Cycle> cycle_;  // set by close_loop, or at the start from a LoopStart
     std::optional<double> closing_error_;
     std::optional<View> view_;
     int number_ = 0;

@@ -106,7 +106,7 @@ void Preset::fit_ranges(int threads) {
     state_ = with_texture_errors([&] {
         foam::check_threads(threads);
         foam::texgen::Preset preset = state_->preset;
-        // Files of numbers need no ranges, so that only those of a PNG are fitted.
+        // fit_automatic_ranges fits the ranges of all maps only for integer files, such as PNGs.
         const std::string pattern = std::exchange(preset.output.pattern, "{map}.####.png");
         const foam::texgen::RunOutcome outcome =
             foam::texgen::fit_automatic_ranges(preset,

@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// Returns work(), like with_public_errors. Invalid presets become foamtex::ArgumentError, and a
-/// lack of memory that is known before becomes foamtex::Error.
+/// Returns work(), like with_public_errors. PresetError becomes foamtex::ArgumentError, and
+/// OutOfMemory becomes foamtex::Error.
 template <class Work>
 auto with_texture_errors(const Work& work) {
     return with_public_errors([&] {

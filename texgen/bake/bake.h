@@ -27,8 +27,8 @@ struct BakeOptions {
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 
-/// Describes the numbers of an image, before they are rounded to codes (integer samples), in all
-/// files of the image that a bake has written.
+/// The range of an image, and the extent of its numbers in all files of the image that a bake has
+/// written. The extent is measured before the numbers are rounded to codes (integer samples).
 struct WrittenNumbers {
     DrawnImage image;
     std::array<double, 2> range{};  // the numbers that the smallest and the largest code represent
@@ -72,8 +72,10 @@ struct BakeCallbacks {
 
 /// Checks the arguments of a bake. Throws std::invalid_argument if there are no frames, if a frame
 /// number is below 1, if the file pattern is malformed, if it would give two images the same file,
-/// or if the manifest would become too large (check_measurements). Throws OutputError if the images
-/// of the first frame cannot be written into their folders.
+/// if the format of the files cannot store the primaries or a packing of the preset, or if the
+/// manifest would become too large (check_measurements). Also throws as check_vector_files and
+/// check_file_words do. Throws OutputError if the images of the first frame cannot be written into
+/// their folders.
 void check_bake(const Preset& preset, const BakeOptions& options);
 
 /// Takes the frames from their source, draws them, and writes all maps of each frame. Creates

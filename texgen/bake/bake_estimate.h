@@ -10,8 +10,8 @@
 
 namespace foam::texgen {
 
-/// The files, the memory and the time of a bake, estimated from its first frames. Sheets, scenes
-/// and statistics are not included.
+/// The files, the memory and the time of a bake, estimated from its first frames. Scenes and
+/// statistics are not included. Sheets are included only in the memory.
 struct BakeEstimate {
     std::size_t files = 0;     // images, or drawings and tables
     std::uint64_t bytes = 0;   // of these files

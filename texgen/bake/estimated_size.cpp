@@ -90,8 +90,8 @@ double map_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
     return levels * (stores_codes ? size.png : size.exr);
 }
 
-// Returns the sum over the maps of an image. This is the size of a map, and about that of a
-// packing.
+// Returns the size of an image in bytes per pixel: the sum over its maps, which is only approximate
+// for a packing.
 double bytes_per_pixel(const DrawnImage& image, const Preset& preset) {
     double bytes = 0.0;
     for (const Map* const map : image.sources()) {

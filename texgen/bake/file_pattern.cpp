@@ -44,7 +44,7 @@ std::size_t first_period(std::string_view pattern) {
     return position;
 }
 
-// Returns the pattern of a format with several tables with {map} in it.
+// Returns the pattern, with "_{map}" inserted if it has no {map} and its format has several tables.
 std::string with_table(std::string_view pattern) {
     std::string complete(pattern);
     if (has_suffix(pattern, ".csv") && pattern.find("{map}") == std::string_view::npos) {

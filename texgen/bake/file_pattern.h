@@ -33,9 +33,9 @@ struct VectorFormat;
 class FilePattern {
   public:
     /// Parses the pattern of a preset, output.pattern, and replaces the placeholders of the preset
-    /// by its values. Throws std::invalid_argument for an unknown placeholder, for a placeholder
-    /// whose value cannot be a part of a file name, or if the pattern does not end in the suffix of
-    /// an image format or of a vector format.
+    /// by its values. Throws std::invalid_argument for an unknown or malformed placeholder, for a
+    /// placeholder whose value cannot be a part of a file name, or if the pattern does not end in
+    /// the suffix of an image format or of a vector format.
     explicit FilePattern(const Preset& preset);
 
     /// Parses the pattern of files that may be of any preset: {map} is the only placeholder in

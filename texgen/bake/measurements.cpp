@@ -69,7 +69,8 @@ std::string measurements_json(const SimulatedFrame& shown,
     if (measurements.empty()) {
         return {};
     }
-    // The members are in alphabetical order, as a reader of the manifest writes them again.
+    // The members are in alphabetical order, so that they keep their order when a manifest is read
+    // (JsonValue::object_text) and written again.
     Json value = Json::object();
     if (is_among("bubbles", measurements)) {
         value["bubbles"] = table_of(bubble_records(*shown.frame));

@@ -27,9 +27,9 @@ std::vector<std::string> vector_parts(const Preset& preset);
 /// of its vector files, or the words of its images (file_word).
 std::vector<std::string> file_words(const Preset& preset);
 
-/// Throws std::invalid_argument if the files of a preset are vector files, but have packings or
-/// sheets, if frames show two foams (a cross-fade), or as VectorFormat::check does. The message is
-/// one line and names the key.
+/// Checks a preset whose files are vector files; does nothing for other presets. Throws
+/// std::invalid_argument if the preset has packings or sheets, if frames show two foams (a
+/// cross-fade), or as VectorFormat::check does. The message is one line and names the key.
 void check_vector_files(const Preset& preset);
 
 /// Returns the content of a vector file of a frame. `part` is one of the names that

@@ -100,8 +100,8 @@ FOAM_INLINE void solve(const ChannelSums<Simd>& sums, ChannelFit<Simd>& fit) {
     fit.high = Simd::select(is_determined, rounded(low + slope * Floats(kSteps)), fit.high);
 }
 
-// Replaces a fit by one whose endpoints are moved, if they keep their order and the error is
-// smaller.
+// Moves the endpoints of a fit by `low` and `high` if they keep their order, stay in [0, 255] and
+// reduce the error.
 template <class Simd, int kSteps>
 FOAM_INLINE void try_move(const Values<Simd>& texels, int low, int high, ChannelFit<Simd>& best) {
     using Floats = typename Simd::Floats;
@@ -207,8 +207,8 @@ FOAM_INLINE StoredChannels<Simd> compressed(const Values<Simd>& texels) {
     return result;
 }
 
-// Returns one channel of as many blocks as there are lanes. If there are fewer, the last one is
-// repeated.
+// Returns one channel of as many blocks as there are lanes. If `texels` has fewer blocks, the last
+// one is repeated.
 template <class Simd>
 FOAM_INLINE Values<Simd> channel_of(std::span<const TexelBlock> texels, std::size_t channel) {
     Array<Array<float, Simd::kCount>, kBlockTexels> numbers;

@@ -34,8 +34,8 @@ class Palette {
         const Floats position = (texel - low_) * scale_ + Floats(0.5F);
         result.index =
             Simd::truncated(Simd::smaller(Simd::larger(position, Floats()), Floats(kSteps + 0.5F)));
-        // The sum is not a multiple of the number of steps, so that the quotient is rounded as
-        // integers are.
+        // The 0.5 keeps the sum away from multiples of the number of steps. In spite of rounding
+        // errors, truncation therefore gives the result of the integer division in a decoder.
         constexpr int kHalf = kSteps / 2;
         const Floats value =
             Simd::truncated((low_ * Floats(kSteps) + step_ * result.index + Floats(kHalf + 0.5F)) *

@@ -18,10 +18,10 @@
 #include <limits>
 #include <vector>
 
-// The blocks of an image are compressed in groups, one block per lane of a SIMD register. All
-// blocks are first stored in mode 6, which approximates the colors of a block by a line between two
-// colors. Blocks that a line approximates badly are collected in new groups, which are then tried
-// in other modes.
+// Blocks of a single color are stored exactly, in mode 5. All other blocks of an image are
+// compressed in groups, one block per lane of a SIMD register. They are first stored in mode 6,
+// which approximates the colors of a block by a line between two colors. Blocks that a line
+// approximates badly are collected in new groups, which are then tried in other modes.
 
 namespace foam::texgen {
 
@@ -29,8 +29,9 @@ namespace {
 
 using namespace bc7;  // NOLINT(google-build-using-namespace): the parts of the encoder
 
-// The sums of squared errors of a block up to which modes of two subsets, and more modes, are not
-// tried.
+// Limits of the sum of squared errors of a block. Only blocks above kGoodEnough are tried in other
+// modes than mode 6. Of opaque blocks, only those above kBad are tried with more partitions and in
+// modes of three subsets.
 constexpr float kGoodEnough = 8.0F;
 constexpr float kBad = 40.0F;
 
@@ -41,7 +42,8 @@ using Mode1 = Format<2, 3, 6, LowestBits::PerSubset, 3>;
 using Mode2 = Format<3, 3, 5, LowestBits::None, 2>;
 using Mode3 = Format<2, 3, 7, LowestBits::PerEndpoint, 2>;
 using Mode7 = Format<2, 4, 5, LowestBits::PerEndpoint, 2>;
-// The numbers of partitions that are tried in a mode. Bad blocks have more.
+// The numbers of partitions that are tried in a mode. kMoreTried1 and kMoreTried3 are for blocks
+// above kBad.
 constexpr std::size_t kTried0 = 3;
 constexpr std::size_t kTried1 = 2;
 constexpr std::size_t kTried2 = 3;
@@ -50,7 +52,8 @@ constexpr std::size_t kTried7 = 4;
 constexpr std::size_t kMoreTried1 = 6;
 constexpr std::size_t kMoreTried3 = 4;
 
-// For every value of 8 bits, two endpoints of 7 bits between which the weight 21 / 64 gives it.
+// For every value of 8 bits, two endpoints of 7 bits, expanded to 8 bits. Interpolation between
+// them with the weight 21 / 64 gives the value.
 using ExactEnds = Array<Array<int, 2>, 256>;
 
 constexpr ExactEnds make_exact_ends() {
@@ -66,7 +69,8 @@ constexpr ExactEnds make_exact_ends() {
 
 constexpr ExactEnds kExactEnds = make_exact_ends();
 
-// Stores a block of a single color exactly, in mode 5 with the index 1 for all colors.
+// Returns a block that stores a single color exactly, in mode 5 with the color index 1 for all
+// texels.
 Bc7Block solid_block(const std::array<std::uint8_t, 4>& color) {
     BlockFields fields{.mode = 5};
     for (std::size_t end = 0; end < 2; ++end) {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <utility>
 
-// Approximates the colors of blocks in a mode of BC7, for several blocks at once. The first
+// Approximates the colors of blocks in a mode of BC7, for several blocks at once. The initial
 // endpoints are the ends of the principal axes of the subsets, or lie beyond them (Fitter::start).
 // Every texel gets the index of the nearest color between the endpoints. For these indices, the
 // endpoints are then improved by least squares, as in S. Brown's "DXT compression techniques"
@@ -101,7 +101,7 @@ class Fitter {
     }
 
     /// Starts again with the principal axes, extended beyond the colors so that the smallest `low`
-    /// and the largest `high` indices are not used. Least squares only find the best endpoints for
+    /// and the largest `high` indices are not used. Least squares finds the best endpoints only for
     /// given indices, and other starts lead to other indices.
     FOAM_INLINE void start(int low, int high) {
         const Floats stride = Floats(1.0F / (kSteps - static_cast<float>(low + high)));
@@ -119,7 +119,8 @@ class Fitter {
         choose_indices(unrounded);
     }
 
-    /// Rounds the endpoints, and chooses indices and improves the endpoints `rounds` times.
+    /// In each of `rounds` rounds, improves the endpoints by least squares, rounds them and chooses
+    /// indices. Stores the result in the lanes of `best` in which its error is smaller.
     FOAM_INLINE void refine(int rounds, Result& best) {
 #pragma GCC unroll 1
         for (int round = 0; round < rounds; ++round) {
@@ -137,7 +138,8 @@ class Fitter {
   private:
     static constexpr auto kSteps = static_cast<float>(Format::kSteps);
 
-    // Numbers with which the position of a texel along the line of its subset is found.
+    // Numbers from which the position of a texel along the line of its subset and the color that
+    // its index selects are computed.
     struct Positions {
         Array<Array<Floats, kSubsets>, kChannels> origins;  // plus 1/2, for rounding
         Array<Array<Floats, kSubsets>, kChannels> strides;  // for a weight of 1 / 64
@@ -226,11 +228,11 @@ class Fitter {
 
 inline constexpr int kImprovements = 2;  // of endpoints
 
-/// The share of the spread along a line by which rounding adds to the error (bc7_partition.h).
+/// The share of the spread along a line that rounding adds to the error (bc7_partition.h).
 template <class Format>
 inline constexpr float kRoundingShare = 1.0F / static_cast<float>(Format::kSteps* Format::kSteps);
 
-/// Tries a mode of one subset.
+/// Returns a fit of the colors with one subset.
 template <class Format, class Simd>
 FOAM_INLINE Fit<Simd, Format> fit_line(const ColorLanes<Simd, Format::kChannels>& colors) {
     const Membership<Simd, 1> all;

@@ -22,7 +22,7 @@ struct Work {
     std::vector<float> errors;
 };
 
-using Numbers = std::vector<std::uint32_t>;  // of blocks
+using Numbers = std::vector<std::uint32_t>;  // indices of blocks
 
 /// A group of blocks, one per lane. If there are fewer blocks than lanes, the last one is repeated.
 template <class Simd>
@@ -75,7 +75,8 @@ class Group {
     std::span<const std::uint32_t> numbers_;
 };
 
-/// Calls body(group) at the SIMD level in use, for groups of all blocks with the given numbers.
+/// Divides the blocks with the given numbers into groups, and calls body(group) for each group at
+/// the SIMD level in use.
 template <class Body>
 void encode_groups(Work& work, const Numbers& numbers, const Body& body) {
     at_simd_level([&](auto level) FOAM_INLINE_LAMBDA {

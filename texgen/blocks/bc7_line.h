@@ -52,8 +52,7 @@ struct Membership {
         return value;
     }
 
-    /// -1 for the texels of a subset, and 0 for the others. The masks of the first subset are not
-    /// used.
+    /// -1 for the texels of a subset, and 0 for the others. Not used if there is only one subset.
     Array<Array<Ints, kBlockTexels>, kSubsets> masks;
 };
 

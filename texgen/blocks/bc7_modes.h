@@ -24,7 +24,7 @@ enum class LowestBits : std::uint8_t {
     None,
     PerEndpoint,
     PerSubset,  // both endpoints of a subset share one bit
-    Ones,       // of endpoints whose alpha is 255 (mode 6)
+    Ones,       // 1 for all endpoints, which an alpha of 255 requires (mode 6)
 };
 
 /// The fields of a mode. Numbers are bits, except `subsets`.

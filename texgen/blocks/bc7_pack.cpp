@@ -19,8 +19,8 @@ struct IndexedChannels {
     int index_bits;
 };
 
-// Exchanges the endpoints of a subset, for some channels, and the order of their indices, if the
-// highest bit of the index of the anchor is set. This bit is not stored.
+// If the highest bit of the index of the anchor is set, exchanges the endpoints of a subset in some
+// channels and reverses its indices. This bit is not stored.
 void order_ends(BlockFields& fields,
                 int subset,
                 const IndexedChannels& channels,

@@ -13,10 +13,11 @@
 // distances from the principal axis add up to the trace of the scatter matrix minus its largest
 // eigenvalue. Rounding along the axis adds the eigenvalue divided by the square of the number of
 // steps: evenly spaced colors between two endpoints have the variance L^2 / 12, if L is the
-// distance of the endpoints, and rounding to n steps has the mean squared error (L / n)^2 / 12.
+// distance between the endpoints, and rounding to n steps has the mean squared error
+// (L / n)^2 / 12.
 //
 // The largest eigenvalue is estimated by the Frobenius norm of the matrix, which is the root of the
-// sum of the squares of all eigenvalues. They differ little if one eigenvalue is much larger than
+// sum of the squares of all eigenvalues. The estimate is good if one eigenvalue is much larger than
 // the others.
 
 namespace foam::texgen::bc7 {
@@ -60,7 +61,7 @@ struct BestPartitions {
     using Ints = typename Simd::Ints;
     static constexpr std::size_t kMost = 8;
 
-    /// Keeps at most `given` partitions, which is at most kMost.
+    /// Keeps at most `given` partitions. Precondition: `given` is at most kMost.
     FOAM_INLINE explicit BestPartitions(std::size_t given) : count(given) {
         for (Floats& error : errors) {
             error = 1e30F;

@@ -19,17 +19,17 @@
 #define FOAM_UNCHECKED_POINTERS
 #endif
 
-/// Stands before functions that use lanes. They have to be inlined to be compiled for the
-/// instruction set of a kernel (at_simd_level), but `flatten` does not inline large functions.
+/// Marks functions that use lanes. They have to be inlined to be compiled for the instruction set
+/// of a kernel (at_simd_level), but `flatten` does not inline large functions.
 #define FOAM_INLINE [[gnu::always_inline]] FOAM_UNCHECKED_POINTERS inline
 #define FOAM_INLINE_LAMBDA __attribute__((always_inline)) FOAM_UNCHECKED_POINTERS
 
 namespace foam::texgen {
 
 /// An array in kernels. Unlike those of std::array, its functions are always inlined and check no
-/// index, which would keep the compiler from holding elements in registers.
+/// index. Such checks would keep the compiler from holding elements in registers.
 template <class Value, std::size_t kSize>
-struct Array {  // NOLINT(readability-identifier-naming): of a variable of the implicit copy
+struct Array {  // NOLINT(readability-identifier-naming): a variable in the implicit copy
     FOAM_INLINE constexpr Value& operator[](std::size_t k) { return values[k]; }
     FOAM_INLINE constexpr const Value& operator[](std::size_t k) const { return values[k]; }
     FOAM_INLINE constexpr Value* begin() { return values; }
@@ -47,8 +47,8 @@ struct Array {  // NOLINT(readability-identifier-naming): of a variable of the i
 ///
 /// The copy constructor is not the default one: objects of the class are therefore passed in
 /// memory, in the same way for all instruction sets. (How a register is passed depends on the
-/// instruction set for which a function is compiled.) at_simd_level inlines all functions, so that
-/// this takes no time.
+/// instruction set for which a function is compiled.) Functions that use lanes are inlined
+/// (FOAM_INLINE), so that this takes no time.
 template <class Number, int kBytes>
 class Lanes {
   public:
@@ -116,7 +116,7 @@ struct LanesAt {
     using Ints = Lanes<std::int32_t, kBytes>;
     static constexpr std::size_t kCount = Floats::kCount;
 
-    /// Returns -1 in lanes in which a < b or a = b holds, and 0 in the others.
+    /// Return -1 in lanes in which a < b (`less`) or a = b (`equal`) holds, and 0 in the others.
     template <class Numbers>
     FOAM_INLINE static Ints less(const Numbers& a, const Numbers& b) {
         return Ints::from(a.lanes < b.lanes);
@@ -146,7 +146,7 @@ struct LanesAt {
         }
         return all != 0;
     }
-    /// Rounds towards 0.
+    /// Rounds toward 0.
     FOAM_INLINE static Ints whole(const Floats& numbers) {
         return Ints::from(__builtin_convertvector(numbers.lanes, typename Ints::Register));
     }

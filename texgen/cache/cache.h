@@ -15,8 +15,8 @@
 namespace foam::texgen {
 
 /// Returns a source of frames whose states come from a function, such as Cache::state. The function
-/// receives the number of a state and is called in increasing order; the source sets the member
-/// `view` of the states. The source reports the phase States.
+/// receives the number of a state and is called in increasing order of these numbers. The source
+/// sets the members `view` and `closing_error` of the states, and reports the phase States.
 FrameSource frames_from_states(const Preset& preset,
                                std::function<SimulatedFrame(int)> state,
                                std::optional<double> closing_error);

@@ -30,7 +30,8 @@ bool looks_like_option(std::string_view word) {
     return word.starts_with('-') && word.find_first_not_of('-') != std::string_view::npos;
 }
 
-/// Returns the end of the message about an unknown word: the most similar name.
+/// Returns the end of the message about an unknown word: the most similar name, or an empty text if
+/// no name is similar.
 std::string similar_name(std::string_view word, const std::vector<std::string>& names) {
     return did_you_mean(word, std::vector<std::string_view>(names.begin(), names.end()));
 }

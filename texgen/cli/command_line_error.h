@@ -15,8 +15,9 @@ namespace foam::texgen {
 /// with the command that prints the help, such as "foamtex bake --help".
 ///
 /// An unknown option or subcommand is probably the cause of the error, even if the parser reports
-/// another one, such as a missing argument. The message then names the unknown word, and suggests
-/// the most similar option or subcommand.
+/// another error, such as a missing argument. The message then names the unknown word, and suggests
+/// the most similar option or subcommand, if any is similar. If the option belongs to the selected
+/// subcommand but precedes its name, the message says that it must follow.
 std::string command_line_error(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace foam::texgen

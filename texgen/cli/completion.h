@@ -26,6 +26,7 @@ struct CompletionWords {
 ///
 /// - the names of profiles after --for, and for the positional argument PROFILE;
 /// - the names of maps after --map and --maps, and for the positional argument MAP;
+/// - the formats of scene files after --scene;
 /// - keys after --set and, after the '=', the values of the key that are words;
 /// - preset names and files for the positional argument PRESET (in bash, files only if no preset
 ///   name matches);

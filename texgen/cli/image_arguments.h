@@ -47,8 +47,8 @@ void add_image_options(CLI::App& command, ImageArguments& arguments);
 /// --out that is given.
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
-/// Returns the preset with its sheets in the folder of --out (with_sheets_beside_images), unless
-/// --set places them.
+/// If --out is given and no --set gives output.sheet_pattern, returns the preset with its sheets
+/// beside its images (with_sheets_beside_images). Otherwise returns the preset unchanged.
 Preset with_sheets_placed(Preset preset, const RunArguments& run, const ImageArguments& arguments);
 
 }  // namespace foam::texgen

@@ -13,15 +13,16 @@ namespace foam::texgen {
 /// Draws the frames of each run, writes the image files and their manifest, and writes sheets and
 /// scene files if requested. The runs differ only in the size of their images and in the source of
 /// their frames. The statistics, if requested, are those of the first run. Ends with the first run
-/// that fails. Returns the exit code. Throws the exceptions of check_scenes, check_sheets,
-/// bake_recorded, write_sheets, write_scenes and write_statistics, and OutOfMemory in place of
-/// std::bad_alloc. Precondition: there is a run.
+/// that fails. With --dry-run, writes nothing and prints an estimate instead (print_estimate).
+/// Returns the exit code. Throws the exceptions of check_scenes, check_sheets, bake_recorded,
+/// write_sheets, write_scenes and write_statistics, and OutOfMemory in place of std::bad_alloc.
+/// Precondition: there is a run.
 ///
 /// With --json, prints a JSON object; for several runs, its member `sizes` has the object of each
-/// run. Otherwise, if the run did not fail and the verbosity is not Quiet, prints one line per map,
-/// or a single line if all maps share a file. For one frame the line is the name of the image file,
-/// for several frames it is the file name pattern and the frame range. The names of the sheets, the
-/// scene files and the statistics files follow.
+/// run. Otherwise, unless the verbosity is Quiet, prints for each run that did not fail one line
+/// per image, or a single line if all images share a file. For one frame the line is the name of
+/// the image file, for several frames it is the file name pattern and the frame range. The names of
+/// the sheets, the scene files and the statistics files follow.
 ExitCode run_images(std::span<const ImageRun> runs,
                     const ImageArguments& arguments,
                     const ProgressOptions& progress);

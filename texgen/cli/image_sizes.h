@@ -22,8 +22,8 @@ void describe_several_sizes(CLI::App& command);
 /// their names contains {size}: with_size_folder changes output.pattern and output.sheet_pattern.
 ///
 /// Throws the exceptions of `load`. Throws std::invalid_argument if a size occurs twice, if the
-/// sizes need different simulations (simulation_hash), because the aspect ratio of a torus differs,
-/// or if scene files of different sizes would have the same name.
+/// sizes need different simulations (simulation_hash) because their aspect ratios differ, or if
+/// scene files of different sizes would have the same name.
 std::vector<Preset> presets_of_sizes(const RunArguments& arguments,
                                      const std::function<Preset(const RunArguments&)>& load);
 

@@ -19,7 +19,8 @@ std::atomic<int> stop_signal{0};
 std::atomic<bool> is_reported{false};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
-// The text that the signal handler writes. It changes only before the handlers are installed.
+// The text that the signal handler writes. handle_stop_signals sets it before it installs the
+// handlers.
 std::string_view stop_note;
 
 // The signal handler: stores the signal and writes a note. Calls only functions that a signal

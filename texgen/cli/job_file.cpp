@@ -20,7 +20,9 @@ namespace {
 
 constexpr std::string_view kPreset = "preset";
 
-/// How an option of `bake` takes a list.
+/// The values that a key of a job takes. One takes a text or a number, Flag true or false. Words
+/// and Repeated also take a list: Words joins its elements with commas, Repeated gives the option
+/// once for each element.
 enum class Takes { One, Words, Repeated, Flag };
 
 struct JobKey {

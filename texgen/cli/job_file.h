@@ -17,11 +17,12 @@ struct Job {
 };
 
 /// Reads a job file: a TOML document with a table [[bake]] for each job. The key `preset` is the
-/// preset; every other key is an option of `bake` without its dashes, such as `size`, `set` or
-/// `normal-y`. An option that may be repeated takes a list, and one whose words are separated by
-/// commas takes a list, too. A flag, such as `stats`, takes true or false. `source` is the name of
-/// the document in messages. Throws PresetError if the document is malformed, has no job, or has a
-/// key that is none of these. Values are checked when a job runs.
+/// preset; every other key is an option of `bake` without its leading dashes, such as `size` or
+/// `normal-y` (kJobKeys in job_file.cpp lists them). `set` and `pack`, which may be repeated, and
+/// `maps` and `scene`, which take several words, also take a list. The flag `stats` takes true or
+/// false. `source` is the name of the document in messages. Throws PresetError if the document is
+/// malformed or has no job, if a job has no preset or an unknown key, or if a value has the wrong
+/// type. All other checks of values are made when a job runs.
 std::vector<Job> read_jobs(std::string_view toml, const std::string& source);
 
 }  // namespace foam::texgen

@@ -10,8 +10,8 @@ namespace foam::texgen {
 /// error as one line on stderr. Throws nothing.
 ExitCode run_program(int argc, char** argv);
 
-/// Runs a command line within the program, as run_program does. The first argument is ignored, as
-/// in main().
+/// Runs a command line within the program as run_program does, but without the preparations that a
+/// process makes once. The first argument is ignored, as in main().
 ExitCode run_command_line(int argc, char** argv);
 
 }  // namespace foam::texgen

@@ -59,7 +59,7 @@ Preset assigned(Preset preset,
 }
 
 /// Throws PresetError if a cache is given in place of a preset. The message says which commands
-/// accept a cache. A shipped preset may have the same name as a cache.
+/// accept a cache. The name of a shipped preset is never an error, even if a cache has this name.
 void check_is_no_cache(const std::string& preset) {
     const auto shipped = shipped_presets();
     if (is_cache(preset) &&

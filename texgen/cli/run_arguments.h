@@ -24,7 +24,7 @@ struct RunArguments {
     std::vector<std::string> sets;  // the values KEY=VALUE of all --set
     std::optional<std::string> profile;  // the value of --for
     std::optional<std::string> frames;   // a range in the notation of parse_frame_range
-    std::optional<std::string> size;     // "W" or "WxH", pixels
+    std::optional<std::string> size;     // "W" or "WxH", pixels; or several, such as "2048,512"
     std::optional<std::string> seed;
     int threads = 0;
     bool quiet = false;
@@ -66,13 +66,14 @@ std::vector<Assignment> assignments_of(const RunArguments& arguments);
 /// Returns the preset that the arguments name, after assignments in this order: those of the
 /// profile, every `--set`, the other options that set a key, and `more`. Later assignments override
 /// earlier ones. Throws PresetError if the preset or the profile is missing or invalid, or if a
-/// value is not allowed. Unless -q is given, prints a note on stderr for each key that an
-/// assignment, or the file of the preset, sets without effect (unused_keys).
+/// value is not allowed. Unless -q is given, prints each remark on the preset (remarks_on) as a
+/// note on stderr, for example on a key that an assignment, or the file of the preset, sets without
+/// effect.
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});
 
 /// Returns the given preset after the same assignments as in preset_of. Throws PresetError if a
-/// value is not allowed. Unless -q is given, prints a note on stderr for each key that is assigned
-/// without effect.
+/// value is not allowed. Unless -q is given, prints each remark on the preset and these assignments
+/// (remarks_on) as a note on stderr.
 Preset changed(Preset preset,
                const RunArguments& arguments,
                const std::vector<Assignment>& more = {});

@@ -44,7 +44,7 @@ struct StudioArguments {
     bool json = false;
 };
 
-/// Ends a studio whose pages are closed.
+/// The exception that ends the studio when no page is open.
 class NoPages : public std::exception {};
 
 /// Opens an address in the default browser. The program that does this may run as long as the

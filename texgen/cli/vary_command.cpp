@@ -106,7 +106,8 @@ VariationSet variations_of(const VaryArguments& arguments, const Preset& preset)
     return set;
 }
 
-/// Prints a note for each key that has no effect in any variation.
+/// Prints a note for each remark (remarks_on) that holds for all variations, for example on a key
+/// without effect.
 void print_remarks(const std::vector<Preset>& presets, const std::vector<Variation>& variations) {
     std::vector<std::string> lines = remarks_on(presets.front(), variations.front().assignments);
     for (std::size_t k = 1; k < presets.size(); ++k) {

@@ -20,8 +20,8 @@
 #include <thread>
 #include <utility>
 
-// Files are polled: a few calls of stat() ten times per second are cheaper than what they wait for,
-// and polling works on every system and on network disks, where inotify reports nothing.
+// Files are polled: a few calls of stat() ten times per second are cheap compared with a run, and
+// polling works on every system and on network disks, where inotify reports nothing.
 
 namespace foam::texgen {
 

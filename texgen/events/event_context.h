@@ -31,9 +31,9 @@ using DrivenSchedules = std::map<BubbleIdentity, DrivenSchedule>;
 Vec2 point_in_view(const View& view, const Vec2& size, const std::array<double, 2>& position);
 
 /// The data that an event receives before each step that leads to one of its frames
-/// (EventKind::advance). The step has not begun. The foam is in equilibrium, except for new bubbles
-/// of earlier events. The event adds changes to impose during this step and later ones. It may also
-/// change the foam directly.
+/// (EventKind::advance). The step has not begun. The foam is in equilibrium, except for bubbles
+/// that other events have just created. The event adds changes to impose during this step and later
+/// ones. It may also change the foam directly.
 struct EventContext {
     int frame = 0;  // the frame at the end of the step
     Foam& foam;

@@ -21,8 +21,9 @@ class ApngMuxer {
     ApngMuxer(int frames, FrameRate rate);
 
     /// Appends the next frame. `png` is the content of a PNG file without a palette. Throws
-    /// std::invalid_argument if `png` is not a PNG or has a palette, if its width, height or type
-    /// of samples differs from the first frame, or if all frames have already been added.
+    /// std::invalid_argument if `png` is not a PNG or has a palette, if its width, height, type of
+    /// samples or interlacing differs from that of the first frame, or if all frames have already
+    /// been added.
     void add(std::span<const std::byte> png);
 
     /// Completes the stream and returns it. May be called only once. Throws std::invalid_argument

@@ -35,7 +35,8 @@ std::uint32_t model_of(PixelFormat format) {
     }
 }
 
-// Appends the description of a sample: its position in a texel or block, and its channel.
+// Appends the description of a sample: its bits in a texel or block, its channel and its largest
+// value.
 void append_sample(
     Bytes& bytes, int offset, int bits, std::uint32_t channel, std::uint32_t largest) {
     append_number(bytes,
@@ -77,7 +78,7 @@ Bytes data_format_descriptor(PixelFormat format) {
     Bytes bytes;
     append_number(bytes, block_bytes + 4);          // size of the descriptor
     append_number(bytes, std::uint32_t{0});         // basic descriptor of Khronos
-    append_number(bytes, 2U | block_bytes << 16U);  // version of the descriptor
+    append_number(bytes, 2U | block_bytes << 16U);  // version, size of the block
     append_number(bytes,
                   model_of(format) | kPrimariesBt709 << 8U |
                       (facts.is_srgb ? kTransferSrgb : kTransferLinear) << 16U);

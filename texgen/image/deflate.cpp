@@ -20,8 +20,8 @@ namespace {
 // The level of ISA-L, 0 to 3, for Compression::Fast. At level 3, files are 1 % smaller than at
 // level 2, but compression takes 2 to 6 times as long.
 constexpr int kFastLevel = 2;
-// Up to this level of zlib, ISA-L makes streams of the same size within 5 % in a third of the time
-// of libdeflate.
+// Up to this level of zlib, ISA-L makes streams of the same size as libdeflate, within 5 %, in a
+// third of the time.
 constexpr int kLargestFastLevel = 2;
 // The level of libdeflate, 0 to 12, for Compression::Small; level 0 stores without compression. At
 // level 9, files are 1 % smaller than at level 7, but compression takes 2 to 4 times as long.

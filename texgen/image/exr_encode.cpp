@@ -158,7 +158,7 @@ void write_rows(std::span<const ExrChannel> channels,
     file.writePixels(header.dataWindow().max.y + 1);
 }
 
-// Returns true if a name is longer than readers of the first version of the format accept.
+// Returns true if the name of a channel is longer than old readers accept.
 bool has_long_names(std::span<const ExrChannel> channels) {
     return std::ranges::any_of(
         channels, [](const ExrChannel& channel) { return channel.name.size() > kLongestName; });

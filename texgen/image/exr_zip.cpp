@@ -19,7 +19,8 @@
 // compressed, the bytes with even indices are moved before those with odd indices, and each byte
 // but the first is replaced by its difference from the byte before it, plus 128.
 //
-// OpenEXR itself compresses with zlib, which takes several times as long for data of the same size.
+// OpenEXR 3.1 itself compresses with zlib, which takes several times as long for data of the same
+// size.
 
 namespace foam::texgen {
 

@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the row of a format for textures of graphics hardware, which `find` returns.
+// Returns the element of kImageFormats for the TextureFormat that `find` returns.
 template <const TextureFormat* (*find)()>
 constexpr ImageFormat texture_row(std::string_view name, std::string_view suffix) {
     return {

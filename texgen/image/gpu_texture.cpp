@@ -37,7 +37,8 @@ void copy_texels(std::span<const Code> from, std::span<Code> to) {
     }
 }
 
-// Copies texels. The pairs of numbers of channels are those of pictures and of pixel formats.
+// Copies texels from a picture to a pixel format or back. Other pairs of channel counts than those
+// below do not occur.
 template <class Code>
 void copy_texels(std::span<const Code> from, int channels, std::span<Code> to, int to_channels) {
     if (channels == to_channels) {
@@ -173,7 +174,7 @@ TexelBlock decoded_block(PixelFormat format, std::span<const std::uint8_t> bytes
     return decode_bc7(bytes.first<kBc7Bytes>());
 }
 
-// Returns the channels of the picture of a texture.
+// Returns the number of channels of the picture of a texture.
 int picture_channels(const GpuTexture& texture) {
     const int channels = facts_of(texture.format).channels;
     return channels == 2 || (channels == 4 && texture.opaque) ? 3 : channels;

@@ -19,7 +19,7 @@ namespace foam::texgen {
 
 /// The maps that are compressed in blocks of 4 x 4 texels, as graphics hardware reads them.
 enum class BlockCompression {
-    Auto,  // images of 8 bits, except ids, whose width and height are multiples of 4
+    Auto,  // images of 8 bits whose width and height are multiples of 4, except ids
     None,  // no image
 };
 
@@ -36,7 +36,7 @@ struct GpuEncoding {
     int threads = 1;
 };
 
-/// How the layers of an array texture play as an animation.
+/// The playback of the layers of an array texture as an animation.
 struct TextureAnimation {
     FrameRate rate;
     bool repeats = false;  // true if the first layer follows the last one; false to play once
@@ -70,18 +70,18 @@ struct GpuTexture {
 /// | two used channels | Bc7 | Rgba8 | Rg16 |
 /// | other data | Bc7 | Rgba8 | Rgba16 |
 ///
-/// Ids are not compressed, and neither is a picture whose width or height is no multiple of 4,
-/// because Direct3D does not allow this.
+/// Ids are not compressed. A picture whose width or height is not a multiple of 4 is not compressed
+/// either, because Direct3D does not allow it.
 PixelFormat pixel_format_of(const Picture& picture, const GpuEncoding& encoding);
 
 /// Returns a texture of one layer that stores a picture. Throws std::invalid_argument unless the
 /// picture has one group of 1, 3 or 4 channels of codes.
 GpuTexture texture_of(const Picture& picture, const GpuEncoding& encoding);
 
-/// Returns the full size of the first layer of a texture as a picture. It has one channel or, for a
-/// format of two channels, three channels, and otherwise four channels, or three if the texture has
-/// no alpha (`opaque`). The third channel of Rg16 is 0. The channels of Bc5 are x, y and z of a
-/// unit vector, of which the texture stores x and y.
+/// Returns the full size of the first layer of a texture as a picture. For a format of one channel
+/// it has one channel, and for a format of two channels it has three. For a format of four channels
+/// it has four, or three if the texture has no alpha (`opaque`). The third channel of Rg16 is 0.
+/// The channels of Bc5 are x, y and z of a unit vector, of which the texture stores x and y.
 Picture picture_of(const GpuTexture& texture);
 
 }  // namespace foam::texgen

@@ -62,7 +62,7 @@ std::string animation_value(const TextureAnimation& animation) {
 }
 
 // Returns the keys and values of a file, sorted as the specification requires. Values that are
-// texts end with a byte of 0. The value of KTXswizzle says that the texture has no alpha.
+// texts end with a byte of 0. KTXswizzle marks a texture of four channels that has no alpha.
 Bytes key_value_data(const GpuTexture& texture) {
     std::map<std::string, std::string, std::less<>> values(texture.text.begin(),
                                                            texture.text.end());
@@ -88,7 +88,7 @@ Bytes key_value_data(const GpuTexture& texture) {
     return bytes;
 }
 
-// The bytes of a mip level of all layers.
+// Returns the bytes of a mip level of all layers.
 Bytes level_of(const GpuTexture& texture, int level) {
     Bytes bytes;
     for (const std::vector<Bytes>& layer : texture.layers) {

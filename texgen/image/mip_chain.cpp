@@ -20,8 +20,8 @@
 
 // A level is computed from the level before it in floating point, and rounded to codes only for the
 // result, so that rounding errors do not add up. A level is kept as planes: images of one channel.
-// Colors with an opacity have a plane for each color, multiplied by the opacity, the opacity, and a
-// plane for each color that is not multiplied, for pixels that become completely transparent.
+// Colors with an opacity have seven planes: three of the colors multiplied by the opacity, one of
+// the opacity, and three of the colors alone, for pixels that become completely transparent.
 
 namespace foam::texgen {
 
@@ -70,8 +70,9 @@ struct Conversion {
     Code code(float number, std::size_t channel) const {
         const double whole = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
         if (!is_light(channel)) {
-            // The product is exact, and so is the sum unless it is far below 1; std::lround would
-            // be a call for each number. NOLINTNEXTLINE(bugprone-incorrect-roundings)
+            // The product is exact, and so is the sum unless the product is far below 1.
+            // std::lround would be a call for each number.
+            // NOLINTNEXTLINE(bugprone-incorrect-roundings)
             return static_cast<Code>(whole * static_cast<double>(kLargest<Code>) + 0.5);
         }
         if (sizeof(Code) == 1) {

@@ -32,11 +32,11 @@ struct PngEncoding {
 /// Returns samples of 8 or 16 bits encoded as a PNG. One channel is gray, two channels are gray and
 /// alpha, three are RGB, and four are RGBA. Colors are not premultiplied by alpha. Rows of a view
 /// run upward and rows of a PNG downward, so the encoder reverses their order. If `metadata.color`
-/// is set, the file has the chunks sRGB (perceptual intent), gAMA and cHRM. The members `periodic`
-/// and `frame_rate` of `metadata` are not stored. Throws std::invalid_argument for an empty view,
-/// for a number of channels that is not from 1 to 4, and for a text whose keyword does not have 1
-/// to 79 printable ASCII characters or has a leading, trailing or double space. Throws OutputError
-/// if libpng fails.
+/// is set, the file has the chunks sRGB (perceptual intent), gAMA and cHRM. The members
+/// `primaries`, `periodic` and `frame_rate` of `metadata` are not stored. Throws
+/// std::invalid_argument for an empty view, for a number of channels that is not from 1 to 4, and
+/// for a text whose keyword does not have 1 to 79 printable ASCII characters or has a leading,
+/// trailing or double space. Throws OutputError if libpng fails.
 Bytes encode_png(ImageView<const std::uint8_t> pixels,
                  const ImageMetadata& metadata = {},
                  const PngEncoding& encoding = {});

@@ -22,12 +22,14 @@ struct TextureFormat {
 /// Returns the format whose suffix is the end of the file name, or nullptr if there is none.
 const TextureFormat* find_texture_format(std::string_view file_name);
 
-/// Return the content of a file that stores a picture as a texture, and the picture in a file.
-/// Throw the exceptions of texture_of, picture_of and the format. `decode_picture` throws
-/// InputError for an array of several layers.
+/// Returns the content of a file that stores a picture as a texture. Throws the exceptions of
+/// texture_of and of the format.
 Bytes encode_picture(const TextureFormat& format,
                      const Picture& picture,
                      const GpuEncoding& encoding);
+
+/// Returns the picture in a file with this content. Throws the exceptions of picture_of and of the
+/// format, and InputError for an array of several layers.
 Picture decode_picture(const TextureFormat& format, std::span<const std::byte> content);
 
 }  // namespace foam::texgen

@@ -123,7 +123,7 @@ struct Key : KeyInfo {
     }
 
     /// Returns a copy of this key that the TOML of a preset contains only if the other key has one
-    /// of the given values, or only if it has none of them.
+    /// of the given values (written_if) or none of them (written_unless).
     Key written_if(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.written = Condition{other, std::move(values)};

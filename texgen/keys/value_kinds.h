@@ -22,8 +22,9 @@ namespace foam::texgen {
 // (draft 2020-12). read() stores a value in a member and returns true; if the value is not allowed,
 // it returns false and changes nothing. write() converts a member back to a value, or returns
 // nullopt if the member is unset. Kinds whose values are words also have the function words(),
-// which returns these words; the memory of the words must be static. A kind may have the function
-// fault(value), which says why a value is not allowed (KeyInfo::fault).
+// which returns these words; the memory of the words must be static. A kind may also have the
+// functions fault(value), which says why a value is not allowed (KeyInfo::fault), and file(member),
+// which returns the file that the member names (Key::file).
 
 /// Returns the JSON Schema of a list with `min_items` to `max_items` items. A limit of 0 means that
 /// there is no limit. `item` is the schema of an item.

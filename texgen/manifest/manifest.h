@@ -20,10 +20,10 @@ inline constexpr int kManifestVersion = 1;
 /// The value of the member "format" of every manifest.
 inline constexpr std::string_view kManifestFormat = "foamtex-manifest";
 
-/// The value of the member "kind" of drawings and tables in vector files.
+/// The value of the member "kind" of drawings, tables and meshes in vector files.
 inline constexpr std::string_view kVectorKind = "vector";
 
-/// One map, one packed image (maps/packing.h), or one drawing or table of vector files
+/// One map, one packed image (maps/packing.h), or one drawing, table or mesh in vector files
 /// (vector/format.h), of a set.
 struct ManifestMap {
     std::string name;
@@ -91,7 +91,7 @@ struct FrameStatistics {
     double area_error = 0.0;   // largest |A / A_target - 1|; NaN if the manifest has null
     double angle_error = 0.0;  // largest deviation from 120 degrees, radians; NaN for null
     double simulating = 0.0;   // wall time, seconds
-    double drawing = 0.0;      // wall time of one thread, with encoding and writing, seconds
+    double drawing = 0.0;      // wall time of drawing, encoding, writing and measuring, seconds
     // nullopt in manifests that older versions of foamtex wrote.
     std::optional<FrameMechanics> mechanics{};
     // The JSON object of measurements_json, which the program only stores; empty if there is none.
@@ -127,15 +127,16 @@ struct ManifestConventions {
     friend bool operator==(const ManifestConventions&, const ManifestConventions&) = default;
 };
 
-/// A set of images: maps and frames of one preset, baked with the same version of foamtex and the
-/// same values of all keys except image.maps, output.scene and output.measurements.
+/// A set of images: maps and frames of one preset, baked with the same version of foamtex, the same
+/// values of all keys except image.maps, output.scene and output.measurements, and the same content
+/// of the files that keys name (files_of in preset/preset_keys.h).
 struct BakedSet {
     std::string version;  // version of foamtex
     std::string preset;   // name of the preset
     std::string description;
     std::string toml;        // all keys of the preset as TOML
-    std::string parameters;  // hash of version, preset name and all keys except image.maps,
-                             // output.scene and output.measurements
+    std::string parameters;  // hash of version, preset name, all keys except image.maps,
+                             // output.scene and output.measurements, and the files that keys name
     std::uint64_t seed = 0;
     int width = 0;
     int height = 0;
@@ -185,10 +186,10 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// statistics of a frame replace its old statistics, except that old measurements stay if there are
 /// no new ones. The members `toml`, `loop` and `failure` of `set` replace the old ones, with two
 /// exceptions: the old closing error stays if `set` has none, and there is no failure if the merged
-/// set is complete. The scene files of the old set stay. The
-/// conventions are replaced if `set` has the map motion. If the manifest has no set with the same
-/// parameters, `set` is appended. In either case, the set becomes the last one of the manifest.
-/// Other sets that have no files left are removed.
+/// set is complete. The scene files of the old set stay. The conventions are replaced if `set` has
+/// the map motion. If the manifest has no set with the same parameters, `set` is appended. In
+/// either case, the set becomes the last one of the manifest. Other sets that have no files left
+/// are removed.
 void merge(Manifest& manifest, const BakedSet& set);
 
 /// The number of files of a set that a bake of another set replaces.

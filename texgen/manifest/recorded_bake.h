@@ -17,17 +17,17 @@ enum class Resume { No, Yes };
 /// The options of bake_recorded that concern the images of earlier bakes.
 struct RecordOptions {
     Resume resume = Resume::No;
-    // Called if the bake replaces files of other sets of the manifest, before the first file is
-    // replaced. (A set is the images of one preset with the same values of all keys except
-    // image.maps; see BakedSet.) May be empty.
+    // Called if the bake replaces files of other sets (BakedSet) of the manifest, before the first
+    // file is replaced. May be empty.
     std::function<void(const std::vector<ReplacedFiles>&)> on_replace = {};
 };
 
 /// Bakes a preset and records its images in a manifest. The manifest is written when the first
 /// frame has been simulated, repeatedly while files are written, and at the end of the bake. It is
-/// also written if the bake fails, unless the bake throws an exception before the first frame has
-/// been simulated. The manifest lists a file of this bake only if the file has been kept or is
-/// already written. Returns the summary of the bake, including the files that were kept.
+/// also written if the bake fails, unless an exception is thrown while automatic ranges are fitted
+/// or before the first frame has been simulated. The manifest lists a file of this bake only if the
+/// file has been kept or is already written. Returns the summary of the bake, including the files
+/// that were kept.
 ///
 /// With Resume::Yes, the files of the frames that existing_frames_of returns are kept. These frames
 /// are still requested from their source, which is usually the simulation. There is one exception:
@@ -41,9 +41,9 @@ struct RecordOptions {
 /// own.
 ///
 /// Before anything is simulated, throws the exceptions of check_bake, std::invalid_argument if the
-/// name of an image is not UTF-8, and OutputError if the manifest cannot be written into its
-/// folder. Later, throws the exceptions of bake and update_manifest, and InputError if a frame of
-/// the sequence is missing in a cache.
+/// name of a file is not UTF-8 or is the name of the manifest, and OutputError if the manifest
+/// cannot be written into its folder. Later, throws the exceptions of bake and update_manifest, and
+/// InputError if a frame of the sequence is missing in a cache.
 BakeSummary bake_recorded(const Preset& given,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,

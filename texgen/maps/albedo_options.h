@@ -35,7 +35,7 @@ enum class PictureSampling {
 /// The construction of a scale of colors from the list AlbedoOptions::colors.
 enum class ColorMix {
     Blend,  // interpolated from each color to the next
-    Pick,   // not interpolated; each color covers an equal part of the scale
+    Pick,   // not interpolated; without positions, each color covers an equal part of the scale
 };
 
 /// The shape of films.
@@ -92,8 +92,8 @@ Keys<AlbedoOptions> albedo_keys();
 /// domain do not fit together (pixels_per_unit).
 double diameters_in_pixels(double diameters, const RasterGrid& grid, const Domain& domain);
 
-/// Returns options.film_width in pixels. Throws std::invalid_argument if the grid and the domain do
-/// not fit together (pixels_per_unit).
+/// Returns options.film_width in pixels. If options.film_unit is Diameters, throws as
+/// diameters_in_pixels does.
 double film_width_in_pixels(const AlbedoOptions& options,
                             const RasterGrid& grid,
                             const Domain& domain);

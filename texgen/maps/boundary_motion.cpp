@@ -80,7 +80,8 @@ void add_side(const Side& side, MovingPoints& points, Weights& weights) {
     });
 }
 
-// Returns the motion of a point on the polygon: on its last side that contains the point.
+// Returns the motion of a point on the polygon, interpolated along the last side that contains the
+// point.
 Vec2 motion_on_side(const BoundaryMotion& boundary, const Vec2& point) {
     Vec2 motion = Vec2::Zero();
     for_each_side(boundary, [&](const Side& side) {

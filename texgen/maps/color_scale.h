@@ -22,8 +22,8 @@ struct Gradient {
     std::vector<double> positions{};
 };
 
-/// The position of the color that would follow the last one. It determines where colors without
-/// positions at the end of a list are.
+/// Selects what is at the position 1 of a scale if the last color has no position: this color, or
+/// the end of the part of the scale that this color covers.
 enum class ScaleEnd {
     LastColor,       // the last color is at 1
     AfterLastColor,  // the last color ends at 1

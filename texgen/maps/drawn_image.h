@@ -44,7 +44,7 @@ class DrawnImage {
     MapImage draw(ShownLayers& shown, const MapOptions& options) const;
 
     /// Returns the text of Map::note, or, for a packing, a list of its channels with the ranges of
-    /// their maps. May be empty.
+    /// their maps, followed by the notes of these maps. May be empty for a map.
     std::string note(const MapOptions& options) const;
 
   private:

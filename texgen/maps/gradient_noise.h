@@ -9,7 +9,7 @@
 
 namespace foam::texgen {
 
-// All functions of this file can be called in loops that the compiler vectorizes.
+// All inline functions of this file can be called in loops that the compiler vectorizes.
 
 /// A value of noise, and its gradient.
 struct NoiseValue {

@@ -11,9 +11,9 @@
 
 namespace foam::texgen {
 
-/// The error of an invalid preset, or of an invalid file of tolerances for `compare`. Its message
-/// is one line. For a value that is not allowed, it contains the location, the key, the value and
-/// the allowed values.
+/// The error of an invalid preset, and of other invalid TOML files: profiles, job files, and
+/// tolerances for `compare`. Its message is one line. For a value that is not allowed, it contains
+/// the location, the key, the value and the allowed values.
 class PresetError : public std::runtime_error {
     using runtime_error::runtime_error;
 };

@@ -26,8 +26,8 @@ std::string value_of(std::string_view path, const Preset& preset) {
 }
 
 // Returns an unmet condition because of which a key has no effect, or nullptr if all conditions are
-// met. If the key is used with certain values of another key, and that key has no effect itself,
-// the condition is the condition of that key.
+// met. If the key is used with certain values of another key, and this other key has no effect
+// itself, returns the unmet condition of the other key.
 const Condition* unmet(const KeyInfo& key, const Preset& preset) {
     if (key.condition && !is_met(*key.condition, preset)) {
         return &*key.condition;
@@ -47,8 +47,9 @@ std::string present_value(std::string_view path, const Preset& preset) {
 }
 
 // Returns the values of other keys because of which dynamics.kappa has no effect, or an empty text
-// if it has one. Gas diffuses during the warm-up, and in the time steps of loops that let it
-// diffuse. A constant of 0 is not reported, because it agrees with the absence of diffusion.
+// if the key has an effect. Gas diffuses during the warm-up and, unless a loop returns the foam to
+// its first state, in the time steps. A constant of 0 is not reported, because it agrees with the
+// absence of diffusion.
 std::string cause_of_no_diffusion(const Preset& preset) {
     if (preset.frames.warm_up > 0.0 || preset.coarsening.kappa == 0.0) {
         return {};
@@ -64,8 +65,8 @@ std::string cause_of_no_diffusion(const Preset& preset) {
                                                        present_value("frames.warm_up", preset));
 }
 
-// Returns the values of other keys because of which a key has no effect, or an empty text if it has
-// one.
+// Returns the values of other keys because of which a key has no effect, or an empty text if the
+// key has an effect.
 std::string cause_of_no_effect(const KeyInfo& key, const Preset& preset) {
     if (key.path == "dynamics.kappa") {
         return cause_of_no_diffusion(preset);

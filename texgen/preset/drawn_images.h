@@ -15,13 +15,13 @@ namespace foam::texgen {
 /// packings of output.pack.
 std::vector<DrawnImage> drawn_images(const Preset& preset);
 
-/// Returns the maps that are drawn for these images, each once.
+/// Returns the maps from which the images of a preset (drawn_images) are made, each once.
 std::vector<const Map*> source_maps(const Preset& preset);
 
-/// Returns true if drawing one of these maps also needs the frame after the drawn one.
+/// Returns true if drawing one of the source_maps also needs the frame after the drawn one.
 bool needs_next_frame(const Preset& preset);
 
-/// Returns the names of these maps.
+/// Returns the names of the source_maps.
 std::vector<std::string> source_map_names(const Preset& preset);
 
 /// Returns the word that takes the place of {map} in the file names of an image: the word that

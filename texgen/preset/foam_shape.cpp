@@ -53,8 +53,8 @@ void set_outline(const std::string& text, FoamShape& shape) {
     shape = std::move(changed);
 }
 
-// Sets the outline of a shape to a text. Returns the reason why the text describes no outline, and
-// does not change the shape then; otherwise returns an empty string.
+// Sets the outline of a shape to a text and returns an empty string. If the text describes no
+// outline, returns the reason instead and does not change the shape.
 std::string fault_of(const std::string& text, FoamShape& shape) {
     try {
         set_outline(text, shape);
@@ -68,8 +68,8 @@ std::string fault_of(const std::string& text, FoamShape& shape) {
     }
 }
 
-// The kind of values of foam.outline: "disc", "rectangle", a polygon as WKT, or a file. The member
-// is the whole shape, because a file sets two members of it.
+// The kind of values of foam.outline: "disc", "rectangle", a polygon as WKT, or a file. A value is
+// stored in the whole shape, because it sets two members: `outline` and `file_outline`.
 struct Outlines {
     std::string allowed() const {
         return fmt::format(

@@ -34,8 +34,9 @@ inline constexpr int kMostValues = 400;
 /// the key exists and allows the values.
 KeyValues parse_key_values(std::string_view text);
 
-/// Returns a number as a value: an integer if it is whole, a real otherwise. It has at most twelve
-/// digits, which hides rounding errors as in 0.30000000000000004.
+/// Returns a number as a value: an integer if it is whole and has at most twelve digits, a real
+/// otherwise. The number is rounded to twelve significant digits, which hides rounding errors as in
+/// 0.30000000000000004.
 Value number_value(double number);
 
 /// Returns the evenly spaced numbers of a range with a count, from `low` to `high`.

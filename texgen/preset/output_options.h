@@ -27,8 +27,8 @@ struct NamedMap {
 };
 
 /// Parses an item of OutputOptions::names, such as "albedo=BaseColor". Throws std::invalid_argument
-/// if the text has another form, if the map is unknown, or if the word has other characters than
-/// letters, digits, '_' and '-'.
+/// if the text has another form, if the map is unknown, or if the word is not allowed in file names
+/// (is_file_word in maps/packing.h).
 NamedMap parse_named_map(std::string_view text);
 
 /// The kind of file to which a bake joins its frames after the last frame.
@@ -43,7 +43,7 @@ enum class SheetKind {
 /// Returns the formats of scene files, as output.scene names them: "usda", "mtlx" and "gltf".
 std::span<const std::string_view> scene_formats();
 
-/// The folder of images and sheets by default, with which their patterns begin.
+/// The folder with which the default patterns of images and sheets begin.
 inline constexpr std::string_view kDefaultFolder = "out/";
 
 /// The names, the channels and the encoding of image files.
@@ -55,7 +55,7 @@ struct OutputOptions {
     // The paths of sheets without a suffix. {map}, {preset} and so on are replaced as in `pattern`.
     std::string sheet_pattern = "out/{preset}_sheet_{map}";
     std::vector<std::string> scene = {};  // the scene files to write; words of scene_formats()
-    // Words for what manifest.json also contains of each frame: "bubbles", "events" and
+    // The measurements of each frame that manifest.json also contains: "bubbles", "events" and
     // "shear_modulus" (bake/measurements.h).
     std::vector<std::string> measurements = {};
     FileTexts texts = FileTexts::Written;

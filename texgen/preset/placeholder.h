@@ -20,8 +20,8 @@ namespace foam::texgen {
 ///
 /// Numbers are written as short as possible: "0.1", "2". Texts become parts of file names
 /// (file_name_part). Throws std::invalid_argument, with the placeholder in the message, if there is
-/// no such placeholder, if the value is a list, unset or "auto", or if it is a text without any
-/// letter or digit, or a long one.
+/// no such placeholder, if the key is itself a pattern of file names, or if the value is unset, a
+/// list, "auto" in place of a number, a text of which file_name_part keeps nothing, or a long text.
 std::string placeholder_text(const Preset& preset, std::string_view name);
 
 /// Returns a text in which placeholders in braces, except {map}, have been replaced
@@ -29,11 +29,11 @@ std::string placeholder_text(const Preset& preset, std::string_view name);
 /// brace is not closed.
 std::string with_placeholders_filled(const Preset& preset, std::string_view text);
 
-/// Returns a text that can be a part of a file name on every system. Letters of all languages,
-/// digits, '.', '_' and '-' stay. Every run of other characters becomes one '-'. These four kinds
-/// of marks ('.', '_', '-' and the replaced characters) are left out at both ends, so that
-/// "#ff8800" becomes "ff8800", and the result never is "..". The result is empty if the text has no
-/// letter and no digit.
+/// Returns a text that can be a part of a file name on every system. ASCII letters, digits, '.',
+/// '_', '-' and all characters beyond ASCII stay. Every run of other characters becomes one '-'.
+/// Then '.', '_' and '-' are left out at both ends, so that "#ff8800" becomes "ff8800", and the
+/// result is never "..". The result is empty if the text has no letter, no digit and no character
+/// beyond ASCII.
 std::string file_name_part(std::string_view text);
 
 }  // namespace foam::texgen

@@ -12,10 +12,10 @@
 namespace foam::texgen {
 
 /// Returns the files on which a preset depends, each once: its file, the files of the presets that
-/// it extends, and the pictures that their keys name (locate_files). `more` are further
-/// assignments, such as those of --set; their paths are relative to the working folder. The files
-/// need not exist. Shipped presets have no file. Does not throw if a file is unreadable or is no
-/// preset; the files that it names are then missing.
+/// it extends, and the pictures and drawings that their keys name (locate_files). `more` are
+/// further assignments, such as those of --set; their paths are relative to the working folder. The
+/// files need not exist. Shipped presets have no file. Does not throw if a file is unreadable or is
+/// no preset; the files that it names are then missing.
 std::vector<std::filesystem::path> preset_files(const std::string& name_or_path,
                                                 std::span<const Assignment> more = {});
 

@@ -25,8 +25,8 @@ const Key<Preset>* find_key(std::string_view path);
 /// order of the keys.
 std::vector<NamedFile> files_of(const Preset& preset);
 
-/// Returns a text that changes if the content of any of these files changes; empty if there is no
-/// such file.
+/// Returns a text that changes if the content of any file of files_of(preset) changes; empty if
+/// there is no such file.
 std::string file_hashes(const Preset& preset);
 
 /// Replaces the paths of files that assignments name, such as the picture of foam.density, by

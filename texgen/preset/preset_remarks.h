@@ -11,9 +11,8 @@
 
 namespace foam::texgen {
 
-/// Returns the shape of the rectangle over which foam.density, the field of bubble sizes, is
-/// stretched: of the torus, whose aspect ratio is that of the image, or of the bounding box of the
-/// outline of a patch.
+/// Returns the rectangle over which foam.density, the field of bubble sizes, is stretched: the
+/// torus, which has the aspect ratio of the image, or the bounding box of the outline of a patch.
 DensityDomain density_domain(const Preset& preset);
 
 /// Returns remarks on a preset that users should see, one line each: on keys that the assignments

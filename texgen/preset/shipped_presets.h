@@ -11,8 +11,8 @@ namespace foam::texgen {
 struct ShippedPreset {
     std::string_view name;
     std::string_view toml;  // the whole file, comments included
-    // The file presets/loops/NAME.json, from which the loop of the preset closes soon
-    // (animation/loop_start.h); empty if there is none.
+    // The content of presets/loops/NAME.json, a state from which the loop of the preset closes in
+    // its next cycle (animation/loop_start.h); empty if there is no such file.
     std::string_view loop_start{};
 };
 

@@ -46,7 +46,8 @@ void check_value(const Key<Preset>& key, const Value& value) {
     }
 }
 
-/// Returns true if the key stores a number that it allows as an integer.
+/// Returns true if the key stores the number as an integer. Precondition: the key allows the
+/// number.
 bool takes_whole_numbers(const Key<Preset>& key, double number) {
     Preset scratch;
     key.read(number_value(number), scratch);
@@ -54,8 +55,8 @@ bool takes_whole_numbers(const Key<Preset>& key, double number) {
     return stored && std::holds_alternative<std::int64_t>(stored->data);
 }
 
-/// Returns the number rounded to a power of ten such that a range of this width has 20 to 200
-/// different numbers, or to whole numbers if there are fewer of them and `whole` is true.
+/// Returns the number rounded to a multiple of a power of ten such that a range of this width has
+/// 20 to 200 different numbers, or to a whole number if `whole` is true and the width is below 20.
 double rounded(double number, double width, bool whole) {
     constexpr double kFewest = 20.0;
     constexpr double kTen = 10.0;

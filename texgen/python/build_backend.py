@@ -81,7 +81,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def source_files():
-    """The files of the source package: those of git, or all files of a source package that is unpacked."""
+    """The files of the source package: those that git tracks or, without git, all files that are not generated."""
     if (ROOT / ".git").exists():
         names = subprocess.check_output(["git", "ls-files", "-z"], cwd=ROOT, text=True).split("\0")[:-1]
         return [ROOT / name for name in names]

@@ -14,7 +14,7 @@
 
 namespace foam::texgen {
 
-/// How variations are drawn.
+/// The options of draw_variations.
 struct VariationDrawing {
     int frame = 1;    // the number of the frame
     std::string map;  // name of the map
@@ -28,11 +28,10 @@ struct DrawnVariation {
     RunOutcome outcome;
 };
 
-/// Draws a frame of each preset as a bake does, reduced so that it is not larger than
-/// `drawing.side`, and composited over gray where it is transparent. `on_progress` receives the
-/// phase Previews, which counts pictures. Throws std::invalid_argument if the pictures have
-/// different sizes, or if the map stores whole numbers (check_shown_map), and the exceptions of
-/// bake_recorded.
+/// Draws a frame of each preset as a bake does, reduced to `drawing.side` (reduced_image), and
+/// composited over gray where it is transparent. `on_progress` receives the phase Previews, which
+/// counts pictures. Throws std::invalid_argument if the pictures have different sizes, or if the
+/// map stores whole numbers (check_shown_map), and the exceptions of bake_recorded.
 std::vector<DrawnVariation> draw_variations(std::span<const Preset> presets,
                                             const VariationDrawing& drawing,
                                             const ProgressCallback& on_progress = {});

@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// How many variations to draw at random.
+/// The options of random_variations.
 struct RandomDraw {
     int count = 12;
     std::uint64_t seed = 1;            // of the random numbers that choose the values
@@ -23,9 +23,10 @@ struct RandomDraw {
 inline constexpr int kLargestRandomSeed = 999;
 
 /// Returns variations with random values of foam.seed and of the keys in preset.vary, each value
-/// independent of the others. All values of a list, and all numbers of a range, are equally likely
-/// (number_at). The first variations are the same for any `count`, and the values of the other keys
-/// are the same for any `fixed`. Throws PresetError if preset.vary is empty, or if no key varies.
+/// independent of the others. All values of a list and, before rounding (number_at), all numbers of
+/// a range are equally likely. The first variations are the same for any `count`, and the values of
+/// the keys that vary are the same for any `fixed`. Throws PresetError if preset.vary is empty, or
+/// if no key varies.
 std::vector<Variation> random_variations(const Preset& preset, const RandomDraw& draw);
 
 }  // namespace foam::texgen

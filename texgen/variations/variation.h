@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// The values of some keys, each key at most once, that differ from those of a preset.
+/// The values of some keys, each key at most once, which replace the values in a preset.
 struct Variation {
     std::vector<Assignment> assignments;
 };

@@ -39,7 +39,7 @@ void write_sheet(const VariationSet& set,
         std::string& text = thumbnail.labels.front().text;
         text = fmt::format("{}: {}", k + 1, text);
     }
-    constexpr int kWide = 200;  // in such pictures, large labels have 16 letters
+    constexpr int kWide = 200;  // pixels; a line of large letters then has 16 letters
     const int magnification = drawn.front().pixels.width() < kWide ? 1 : 2;
     const Image<std::uint8_t> sheet =
         contact_sheet(thumbnails, {.columns = set.columns, .magnification = magnification});

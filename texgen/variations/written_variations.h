@@ -41,9 +41,9 @@ struct WrittenVariations {
     std::vector<std::filesystem::path> files() const;
 };
 
-/// Writes the sheet of the pictures, and a preset file for each variation that has one. Then
-/// removes the files `earlier` that were not replaced. Precondition: there are as many pictures as
-/// variations, and each variation has an assignment. Throws OutputError.
+/// Writes the sheet of the pictures, and a preset file for each variation whose run is complete.
+/// Then removes the files in `earlier` that were not replaced. Precondition: there are as many
+/// pictures as variations, and each variation has an assignment. Throws OutputError.
 WrittenVariations write_variations(const VariationSet& set,
                                    const std::vector<DrawnVariation>& drawn,
                                    const VariationFiles& names,

@@ -62,9 +62,9 @@ struct CellArcs {
     RasterGrid grid;
     std::int32_t shear = 0;                         // shear_in_subpixels on a torus; 0 in the plane
     std::vector<std::vector<MonotoneArc>> batches;  // one batch per task of make_arcs
-    // The number of boundary loops that did not close, of the parts of bubbles that films of a
-    // given width leave free (insets; outline/inset.h). It is 0 for a valid foam, unless a raft
-    // overlaps itself.
+    // The number of boundary loops of insets that did not close. The inset of a bubble is the part
+    // of it that films of a given width leave free (outline/inset.h). The number is 0 for a valid
+    // foam, unless a raft overlaps itself.
     int unclosed_loops = 0;
     std::optional<BubbleId> ghost = {};  // the ghost bubble of a patch
 };

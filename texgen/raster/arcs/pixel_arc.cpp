@@ -2,6 +2,7 @@
 
 #include "texgen/raster/arcs/pixel_arc.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 

@@ -50,7 +50,8 @@ enum class RowKind { Ring, Line };
 
 /// Computes sums of values times areas in a band of rows. Each arc is added with the change of the
 /// values from its left to its right, per channel. The sum of a pixel is a start value plus the
-/// contributions of all arcs: sums of integers, which do not depend on the order of the arcs.
+/// contributions of all arcs. All of these are integers, so that the sum does not depend on the
+/// order of the arcs.
 ///
 /// In each row, an arc adds its change of values times the area on its right. In the pixel of a
 /// part of the arc (ArcSplitter::Part), this is the area between the part and the right border of
@@ -139,7 +140,7 @@ class Coverage {
     std::array<Step, ArcSplitter::kMaxArcs> steps_;  // the steps of the pending arcs
     std::vector<Row> rows_;
     std::vector<Sums> across_;  // Step::across of each arc
-    // Scratch arrays for one row; all elements are 0 between calls.
+    // Scratch arrays for one row. Between calls, all elements of cells_ and touched_ are 0.
     std::vector<Sums> cells_;             // see the class comment
     std::vector<std::uint64_t> touched_;  // one flag per pixel, set if it contains a part
     std::vector<std::uint16_t> begins_;   // the first pixel of each span of a row

@@ -78,8 +78,9 @@ Extent Boundary::extent() const {
     return {box.lowest - margin, box.highest + margin};
 }
 
-// The middle of an arc that turns left is to the right of the middle of the chord. The distance of
-// these two points, the sagitta, is half the chord times the tangent of half the half angle.
+// The middle of an arc that turns left is to the right of the middle of the chord. The distance
+// between these two points, the sagitta, is half the chord times the tangent of half the half
+// angle.
 std::array<PixelArc, 2> halves(const PixelArc& arc) {
     const double cosine = std::sqrt(0.5 * (1.0 + arc.cosine));
     const double sine = 0.5 * arc.sine / cosine;

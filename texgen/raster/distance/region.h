@@ -70,8 +70,8 @@ class Boundary {
     /// Returns the exact arcs for measuring distances. Arcs that turn by more than 120 degrees are
     /// cut in halves (DistanceArc::kMinCosine).
     std::span<const DistanceArc> arcs() const { return arcs_; }
-    /// Returns the exact arcs without halving, one per film. In the first arc of each loop,
-    /// DistanceArc::corner is always false.
+    /// Returns the exact arcs without halving: one per film, or two for the circle of a lone
+    /// bubble. In the first arc of each loop, DistanceArc::corner is always false.
     std::span<const DistanceArc> films() const { return films_; }
     std::span<const OutlineArc> outline() const { return outline_; }
 

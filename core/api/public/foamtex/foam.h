@@ -42,7 +42,7 @@ struct StepSettings {
 struct Equilibrium {
     bool converged = false;    ///< true if an equilibrium was reached
     int iterations = 0;        ///< of Newton's method
-    int t1 = 0;                ///< number of T1s: films that swapped neighbors
+    int t1 = 0;                ///< number of T1s: neighbor swaps at films
     int t2 = 0;                ///< number of T2s: bubbles that vanished
     double area_error = 0.0;   ///< largest |area / target area - 1|
     double angle_error = 0.0;  ///< largest deviation of an angle from 120 degrees, radians
@@ -64,8 +64,9 @@ struct Push {
 
 /// The changes that are imposed on a foam from outside during a step (E9).
 struct Drive {
-    /// Areas of bubbles, which change evenly during the step. On a torus, the other bubbles give
-    /// and take the gas, and the driven bubbles fill at most nine tenths of it. Bubbles that have
+    /// Target areas of bubbles, which change evenly during the step. On a torus, the other bubbles
+    /// give and take the gas, and the driven bubbles fill at most nine tenths of the torus; if
+    /// every bubble is driven, all target areas are scaled to fill the torus. Bubbles that have
     /// vanished are ignored.
     std::vector<DrivenArea> areas{};
     double strain = 0.0;  ///< simple shear of a torus: every point moves to the right by strain * y
@@ -73,8 +74,8 @@ struct Drive {
 };
 
 /// A two-dimensional dry foam, on a torus or as a free patch in the plane. Copies are
-/// independent. A foam that was moved from may only be assigned or destroyed. Different foams may
-/// be used by different threads at the same time.
+/// independent. A foam that was moved from may only be assigned to or destroyed. Different foams
+/// may be used by different threads at the same time.
 class FOAMTEX_EXPORT Foam {
   public:
     /// Returns the Voronoi diagram of random points on a torus. The foam is not yet in equilibrium:
@@ -99,31 +100,32 @@ class FOAMTEX_EXPORT Foam {
     ~Foam();                                 ///< Destroys.
 
     /// Writes the foam to a file. The ending of the name selects the format, as in `read`. Throws
-    /// OutputError.
+    /// OutputError, and ArgumentError for another ending.
     void write(const std::string& file) const;
 
-    /// Returns the whole state, without the events, as JSON, as a .json file contains it. A foam
-    /// that is made from it evolves with the same bits.
+    /// Returns the whole state, without the events, as the JSON text of a .json file. A foam that
+    /// is made from this text evolves with the same bits.
     std::string state() const;
 
     /// Brings the foam to equilibrium at its target areas (E2), to errors below 1e-9. If this
-    /// fails, the result says so, and the foam is unchanged. `threads` is as in StepSettings.
-    /// If `poll` is not empty, it is called now and then while the solver works. An exception of
-    /// `poll` ends the work, and the foam is unchanged; std::invalid_argument and std::system_error
-    /// arrive as ArgumentError and OutputError.
+    /// fails, the result says so and has the errors of the last attempt, and the foam is unchanged.
+    /// `threads` is as in StepSettings. If `poll` is not empty, it is called now and then while the
+    /// solver works. An exception of `poll` ends the work, and the foam is unchanged;
+    /// std::invalid_argument and std::system_error arrive as ArgumentError and OutputError.
     Equilibrium relax(int threads = 0, const std::function<void()>& poll = {});
 
     /// Advances a foam in equilibrium by a time, in which gas diffuses (E6), bubbles vanish (T2)
-    /// and films swap neighbors (T1), and `drive` acts on it. If this fails, the result says so,
-    /// and the foam is in the last equilibrium that was reached. Throws ArgumentError if an
-    /// argument is not allowed. `poll` is as in `relax`.
+    /// and bubbles swap neighbors (T1), and `drive` acts on it. If this fails, the result says so,
+    /// and the foam is in the last equilibrium that was reached; the errors in the result are 0 if
+    /// the step reached none. Throws ArgumentError if an argument is not allowed. `poll` is as in
+    /// `relax`.
     Equilibrium step(double time,
                      const Drive& drive = {},
                      const StepSettings& settings = {},
                      const std::function<void()>& poll = {});
 
     /// Shears a torus (Drive::strain) without restoring equilibrium. Throws ArgumentError for a
-    /// patch.
+    /// patch, and if the strain is not from -100 to 100.
     void shear(double strain);
 
     double time() const;                ///< foam time (E6)

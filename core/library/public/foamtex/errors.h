@@ -27,7 +27,8 @@ class FOAMTEX_EXPORT InputError : public Error {
     using Error::Error;
 };
 
-/// A file cannot be written. The message names the file.
+/// A file cannot be written, or the operating system reports another error. The message names the
+/// file, if there is one.
 class FOAMTEX_EXPORT OutputError : public Error {
   public:
     using Error::Error;

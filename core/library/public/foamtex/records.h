@@ -21,7 +21,7 @@ struct Point {
 
 /// A bubble.
 struct Bubble {
-    std::int64_t identity = 0;  ///< unique; never reused
+    std::int64_t identity = 0;  ///< unique; reused only if a boil (E9) revives the bubble
     std::int64_t sides = 0;     ///< number of films; 0 for a bubble that touches no other bubble
     double x = 0.0;             ///< centroid; on a torus it may be outside of the cell
     double y = 0.0;             ///< likewise
@@ -61,8 +61,8 @@ struct FoamRecords {
 };
 
 /// The domain of a foam. A torus is the plane modulo its two periods, the vectors (width, 0) and
-/// (shear, height); the shear is reduced to at most half of the width. For a patch in the plane,
-/// all numbers are 0.
+/// (shear, height). Whenever a torus is sheared, the magnitude of `shear` is reduced to at most
+/// half of the width. For a patch in the plane, all numbers are 0.
 struct Extent {
     double width = 0.0;   ///< x of the first period
     double height = 0.0;  ///< y of the second period

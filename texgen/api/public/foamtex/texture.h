@@ -56,7 +56,7 @@ struct ImageShape {
     }
 };
 
-/// A preset: all options of an animation. A value: a copy is another preset.
+/// A preset: all options of an animation. Copies are independent.
 class FOAMTEX_EXPORT Preset {
   public:
     /// Loads a shipped preset, such as "sea_foam", or a preset file, whose path ends in .toml or
@@ -90,7 +90,8 @@ class FOAMTEX_EXPORT Preset {
     /// Returns the whole preset as the text of a preset file.
     std::string toml() const;
 
-    /// Returns the foam from which the animation starts: a raw Voronoi diagram (Foam::torus).
+    /// Returns the seeded foam: a raw Voronoi diagram (Foam::torus, Foam::disk). The animation
+    /// starts from it, unless the program stores a start of the loop, as for some shipped presets.
     Foam seeded_foam() const;
 
     /// Fits the automatic ranges of maps, such as height.full = "auto", to the whole animation, as
@@ -115,7 +116,8 @@ class FOAMTEX_EXPORT Frame {
     double time() const;    ///< foam time (E6)
     Extent extent() const;  ///< the torus, or zeros for a patch
 
-    /// Returns the changes of topology since the frame before this one of the same simulation.
+    /// Returns the changes of topology since the frame that the simulation returned before this
+    /// one, or since the start of the simulation if there is none.
     std::vector<Event> events() const;
 
     /// Returns the film tension times the length of all films of the simulated foam. A frame of a
@@ -138,11 +140,13 @@ class FOAMTEX_EXPORT Frame {
     /// own maps (Preset::maps). `threads`: 0 for all threads of the machine.
     void draw(const std::string& map, std::span<float> samples, int threads = 1) const;
 
-    /// Draws a map as integers, exactly as a PNG of `foamtex bake` stores it; with 16 bits for maps
-    /// whose PNG has 16 bits. Throws as above, for shape(map, true); also throws ArgumentError if a
-    /// range of the map is automatic (Preset::fit_ranges), or for 16 bits of a map of colors.
+    /// Draws a map as integers of 8 bits. If PNGs of the map have 8 bits, the integers are exactly
+    /// those that `foamtex bake` stores. Throws as above, but the buffer must have the size of
+    /// shape(map, true). Also throws ArgumentError if a range of the map is automatic and has not
+    /// been fitted (Preset::fit_ranges).
     void draw(const std::string& map, std::span<std::uint8_t> samples, int threads = 1) const;
-    /// Draws a map as integers of 16 bits, likewise.
+    /// Draws a map as integers of 16 bits, as above for PNGs of 16 bits. Also throws ArgumentError
+    /// for a map of colors.
     void draw(const std::string& map, std::span<std::uint16_t> samples, int threads = 1) const;
 
     struct State;  ///< of the library
@@ -156,8 +160,8 @@ class FOAMTEX_EXPORT Frame {
     std::shared_ptr<const State> state_;
 };
 
-/// A running simulation of a preset. A background thread computes up to three frames ahead. One
-/// thread at a time may use it.
+/// A running simulation of a preset. A background thread computes the next frames in advance, of
+/// which up to three wait in a queue. One thread at a time may use a Simulation.
 class FOAMTEX_EXPORT Simulation {
   public:
     /// Starts the simulation. `frames` are the numbers of the frames that are wanted, such as
@@ -212,7 +216,7 @@ struct Limits {
     std::optional<double> sample{};  ///< of any sample
     std::optional<double> rms{};     ///< root mean square over all samples
     std::optional<double> angle{};   ///< of normals, in degrees
-    double allowed_percent = 0.0;    ///< of the pixels that may exceed `sample`
+    double allowed_percent = 0.0;    ///< percentage of pixels that may exceed `sample` or `angle`
 };
 
 /// The comparison of two images, or of one layer of two images.
@@ -231,7 +235,8 @@ struct Difference {
 };
 
 /// Compares two image files, such as a golden image and a new one. If `picture` is not empty,
-/// writes a PNG of the differences with this name. Throws InputError if an image is unreadable, and
+/// writes a PNG of the differences with this name, unless the images differ in size or channels.
+/// Throws ArgumentError if a limit is not allowed, InputError if an image is unreadable, and
 /// OutputError.
 FOAMTEX_EXPORT std::vector<Difference> compare(const std::string& a,
                                                const std::string& b,
