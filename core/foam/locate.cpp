@@ -114,8 +114,7 @@ double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const Vec2 along = chord(foam, h);
     const Vec2 from = foam.domain.nearest_copy(foam.positions[foam.network.tail(h)] - point);
     double min_distance = std::numeric_limits<double>::infinity();
-    for (const LatticeOffset offset :
-         foam.domain.offsets_near(-from, from.norm() + along.norm())) {
+    for (const LatticeOffset offset : foam.domain.offsets_near(-from, from.norm() + along.norm())) {
         const Vec2 copy = from + foam.domain.translation(offset);
         min_distance = std::min(min_distance, distance_to_segment(copy, along));
     }
