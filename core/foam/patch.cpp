@@ -49,7 +49,7 @@ void check(std::span<const Outline> parts, const PatchOptions& options) {
 struct SeededParts {
     PolygonMesh mesh;
     std::vector<LoneBubble> lone;
-    // The area of the area field at each cell and at each lone bubble; empty if there is no field.
+    // The value of the area field at each cell and at each lone bubble; empty if there is no field.
     std::vector<double> field_of_cells;
     std::vector<double> field_of_lone;
 

@@ -14,7 +14,7 @@
 
 // One channel of a block is approximated by evenly spaced values between two endpoints: eight, or
 // six and in addition 0 and 255. The endpoints begin with the smallest and the largest texel, are
-// improved by least squares, and are then moved by 1 while this reduces the error. Blocks are
+// improved by least squares, and are then moved by 1 where this reduces the error. Blocks are
 // compressed in groups, one block per lane of a SIMD register.
 
 namespace foam::texgen {

@@ -24,12 +24,11 @@ constexpr std::uint32_t kFormatBytes = 32;   // of the old description of the pi
 constexpr std::uint32_t kFourCc = 0x4;       // flag: the old description names a format
 constexpr std::uint32_t kDx10 = 0x30315844;  // "DX10": there is a second header
 
-// Flags of the header: it gives caps, height, width and the pixel format, the number of mip levels,
-// the bytes of a row, the bytes of the full size.
-constexpr std::uint32_t kAlways = 0x1007;
-constexpr std::uint32_t kMipLevels = 0x20000;
-constexpr std::uint32_t kRowBytes = 0x8;
-constexpr std::uint32_t kImageBytes = 0x80000;
+// Flags of the header. Each says which of its fields are used.
+constexpr std::uint32_t kAlways = 0x1007;       // caps, height, width and the pixel format
+constexpr std::uint32_t kMipLevels = 0x20000;   // the number of mip levels
+constexpr std::uint32_t kRowBytes = 0x8;        // the bytes of a row
+constexpr std::uint32_t kImageBytes = 0x80000;  // the bytes of the largest level
 
 // Caps: a texture; one that has mip levels.
 constexpr std::uint32_t kTexture = 0x1000;

@@ -50,12 +50,11 @@ inline constexpr int kRecordedFrames = 100;
 struct FoamRecord {
     /// The number of the frame to which the record belongs; the first frame is 1.
     int frame = 1;
-    /// The pressures of all bubbles in the equilibrium at the end of the warm-up (the time that is
-    /// simulated before frame 1, FramesOptions::warm_up), in increasing order and in units of
-    /// PressureUnit::Current: divided by the film tension and multiplied by the square root of the
-    /// mean area. The map `pressure` takes percentiles and ranks from this list for all frames,
-    /// which prevents flicker. The list is empty before this equilibrium, for example in a frame 1
-    /// that shows the raw diagram.
+    /// The pressures of all bubbles in the equilibrium at the end of the warm-up
+    /// (FramesOptions::warm_up), in increasing order and in units of PressureUnit::Current: divided
+    /// by the film tension and multiplied by the square root of the mean area. The map `pressure`
+    /// takes percentiles and ranks from this list for all frames, which prevents flicker. The list
+    /// is empty before this equilibrium, for example in a frame 1 that shows the raw diagram.
     std::vector<double> first_pressures{};
     /// The foam time of the birth of each bubble, indexed by the bubble's identity: 0 for a seeded
     /// bubble, otherwise TopologyEvent::time, the start of the substep in which the bubble was
@@ -69,7 +68,7 @@ struct FoamRecord {
     std::vector<double> changes{};
     /// The events of the last kRecordedFrames frames, in the order in which they happened. Events
     /// before frame 1 are kept only in the loops `breathe`, `shear` and `boil`, which repeat a
-    /// cycle. The frame numbers of these events are at most 1.
+    /// cycle. Their frame numbers are at most 1: an event in the step to frame 1 has the number 1.
     std::vector<RecordedEvent> events{};
     /// Averages of values over recent frames; RecentAverages::bubbles is empty if nothing is
     /// averaged. In the loops `breathe`, `shear` and `boil` they are the averages after infinitely

@@ -23,7 +23,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kHighlightSteps = 2048;
-constexpr double kFaintest = 1e-6;  // highlights below this brightness are not drawn
+constexpr double kFaintest = 1e-6;  // smallest brightness of a drawn highlight, for a gloss of 1
 
 }  // namespace
 

@@ -24,8 +24,8 @@ struct LightOptions {
 
 Keys<LightOptions> light_keys();
 
-/// The light at points of a relief. A surface of the color c has the color diffuse c + shine. The
-/// spans have one number per point.
+/// The light at points of a relief. It shows a surface of the color c in the color
+/// `diffuse` * c + `shine`. The spans have one number per point.
 struct PointLights {
     std::span<float> diffuse;
     std::span<float> shine;

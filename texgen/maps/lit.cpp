@@ -35,7 +35,7 @@ namespace {
 // at low sampling densities", 1987), and the relief at their points is computed from the smooth
 // distance around the center (relief_sampler.h).
 
-// The light at points: one number for each of them (PointLights).
+// The light at points (PointLights). The vectors have one number per point.
 struct Light {
     explicit Light(std::size_t count) : diffuse(count), shine(count) {}
 
@@ -63,7 +63,7 @@ void add_glow(std::span<const float> glow, Light& light) {
     });
 }
 
-// The surface at the centers of pixels, and the means of their colors without light.
+// The surface at the centers of pixels, and the unlit mean color of each pixel.
 struct Surface {
     PixelSlopes slopes;
     Image<float> sky;   // the visible fraction of the sky
@@ -200,7 +200,7 @@ void write_colors(std::span<const std::uint32_t> pixels,
     }
 }
 
-// Returns the mean shaded colors of pixels, in batches that fit into the cache.
+// Returns the mean shaded colors of pixels, computed in batches that fit into the cache.
 std::vector<Color> mean_colors_of_batches(std::span<const std::uint32_t> pixels,
                                           const Surface& surface,
                                           const Lighting& lighting,

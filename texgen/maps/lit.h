@@ -26,7 +26,9 @@ inline constexpr MapTraits kLitMap = {
 struct LitOptions {
     LitColors colors = LitColors::Albedo;
     LightOptions light{};
-    double glow = 0.0;  // the fraction of the color of films that is emitted (glow_fractions)
+    // The emitted fraction of the color of films, of the shade beside them, and of the walls of a
+    // maze (glow_fractions).
+    double glow = 0.0;
     // The number of points, in each direction, whose mean a pixel shows where the light varies
     // strongly: at creases, in small highlights and at the borders of reflected windows. Elsewhere
     // a pixel shows the light at its center.

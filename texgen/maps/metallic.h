@@ -23,7 +23,7 @@ struct MetallicOptions {
 Keys<MetallicOptions> metallic_keys();
 
 /// Draws the metalness of the surface, as renderers define it in a material: 0 for all materials
-/// that are no metals. A pixel that bubbles and films share has the mean of their values, weighted
+/// that are not metals. A pixel that bubbles and films share has the mean of their values, weighted
 /// by the part of the pixel that each of them covers. The image has one channel with values from 0
 /// to 1 and is 0 around a patch.
 NumberPixels draw_metallic(FrameLayers& layers,

@@ -27,8 +27,8 @@ namespace {
 // the pixels of the bubble (boundary_motion.h). Lone bubbles move and grow as circles.
 
 // Each side of the polygon replaces a piece of an arc. kNominalTurn is the nominal angle by which a
-// piece turns, in radians; about 10 degrees. The number of pieces of an arc is rounded down to at
-// least 1, so a piece may turn by more, but by less than twice this angle.
+// piece turns, in radians; about 10 degrees. The number of pieces of an arc is rounded down, but is
+// at least 1, so a piece may turn by more, but by less than twice this angle.
 constexpr double kNominalTurn = 0.17;
 
 // The motion of a frame's bubbles, in pixels.
@@ -160,8 +160,9 @@ class MotionPainter {
         return Vec2(first.x, first.y) / kSubpixel;
     }
 
-    // Paints the pixels of the region. The positions of points are those of the centers of pixels
-    // relative to `origin`. set_motions(points) sets the motions of many points at once.
+    // Paints the pixels of the region in `pixels_`. The positions of points are those of the
+    // centers of pixels relative to `origin`. set_motions(points) sets the motions of many points
+    // at once.
     template <class SetMotions>
     void paint_pixels(ImageView<float> image, const Vec2& origin, const SetMotions& set_motions) {
         constexpr std::size_t kBatch = 1024;

@@ -109,7 +109,8 @@ bool is_color(const PackedChannel& channel) {
     return channel.map != nullptr && channel.map->kind == MapKind::Color;
 }
 
-// Checks that colors are only in a packing of colors, and sets Packing::is_color.
+// Sets Packing::is_color. Checks that R, G and B are all colors or all data, that A is data, and
+// that colors have 8 bits.
 void check_colors(Packing& packing) {
     const auto rgb = std::span(packing.channels).first(3);
     const auto color = std::ranges::find_if(packing.channels, is_color);
@@ -131,7 +132,8 @@ void check_colors(Packing& packing) {
     }
 }
 
-// Returns the names and bits of a packing without channels from the text before '='.
+// Parses `text`, the part of the packing `whole` before '='. Returns a packing with this name and
+// number of bits, and without channels.
 Packing parse_name(std::string_view text, std::string_view whole) {
     Packing packing;
     const std::vector<std::string_view> parts = split(text, ':');

@@ -87,7 +87,8 @@ class PlacedPicture {
         return color_on_white(pixel_of(
             picture_, pixel(place.x(), picture_.width()), pixel(place.y(), picture_.height())));
     }
-    // Returns the pixel at a place, which counts in widths or heights of the picture.
+    // Returns the index of the pixel along one axis of the picture, which has `pixels` pixels and
+    // is repeated. The unit of `place` is the width or height of the picture.
     static int pixel(double place, int pixels) {
         return std::min(static_cast<int>((place - std::floor(place)) * pixels), pixels - 1);
     }
@@ -128,8 +129,8 @@ ColorsByIdentity colors_in_first(const SourcePicture& source, const Frame& first
     return colors;
 }
 
-// Returns the colors of a picture under the bubbles of a frame, except bubbles whose colors are
-// known.
+// Returns the color of every bubble of a frame: its color in `known`, or the mean color of the
+// picture under it if `known` does not contain the bubble.
 PerBubble<LinearRgb> colors_in_frame(const SourcePicture& source,
                                      const Frame& frame,
                                      const Frame& first,

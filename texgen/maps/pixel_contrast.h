@@ -11,9 +11,9 @@
 namespace foam::texgen {
 
 /// Returns the pixels whose light varies too strongly for one sample, as indices in ascending
-/// order: those that a film may cross, and those whose brightness differs from the mean of the two
-/// neighbors in a row or in a column. `brightness` is from 0 to kWhite, and `distances` are the
-/// distances to films in pixels.
+/// order: those that a film may cross, and those whose brightness differs by more than a threshold
+/// from the mean of the two neighbors in a row or in a column. `brightness` is from 0 to kWhite,
+/// and `distances` are the distances to films in pixels.
 std::vector<std::uint32_t> find_contrasts(std::span<const float> brightness,
                                           std::span<const float> distances,
                                           const PixelNeighbors& neighbors);

@@ -55,7 +55,7 @@ class Window {
     }
 
   private:
-    // The smallest cosine of the angle to the middle of the window that is divided by.
+    // The cosine of the angle to the middle of the window is a divisor, clamped to at least this.
     static constexpr double kGrazing = 1e-100;
 
     // Returns 1 if x is at most 1 - softness, 0 if x is at least 1 + softness, and a smooth

@@ -41,7 +41,7 @@ struct PixelSlopes {
 /// for the outer half of ridges and wet films. Borrows the layers.
 class Relief {
   public:
-    /// In a relief of walls, distances to the nearest wall above `reach` count as infinite. `reach`
+    /// In a relief of walls, distances above `reach` to the nearest wall count as infinite. `reach`
     /// is in units of the section (ReliefSection). It has no effect on reliefs of all films.
     Relief(FrameLayers& layers, const ReliefSource& source, double reach);
     /// The `reach` that suffices if only heights and slopes are used, because the relief is flat

@@ -16,12 +16,13 @@ namespace foam::texgen {
 // P. L. Roe, "Characteristic-based schemes for the Euler equations", 1986). Differences across a
 // film, where the gradient is reversed, are large and are therefore not used. A relief is locally
 // symmetric about a film, so the slope at a point beyond the nearest film is the mirror image of
-// the slope at the mirror image of the point. The slope of the grain is that at the center.
+// the slope at the mirror image of the point. The slope of the grain at the center of a pixel is
+// used for all points of the pixel.
 
 namespace {
 
-// The smallest square of the slope of the smooth distance that is divided by. The slope is 1 on
-// films, and smaller only where no film is near.
+// The square of the slope of the smooth distance is a divisor, clamped to at least this. The slope
+// is 1 on films, and smaller only where no film is near.
 constexpr float kSmallestSquare = 0.05F;
 
 float minmod(float a, float b) {

@@ -79,7 +79,7 @@ struct WetSection {
 };
 
 /// Returns the height of a section at the position x on a straight line across the film. The
-/// position of the film is 0; positions on its other side are negative. For domes, x = 1 is the
+/// position of the film is 0; positions on one side of it are negative. For domes, x = 1 is the
 /// middle of the bubble. Beyond its middle a dome descends to the next film, so domes repeat with
 /// the period 2.
 template <class Section>

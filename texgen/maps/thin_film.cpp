@@ -35,7 +35,7 @@ namespace {
 constexpr int kThickest = 4000;  // nanometers; thicker films are practically gray
 
 // Returns a color whose components are from 0 to 1: the given color, mixed with as little gray of
-// the same luminance as possible.
+// the same luminance as possible. If the luminance is 1 or more, the result is white.
 LinearRgb within_srgb(const LinearRgb& color) {
     const double gray =
         std::clamp(0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b, 0.0, 1.0);
@@ -47,7 +47,7 @@ LinearRgb within_srgb(const LinearRgb& color) {
     return {inside(color.r), inside(color.g), inside(color.b)};
 }
 
-// Returns the color of a film of every whole number of nanometers from 0 to kThickest.
+// Returns the color of a film for every thickness from 0 to kThickest, in steps of a nanometer.
 std::vector<LinearRgb> colors_of_thicknesses(double exposure) {
     static const std::vector<LinearRgb> reflectances = [] {
         std::vector<LinearRgb> all;

@@ -133,7 +133,7 @@ class MaterialXWriter {
         return is_inverted ? computed("invert", number.name + "_inverted", number, "", "") : number;
     }
 
-    // A normalmap expects numbers from 0 to 1 whose y is up.
+    // The node normalmap expects vectors that are encoded as numbers from 0 to 1, with y up.
     Node normal_of(std::size_t index) {
         const std::array<double, 4>& scale = material_.images[index].scale;
         const std::array<double, 4>& bias = material_.images[index].bias;

@@ -8,10 +8,10 @@
 
 namespace foam::texgen {
 
-/// Returns a material of MaterialX 1.38 as text: a standard_surface whose images repeat as tiles.
-/// The images are those of the first frame, because few programs replace the tokens of MaterialX
-/// for frame numbers. Occlusion scales the diffuse reflection, because a standard_surface has no
-/// other input for it. Paths of images are relative to the folder of the manifest, where the
+/// Returns a material of MaterialX 1.38 as text: a standard_surface whose images repeat if they
+/// tile. The images are those of the first frame, because few programs replace the tokens of
+/// MaterialX for frame numbers. Occlusion scales the diffuse reflection, because a standard_surface
+/// has no other input for it. Paths of images are relative to the folder of the manifest, where the
 /// document belongs. Precondition: the images are PNG or EXR files, each with one image.
 std::string materialx_text(const SceneMaterial& material);
 

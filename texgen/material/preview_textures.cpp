@@ -28,7 +28,7 @@ std::uint8_t to_code(double number) {
 }
 
 // Returns the channels of an image of the first frame in the order of SceneImage::channels. Codes
-// are numbers from 0 to 1. Colors have the primaries of sRGB.
+// are scaled to numbers from 0 to 1. Colors have the primaries of sRGB.
 Image<float> read_channels(const SceneImage& image) {
     const MapFile& file = image.sequence.files.front();
     Picture picture = read_map_frame(file, image.sequence.map.name);
@@ -93,8 +93,8 @@ Texture converted(const Image<float>& pixels, int channels, const Code& code_of)
     return texture;
 }
 
-// Returns the colors of an image as sRGB. EXR files store linear light, which is multiplied by the
-// opacity.
+// Returns the colors of an image as sRGB. EXR files store linear light, premultiplied by the
+// opacity if there is one.
 Texture colors_of(PreviewImages& frame, std::size_t index, bool with_opacity) {
     const SceneImage& image = frame.image(index);
     const bool is_linear = image.samples().color_space != "sRGB";

@@ -13,13 +13,13 @@ namespace foam::texgen {
 /// The textures of a material of glTF, made of the images of the first frame. All have 8 bits per
 /// sample. If the colors are those of the map lit, there are no other textures.
 struct PreviewTextures {
-    // Colors as sRGB: of the material without light or, if there is none, of the map lit. With a
-    // fourth channel, the opacity, if the material has one.
+    // Colors as sRGB: the base color or, if there is none, the map lit. A fourth channel holds the
+    // opacity if the material has one.
     std::optional<Image<std::uint8_t>> color;
     std::optional<Image<std::uint8_t>> emission;  // as sRGB
     std::optional<Image<std::uint8_t>> normal;    // y is up
-    // Occlusion, roughness and metalness. A number that the material lacks is 1, and the metalness
-    // is 0.
+    // Occlusion, roughness and metalness. An occlusion or roughness that the material lacks is 1; a
+    // metalness that it lacks is 0.
     std::optional<Image<std::uint8_t>> surface;
 };
 

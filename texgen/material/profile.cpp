@@ -33,7 +33,8 @@ std::string_view table_of(std::string_view key) {
     return key.substr(0, key.find_first_of(".["));
 }
 
-// Moves the description from the assignments to the profile. Checks all keys.
+// Moves the description from the assignments to the profile. Rejects keys that change the foam, and
+// unknown keys of the table [profile].
 Profile parse_profile(std::string_view toml, std::string name, const std::string& source) {
     Profile profile{.name = std::move(name), .description = {}, .assignments = {}};
     for (Assignment& assignment : read_assignments(toml, source)) {
@@ -65,7 +66,7 @@ std::string text_in(const std::string& path) {
     }
 }
 
-// Replaces every occurrence of a word that other letters neither precede nor follow.
+// Replaces a word wherever no other letter, digit or '_' directly precedes or follows it.
 std::string with_word(std::string text, std::string_view word, std::string_view replacement) {
     const auto is_letter = [&](std::size_t k) {
         return k < text.size() &&

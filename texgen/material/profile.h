@@ -32,8 +32,9 @@ struct Profile {
 };
 
 /// Loads the profile in the file with the given path, or the shipped profile with the given name;
-/// paths and names are told apart as for presets (is_preset_path). Throws PresetError if the file
-/// is missing, unreadable or malformed, or if it sets a key that changes the foam.
+/// paths and names are told apart as for presets (is_preset_path). Throws PresetError if no shipped
+/// profile has the name, if the file is missing, unreadable or malformed, or if it sets a key that
+/// changes the foam.
 Profile load_profile(const std::string& name_or_path);
 
 /// Returns the assignments of a profile for a preset. They are those of the profile, with two
@@ -45,16 +46,16 @@ Profile load_profile(const std::string& name_or_path);
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
 
 /// Returns the assignments of the profile with the given name or path for a preset. `later` are the
-/// assignments that will override them; the result depends on the preset after these assignments,
-/// except that the colors are those of the preset's own maps. Throws the exceptions of load_profile
-/// and PresetError if one of the later assignments is not allowed.
+/// assignments that will override them. The result is computed for the preset after the later
+/// assignments, except that base_color_map uses image.maps as it is before them. Throws the
+/// exceptions of load_profile, and PresetError if one of the later assignments is not allowed.
 std::vector<Assignment> profile_assignments(const std::string& profile,
                                             const Preset& preset,
                                             std::span<const Assignment> later);
 
 /// Returns the name of the map that has the colors of a preset without light: the first map of
-/// image.maps that shows colors of the foam. The map lit stands for the map whose colors it shows.
-/// Returns "albedo" if there is no such map.
+/// colors in image.maps, except emission and id_color. The map lit stands for the map whose colors
+/// it shows. Returns "albedo" if there is no such map.
 std::string base_color_map(const Preset& preset);
 
 }  // namespace foam::texgen

@@ -15,11 +15,11 @@
 
 namespace foam::texgen {
 
-/// The width of the plane that shows the material in a scene, meters. It shows the image once.
+/// The width of an image in a scene, meters.
 inline constexpr double kPlaneWidth = 1.0;
 
 /// An image of a material, and its files of all frames. The number that a sample represents in the
-/// material is scale * sample + bias. Samples of codes are from 0 to 1.
+/// material is scale * sample + bias. Codes count as samples from 0 to 1.
 struct SceneImage {
     std::string id;                     // a name for nodes, unique in the material (identifier.h)
     MapSequence sequence;               // the files, in the order of SceneMaterial::frames
@@ -45,7 +45,7 @@ struct SceneMaterial {
     std::string id;                     // the name of the preset as an identifier
     std::string preset;                 // the name of the preset
     std::string description;            // of the preset
-    double plane_height = kPlaneWidth;  // meters
+    double plane_height = kPlaneWidth;  // of an image, meters
     bool tiles = true;                  // true if the images of all frames tile
     int frames_per_second = 24;
     std::vector<int> frames;  // the frames of which all images exist, in increasing order

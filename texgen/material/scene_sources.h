@@ -23,8 +23,8 @@ struct SceneSource {
 struct SceneSources {
     // The colors without light: the map base_color_map, or a packing of its channels R, G and B.
     std::optional<std::size_t> base_color;
-    // The map lit, if there is no other color. Its colors contain light already, so the material
-    // shows them as they are.
+    // The map lit, or a packing of its channels R, G and B, if there is no base color. Its colors
+    // contain light already, so the material shows them as they are.
     std::optional<std::size_t> lit;
     std::optional<std::size_t> emission;
     // Normals, as a map and not packed. A map whose y is up is preferred.

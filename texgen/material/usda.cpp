@@ -31,7 +31,7 @@ std::string asset(const std::string& path) {
     return fmt::format("{0}./{1}{0}", quotes, path);
 }
 
-// Returns a tuple of four numbers. `factor` is a factor on one channel.
+// Returns a tuple of four numbers. The number of `channel`, if given, is multiplied by `factor`.
 std::string tuple(std::array<double, 4> numbers,
                   std::optional<std::size_t> channel,
                   double factor) {

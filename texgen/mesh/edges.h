@@ -14,8 +14,8 @@ namespace foam::texgen {
 /// A triangle as three indices of points.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A side of a triangle: the index of the point where it begins in the upper half, the index of the
-/// point where it ends in the lower half.
+/// A directed side of a triangle. The upper 32 bits are the index of the point where the side
+/// begins, the lower 32 bits the index of the point where it ends.
 using Edge = std::uint64_t;
 
 constexpr Edge edge_between(std::uint32_t from, std::uint32_t to) {

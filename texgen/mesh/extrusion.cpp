@@ -14,7 +14,8 @@
 // The faces of the solid are the walls from above, the floors (the plate without the walls) from
 // above, and both together from below. The tessellator is called for walls and for floors. The
 // border of the floors is computed from the edges of the triangles of the walls, so that triangles
-// of walls and floors share all edges and points. Sides are the edges of these borders, extruded.
+// of walls and floors share all edges and points. The sides are the edges of the plate and of the
+// border of the walls, extruded.
 
 namespace foam::texgen {
 
@@ -50,8 +51,8 @@ std::vector<Edge> edges_of(std::span<const Ring> rings, PointTable& points) {
     return without_opposites(std::move(edges));
 }
 
-// Divides edges at points of the walls on them, so that the border of a plate at which walls end
-// consists of edges of walls and of edges between walls.
+// Divides the edges of a plate at the points of walls on them. Where walls end at the border of the
+// plate, this border then consists of edges of walls and edges between walls.
 std::vector<Edge> divided(std::span<const Edge> edges,
                           std::span<const Edge> walls,
                           const PointTable& points) {
@@ -76,7 +77,8 @@ std::vector<Edge> divided(std::span<const Edge> edges,
     return parts;
 }
 
-// Builds the mesh level by level. Each point of the plane has at most one point per level.
+// Builds the mesh level by level. A point of the plane becomes at most one point of the mesh per
+// level.
 class Levels {
   public:
     explicit Levels(const PointTable& points) : points_(points) {}

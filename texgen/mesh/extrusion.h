@@ -14,7 +14,8 @@ namespace foam::texgen {
 struct Extrusion {
     std::vector<Ring> walls;    // the region of the walls is on the left of the rings
     std::vector<Ring> plate{};  // contains the walls
-    // True if walls end on the border of the plate, whose rings then are few.
+    // True if walls end on the border of the plate. Every edge of the plate is then compared with
+    // every edge of the walls, so the plate should have few corners.
     bool reaches_border = false;
     double base_height = 0.0;  // of the plate, from z = 0; 0 if there is no plate
     double wall_height = 0.0;  // above the plate

@@ -16,7 +16,7 @@ namespace foam::texgen {
 using Ring = std::vector<Vec2>;
 
 /// A grid of positions that single precision represents exactly. Meshes are stored in single
-/// precision. If points were rounded only then, thin triangles could turn over.
+/// precision. If points were rounded only after the triangulation, thin triangles could turn over.
 class PrintGrid {
   public:
     /// `extent` is the largest absolute value of a coordinate. The step of the grid is a power of
@@ -52,10 +52,11 @@ std::vector<Edge> edges_of(const Ring& ring, PointTable& points);
 /// Returns the edges in ascending order, without pairs of opposite edges.
 std::vector<Edge> without_opposites(std::vector<Edge> edges);
 
-/// Returns triangles, counter-clockwise, of the region around which edges wind counter-clockwise,
-/// with the tessellator of GLU, which is a sweep (a point is added where edges cross). The points
-/// of the triangles are the points of the edges, unless edges cross. Precondition: at each point,
-/// as many edges end as begin. Throws std::bad_alloc if the machine has too little memory.
+/// Returns counter-clockwise triangles of the region in which the winding number of the edges is
+/// positive. The tessellator of GLU, which is a sweep, adds a point where edges cross; all other
+/// points of the triangles are points of the edges. Precondition: the edges are in ascending order,
+/// and at each point, as many edges end as begin. Throws std::bad_alloc if the machine has too
+/// little memory.
 std::vector<Triangle> triangles_of(std::span<const Edge> edges, PointTable& points);
 
 }  // namespace foam::texgen

@@ -73,8 +73,8 @@ class NormalsOfPoint {
         return sum;
     }
 
-    // Returns the index of a normal among those from `first`, at whose end it is added if it is
-    // new.
+    // Returns the index of a normal among the normals from index `first` on. A new normal is
+    // appended.
     static std::uint32_t index_of(const Point3& normal, std::size_t first, MeshWithNormals& to) {
         std::size_t index = first;
         while (index < to.normals.size() && to.normals[index] != normal) {

@@ -17,9 +17,9 @@ struct MeshWithNormals {
     std::vector<Triangle> triangles;
 };
 
-/// Adds normals. The normal of a corner of a triangle is the mean of the normals of those triangles
-/// at this point that differ by less than 30 degrees, weighted by area. Curved surfaces therefore
-/// look smooth, and edges look sharp.
+/// Adds normals. The normal of a corner of a triangle is the mean, weighted by area, of the normals
+/// of those triangles at this point whose normals differ from the normal of the triangle by less
+/// than 30 degrees. Curved surfaces therefore look smooth, and edges look sharp.
 MeshWithNormals with_normals(const Mesh& mesh);
 
 }  // namespace foam::texgen

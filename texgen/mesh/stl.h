@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// Returns a mesh as a binary STL file, in millimeters. The header has at most 80 bytes of the
-/// title, in ASCII.
+/// Returns a mesh as a binary STL file, in millimeters. The header of 80 bytes is a fixed text and
+/// the title, which is cut off at its end. Bytes that are not printable ASCII become '?'.
 std::string to_stl(const Mesh& mesh, std::string_view title);
 
 }  // namespace foam::texgen

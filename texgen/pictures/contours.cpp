@@ -76,7 +76,7 @@ class ContourTracer {
             if (!is_inside(k) || is_inside(k + 1)) {
                 continue;
             }
-            // The next side (or, if corners are separate, the previous side) that enters.
+            // The next side where the traversal enters (the previous one if corners are separate).
             std::size_t entry = k;
             do {
                 entry = (entry + (is_connected ? 1 : kCorners - 1)) % kCorners;

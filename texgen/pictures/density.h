@@ -23,7 +23,7 @@ struct DensitySource {
 enum class PictureEdges {
     Keep,    // the picture as it is
     Mirror,  // the picture, and mirror images of it beside and above it, each half as large
-    Blend,   // opposite edges are adjusted to their mean, which fades out towards the inside
+    Blend,   // opposite edges are adjusted to their mean; the adjustment fades out inward
 };
 
 /// The density of bubbles: how the sizes of the seeded bubbles depend on their place. A picture is
@@ -45,7 +45,7 @@ struct DensityDomain {
     double aspect = 1.0;  // width / height
 };
 
-/// Returns the field of bubble areas of a density, or nullopt if all bubbles have the same size.
+/// Returns the field of bubble areas of a density, or nullopt if the source is "even".
 /// The darkness of every place is first stretched to the range from 0 to 1. The area a then follows
 /// from 1 / sqrt(a), which is linear in the darkness. Lines of a constant width along the films
 /// cover a part of each place that is proportional to 1 / sqrt(a), so that a foam of dark films on
@@ -54,7 +54,7 @@ struct DensityDomain {
 std::optional<AreaField> area_field_of(const DensityOptions& options, const DensityDomain& domain);
 
 /// Returns remarks on the picture of a density: that it is stretched by more than 2 % in one
-/// direction, or that it does not tile and its edges are kept as they are on a torus.
+/// direction, or that it does not tile, on a torus with PictureEdges::Keep.
 std::vector<std::string> density_remarks(const DensityOptions& options,
                                          const DensityDomain& domain);
 

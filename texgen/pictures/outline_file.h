@@ -28,8 +28,8 @@ bool is_outline_name(std::string_view text);
 FileOutline read_outline_file(const std::string& path);
 
 /// Returns the outline of the document of an SVG. The shapes are drawn as a picture of about
-/// `grid_points` pixels, whose outline is traced. Throws InputError, whose message does not name
-/// the file.
+/// `grid_points` pixels, whose outline is traced. Throws InputError as read_svg_shapes does, and if
+/// there is no filled shape or the shapes are too large; the message does not name the file.
 std::vector<foam::Outline> outlines_of_svg(std::string_view document,
                                            double grid_points = kOutlineGridPoints);
 

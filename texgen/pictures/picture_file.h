@@ -18,7 +18,7 @@ namespace foam::texgen {
 struct PictureFile {
     std::string path{};                              // empty if no picture is named
     std::shared_ptr<const SourcePicture> picture{};  // null if no picture is named
-    std::string hash{};                              // pixel_hash of the file
+    std::string hash{};                              // pixel_hash of the picture in the file
 
     bool is_set() const { return picture != nullptr; }
 };
@@ -27,7 +27,7 @@ struct PictureFile {
 bool is_picture_name(std::string_view text);
 
 /// Returns the end of a regular expression (ECMA 262) for the names of pictures, without an anchor:
-/// the suffixes of all image formats, in letters of either case.
+/// the suffixes of all image formats, in letters of either case. It is escaped for a JSON string.
 std::string picture_suffix_pattern();
 
 /// Returns the picture in a file. Throws the exceptions of read_picture (format.h) and

@@ -46,8 +46,8 @@ struct PixelRect {
     int top = 0;
 };
 
-/// Returns the mean of number(pixel) over some pixels. Precondition: the picture has these pixels,
-/// and there is at least one.
+/// Returns the mean of number(pixel) over the pixels of `box`. Precondition: the picture has these
+/// pixels, and there is at least one.
 template <class Number>
 double mean_over(const SourcePicture& picture, const PixelRect& box, const Number& number) {
     double sum = 0.0;
@@ -60,10 +60,10 @@ double mean_over(const SourcePicture& picture, const PixelRect& box, const Numbe
 }
 
 /// Converts a picture to a source picture. Codes count as sRGB, numbers as linear light that is
-/// premultiplied by the opacity. One or two channels are gray; a picture without a channel of
-/// opacity is opaque. Light outside [0, 1] is clamped. `path` is the name of the file in messages.
-/// Throws InputError if the picture has no channels of gray or RGB, and OutOfMemory if the machine
-/// has too little memory for the copy.
+/// premultiplied by the opacity. A picture without the channels R, G and B is gray (channel Y); a
+/// picture without a channel of opacity is opaque. Light outside [0, 1] is clamped. `path` is the
+/// name of the file in messages. Throws InputError if the picture has neither the channel Y nor the
+/// channels R, G and B, and OutOfMemory if the machine has too little memory for the copy.
 SourcePicture source_picture_of(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace foam::texgen

@@ -187,8 +187,8 @@ class ShapeReader {
     std::vector<SvgShape> shapes;
 
   private:
-    // Collects the elements that can be used by their ids. Of several elements with an id, the
-    // first one counts.
+    // Collects the elements that can be used by their ids. Of several elements with the same id,
+    // the first one counts.
     void collect_ids(const Node& root) {
         struct Walker : pugi::xml_tree_walker {
             explicit Walker(std::map<std::string, Node>& map) : by_id(map) {}

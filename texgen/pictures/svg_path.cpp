@@ -46,7 +46,7 @@ class PathReader {
             fmt::format("the data of a path have an error at character {}", text_.position()));
     }
 
-    // A command may be left out if it is repeated. The command after a move is a line.
+    // A repeated command may lack its letter. After a move, a missing letter means a line.
     void next_command() {
         if (const std::optional<char> letter = text_.letter()) {
             before_ = upper(command_);

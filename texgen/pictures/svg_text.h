@@ -25,8 +25,8 @@ class SvgText {
     std::string_view word();
     /// Skips the character if it is next. Returns true if it was.
     bool skip(char c);
-    /// Returns the next number and skips it, or nullopt if there is none. Its magnitude is at most
-    /// 1e9.
+    /// Returns the next number and skips it, or nullopt if there is none or if its magnitude is
+    /// above 1e9.
     std::optional<double> number();
     /// Returns the next flag, '0' or '1', and skips it, or nullopt if there is none. A flag needs
     /// no space after it.

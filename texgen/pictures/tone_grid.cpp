@@ -10,7 +10,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The mean differences of tones above which edges count as visible.
+// Edges count as visible if the mean difference of their tones, and its ratio to the mean
+// difference of adjacent tones, are above these numbers.
 constexpr double kVisibleStep = 0.02;
 constexpr double kVisibleRatio = 3.0;
 // The part of a grid over which an adjustment of its edges fades out.

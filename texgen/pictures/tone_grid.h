@@ -26,7 +26,7 @@ void blend_edges(ToneGrid& grid);
 
 /// Returns true if opposite edges differ so much that a tiled picture shows them: if the mean
 /// difference of their tones is above 0.02 and above three times the mean difference of adjacent
-/// tones in this direction.
+/// tones along the lines from edge to edge.
 bool has_visible_edges(const ToneGrid& grid);
 
 }  // namespace foam::texgen

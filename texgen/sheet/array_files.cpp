@@ -20,7 +20,7 @@ namespace foam::texgen {
 namespace {
 
 // Returns the meaning of the samples of a map. Other versions of foamtex may have baked a map that
-// this version does not have.
+// this version does not have; unless it is a map of ids, its samples count as Numbers.
 TexelMeaning meaning_of(const ManifestMap& map) {
     if (map.samples && map.samples->kind == "id") {
         return TexelMeaning::Ids;

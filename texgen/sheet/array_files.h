@@ -25,7 +25,7 @@ struct StagedArray {
 /// all threads. The memory contains the whole array, the encoded file and one frame per thread.
 /// `progress` counts each frame; the last frame counts when the file has been written.
 ///
-/// `animation` is stored in the file if its format can do so.
+/// `animation` is stored in the file if the file format supports this.
 ///
 /// Throws InputError if a file cannot be read, if its size or its format differs from that of the
 /// first frame, or if its samples are not codes. Throws OutputError if the array cannot be written.

@@ -75,7 +75,8 @@ class LabelWriter {
   private:
     int letter_height() const { return kLetterHeight * magnification_; }
 
-    // Returns the width of each of some colors: that of a square, unless they do not fit.
+    // Returns the width at which each of `count` colors is drawn. A color is a square as high as a
+    // letter, or narrower if the squares do not fit on one line.
     int color_width(std::size_t count) const {
         return std::clamp(width_ / std::max(static_cast<int>(count), 1), 1, letter_height());
     }

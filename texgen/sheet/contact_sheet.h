@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// A line of text below a picture.
+/// A text below a picture. It takes several lines if it is wider than the picture.
 struct ThumbnailLabel {
     std::string text;
     std::vector<Srgb8> colors{};  // drawn as squares after the text

@@ -120,8 +120,8 @@ std::string sheet_pattern(const Preset& preset) {
 }
 
 // Returns the files that the sheets or arrays of a preset need, or nullptr if its files will do.
-// Arrays need integers, which EXR files have only of ids. Lossy files cannot become sheets, because
-// they would be compressed twice.
+// Arrays need integers, which EXR files contain only for ids. Lossy files cannot become sheets,
+// because they would be compressed twice.
 const char* files_needed(const Preset& preset) {
     const FilePattern pattern(preset);
     if (pattern.is_vector()) {

@@ -32,7 +32,7 @@ struct FlipbookOptions {
     std::string array_suffix = {};
     /// The names of the files without suffix, in which {preset} and {map} are replaced. Empty for
     /// {preset}_sheet_{map}, {preset}_strip_{map} or {preset}_array_{map}. The JSON file has the
-    /// same name without _{map}.
+    /// same name without _{map}; a {map} without _ becomes "sheets".
     std::string names = {};
     /// Words that replace the names of maps in file names, by map.
     std::map<std::string, std::string> words = {};
@@ -64,9 +64,10 @@ Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& to,
                         const ProgressCallback& on_progress = {});
 
-/// Returns the preset with its sheets in the folder of its images, if they are in the default
-/// folder "out" and the images are not. An option that moves the images thus moves the sheets, too.
-/// Throws std::invalid_argument if the preset has sheets and its file pattern is malformed.
+/// Returns the preset with its sheets moved to the folder of its images, if the sheets are in the
+/// default folder "out" and the images are not. An option that moves the images thus moves the
+/// sheets, too. Throws std::invalid_argument if the preset has sheets and its file pattern is
+/// malformed.
 Preset with_sheets_beside_images(Preset preset);
 
 /// Checks the sheets of a preset before a bake. Throws std::invalid_argument if the files of the
@@ -76,8 +77,8 @@ Preset with_sheets_beside_images(Preset preset);
 void check_sheets(const Preset& preset);
 
 /// Joins the frames of a bake of a preset, which has just ended, as output.sheets says. `frames`
-/// are the numbers of the frames. Throws the exceptions of write_flipbook. Precondition:
-/// output.sheets is not None, and check_sheets does not throw.
+/// are the numbers of the frames. Throws the exceptions of read_manifest and write_flipbook.
+/// Precondition: output.sheets is not None, and check_sheets does not throw.
 Flipbook write_sheets(const Preset& preset,
                       std::vector<int> frames,
                       const ProgressCallback& on_progress = {});

@@ -37,7 +37,7 @@ int near_square_columns(int frames, int cell_width, int cell_height);
 
 /// Throws std::invalid_argument if a layout has no frames, no columns or no pixels, if its gutter
 /// is negative, or if the sheet would be too large for an image (kMaxImageExtent and
-/// kMaxImagePixels in image/input_limits.h).
+/// kMaxImagePixels in core/files/input_limits.h).
 void check_layout(const SheetLayout& layout);
 
 }  // namespace foam::texgen

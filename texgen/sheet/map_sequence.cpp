@@ -19,8 +19,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the map with the given name. Throws std::invalid_argument if no file of this map was
-// baked.
+// Returns the map with the given name. Throws std::invalid_argument if no image of this map was
+// baked; vector files are not images.
 const ManifestMap& baked_map(const BakedSet& set, std::string_view name) {
     const ManifestMap* const map = set.find_map(name);
     if (map != nullptr && map->samples) {

@@ -45,8 +45,9 @@ FrameRate playing_rate(const BakedSet& set, std::span<const int> frames);
 bool closes(const ManifestLoop& loop, std::span<const int> frames);
 
 /// Returns the files of the given frames of a map. `folder` is the folder of the manifest of the
-/// set. Throws std::invalid_argument if no file of the map was baked; the message lists the baked
-/// maps. Throws InputError if a frame was not baked.
+/// set. Throws std::invalid_argument if the map was not baked (the message lists the baked maps),
+/// or if its files are vector files, which have no pixels. Throws InputError if a frame was not
+/// baked.
 MapSequence map_sequence(const BakedSet& set,
                          const std::filesystem::path& folder,
                          std::string_view map,

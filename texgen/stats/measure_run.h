@@ -15,9 +15,8 @@ struct MeasureSummary {
 
 /// Measures the frames that a bake with the same options would draw, without drawing them. The
 /// frames come from options.source or, if it is empty, from a simulation of the preset. Of the
-/// options, only `frames`, `source` and, if there is no source, `threads` are used. `on_progress`
-/// receives the phases of the source, and then the phase Frames. Throws the exceptions of the
-/// source.
+/// options, only `frames`, `source` and `threads` are used. `on_progress` receives the phases of
+/// the source, and then the phase Frames. Throws the exceptions of the source.
 MeasureSummary measure_run(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

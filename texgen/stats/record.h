@@ -22,7 +22,7 @@ struct FrameRecord {
     double time = 0.0;  // foam time
     FoamStatistics foam;
     std::vector<SidesGrowth> growth;       // empty in the first record
-    FrameEffort effort;                    // numbers of T1s and T2s, errors, and wall time
+    FrameEffort effort;                    // T1s, T2s, errors, wall time, events, strain and stress
     std::optional<MazeStatistics> maze{};  // only if the preset has a map of a maze
     // The shear modulus of the frame (core/dynamics/shear_modulus.h); nullopt if it has none.
     std::optional<double> shear_modulus{};

@@ -17,9 +17,9 @@ namespace foam::texgen {
 ///
 /// - `Host` must be the address of the studio. A name that an attacker lets point to this machine
 ///   (DNS rebinding) is rejected.
-/// - Requests need a cookie with a secret of 128 random bits. The page gets it in exchange for a
-///   token, which is also 128 random bits and can be used once. `SameSite=Strict` keeps browsers
-///   from sending the cookie for other sites.
+/// - Requests below /api/ need a cookie with a secret of 128 random bits. The page gets the cookie
+///   in exchange for a token, which is also 128 random bits and can be used once.
+///   `SameSite=Strict` keeps browsers from sending the cookie for other sites.
 /// - Requests with a body must be JSON (`Content-Type`) and come from the page of the studio
 ///   (`Origin` and `Sec-Fetch-Site`), which the pages of other sites cannot forge.
 class Access {

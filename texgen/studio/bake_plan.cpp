@@ -87,7 +87,7 @@ std::vector<Assignment> assignments_of(const BakeRequest& request) {
 }
 
 /// Moves the images of a preset into a folder, which is a path relative to the folder of the
-/// studio. Throws PathRejected if a pattern leaves it.
+/// studio. Throws PathRejected if a pattern leaves the folder of the studio.
 void place(Preset& preset, const BakeRequest& request, const StudioFolder& folder) {
     const std::filesystem::path base = request.folder;
     const auto below = [&](const std::string& pattern) {

@@ -12,8 +12,8 @@
 
 namespace foam::texgen {
 
-// The answers to /api/download (README.md): files that the browser saves. Frames are baked; those
-// that the store keeps are not simulated again.
+// The answers to /api/download (README.md): files that the browser saves. Frames are baked. The
+// foam is not simulated again if the store keeps all frames of the preset.
 
 /// Returns the preset file of the settings.
 HttpResponse preset_download(const PageSettings& settings, const PagePreset& loaded);
@@ -24,8 +24,9 @@ HttpResponse frame_download(const Preset& preset,
                             int frame,
                             FrameStore& store);
 
-/// Returns a frame as the SVG that a bake writes. Its content is that of the map if the map is a
-/// maze or contours, otherwise the foam (vector.content). Throws the exceptions of bake.
+/// Returns a frame as the SVG that a bake writes. If vector.content is "auto", the SVG shows the
+/// maze or the contours of the map, or the foam if the map shows neither. Throws the exceptions of
+/// bake.
 HttpResponse drawing_download(const Preset& preset,
                               const std::string& map,
                               int frame,

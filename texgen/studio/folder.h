@@ -27,8 +27,8 @@ class StudioFolder {
     const std::filesystem::path& path() const { return path_; }
 
     /// Returns the path of a file or folder below the folder. `relative` is a path relative to the
-    /// folder; the file need not exist. Throws PathRejected if the path is absolute, contains "..",
-    /// or leaves the folder through a link.
+    /// folder; the file need not exist. Throws PathRejected if the path is absolute, contains ".."
+    /// or control characters, leaves the folder through a link, or cannot be resolved.
     std::filesystem::path below(const std::string& relative) const;
 
     /// Returns the names of the preset files in the folder, sorted.

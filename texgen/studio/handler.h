@@ -29,7 +29,7 @@ class Studio {
     const std::string& token() const { return access_.token(); }
     const StudioFolder& folder() const { return folder_; }
 
-    /// Returns the time since a page has sent a request, or since a bake has run.
+    /// Returns the time since a page last sent a request or a bake last ran.
     std::chrono::steady_clock::duration idle_time();
 
     /// Stops all work. Requests that wait for it end with an error.

@@ -50,8 +50,7 @@ inline HttpRequest plain(http::request<http::string_body>&& request) {
 }
 
 /// Returns the response to a request that could not be read, or nullopt if the client has closed
-/// the
-// connection or was too slow.
+/// the connection or was too slow.
 inline std::optional<HttpResponse> answer_to(const error_code& error) {
     if (error == http::error::header_limit) {
         return error_response(HttpStatus::HeaderTooLarge, "the header of the request is too large");
@@ -74,8 +73,9 @@ class HttpConnectionOwner {
     virtual ~HttpConnectionOwner() = default;
 
     virtual const HttpLimits& limits() const = 0;
-    /// The thread that reads and writes, and the threads that call `handle`.
+    /// Returns the context whose thread reads and writes.
     virtual asio::io_context& io() = 0;
+    /// Returns the threads that call `handle`.
     virtual asio::thread_pool& pool() = 0;
     virtual HttpResponse handle(const HttpRequest& request) const = 0;
     /// Returns true if other clients wait for a connection to end.

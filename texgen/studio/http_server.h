@@ -14,7 +14,7 @@ namespace foam::texgen {
 class HttpServer {
   public:
     /// Listens on 127.0.0.1 and, if the system has IPv6, on ::1. With port 0, the system chooses a
-    /// free port. Throws OutputError if the port is not free.
+    /// free port. Throws OutputError if it cannot listen on the port.
     explicit HttpServer(int port, const HttpLimits& limits = {});
     ~HttpServer();
     HttpServer(const HttpServer&) = delete;
@@ -23,10 +23,10 @@ class HttpServer {
     /// Returns the port on which the server listens.
     int port() const;
 
-    /// Serves requests until `on_tick` throws, and rethrows the exception. `handler` is called on
-    /// as many threads as there are connections. `on_tick` is called about ten times per second on
-    /// the caller's thread. `on_end` is called before the function waits for the handlers that are
-    /// still at work, so that it can end them. May be called only once.
+    /// Serves requests until `on_tick` throws, and rethrows the exception. `handler` is called on a
+    /// pool with at least one thread per possible connection. `on_tick` is called about ten times
+    /// per second on the caller's thread. `on_end` is called before the function waits for the
+    /// handlers that are still at work, so that `on_end` can end them. May be called only once.
     void run(const HttpHandler& handler,
              const std::function<void()>& on_tick,
              const std::function<void()>& on_end);

@@ -52,8 +52,8 @@ struct PagePreset {
 /// not allowed or the preset does not exist, and PathRejected.
 PagePreset load_settings(const PageSettings& settings, const StudioFolder& folder);
 
-/// As load_settings. Also throws SettingsRejected if the foam is too large to be simulated while a
-/// page is open (kLargestLiveFoam).
+/// Returns the preset of load_settings. Throws as load_settings does, and SettingsRejected if the
+/// foam is too large to be simulated while a page is open (kLargestLiveFoam).
 Preset load_live(const PageSettings& settings, const StudioFolder& folder);
 
 /// Returns the command that bakes the images of a page. `options` are options of the command, such

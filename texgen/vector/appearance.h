@@ -23,7 +23,7 @@ std::string_view name_of(VectorContent content);
 /// Throws std::invalid_argument if walls are drawn as outlines, but have no width.
 void check_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 
-/// Throws std::invalid_argument if lines have no width. `content` is not MazeSolution.
+/// Throws std::invalid_argument if lines have no width. Does not check the solution of a maze.
 void check_wall_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 
 /// The appearance of the map that a drawing shows: its lines, their color and their width.

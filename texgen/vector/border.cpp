@@ -96,7 +96,7 @@ std::vector<BorderEnd> sorted_ends(const std::vector<Chain>& chains, const Borde
     return ends;
 }
 
-// Returns, for each chain, the end of the chain that follows it along the border.
+// Returns, for each chain, the start of the chain that follows it along the border.
 std::vector<BorderEnd> followers(const std::vector<Chain>& chains, const Border& border) {
     const std::vector<BorderEnd> ends = sorted_ends(chains, border);
     std::vector<BorderEnd> following(chains.size());

@@ -60,11 +60,11 @@ struct Box {
     Vec2 high{0.0, 0.0};
 };
 
-/// Enlarges a box so that it contains a chain. Arcs may extend beyond the box by 0.3 % of their
-/// distance from their chord.
+/// Enlarges a box so that it contains a chain. Arcs may extend beyond the box by up to 1 % of their
+/// largest distance from their chord.
 void include(const Chain& chain, Box& box);
 
-/// A full circle, counter-clockwise, as two arcs.
+/// Returns a full circle, counter-clockwise, as two arcs.
 Chain circle(const Vec2& center, double radius);
 
 /// An arc between two nodes of a net of lines. Arcs are joined where they share a node.
@@ -74,9 +74,9 @@ struct NetArc {
     std::uint64_t head_node = 0;
 };
 
-/// Joins the arcs of a net to as few chains as possible, in which every arc occurs once. A chain
-/// ends only at a node that an odd number of arcs share. The result depends only on the order of
-/// the arcs.
+/// Joins the arcs of a net into chains, in which every arc occurs once. One open chain ends at each
+/// node that an odd number of arcs share, and none at the other nodes. The result depends only on
+/// the arcs and their order.
 std::vector<Chain> joined(std::span<const NetArc> arcs);
 
 }  // namespace foam::texgen

@@ -27,7 +27,8 @@ namespace {
 
 // The lines of a drawing. On a torus whose tile cuts them, `near` contains whole copies of all
 // lines that touch the tile when they are drawn with their width, and `beyond` the parts outside of
-// the tile of these copies. Otherwise `near` equals `lines`, and `beyond` is empty.
+// the tile of these copies. Otherwise `near` equals `lines`, and `beyond` is empty. films_work
+// fills only the members that are drawn: `near` for outlines, `lines` and `beyond` for lines.
 struct LineWork {
     std::string layer;  // name of the layer
     std::string kind;   // class of the shapes

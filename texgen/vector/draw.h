@@ -15,8 +15,10 @@ namespace foam::texgen {
 PerBubble<std::string> bubble_colors(const FrameLayers& layers, const AlbedoOptions& options);
 
 /// Draws a frame. The layers are, from bottom to top, "bubbles" (one shape per bubble) or
-/// "passages" (one shape), "films" or "walls", and "solution". Throws std::invalid_argument if the
-/// grid does not fit the domain, or if a color is invalid, and as check_width does.
+/// "passages" (one shape; Drawing::background replaces it if bubbles are cut), "films", "walls" or
+/// "contours", and "solution". Below a layer of lines that are cut is the layer of their parts
+/// beyond the tile, such as "films_beyond". Throws std::invalid_argument if the grid does not fit
+/// the domain, or if a color is invalid, and as check_width does.
 Drawing draw(FrameLayers& layers,
              VectorContent content,
              const MapOptions& maps,

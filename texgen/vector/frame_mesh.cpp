@@ -122,7 +122,7 @@ Mesh relief_mesh(const VectorSource& source) {
     return height_slab(field);
 }
 
-// Returns the chains around which the region of the walls is, without holes in it.
+// Returns the outer outlines of walls. Outlines of holes, which are clockwise, are removed.
 std::vector<Chain> outer_chains(std::vector<Chain> chains) {
     std::erase_if(chains, [](const Chain& chain) { return signed_area(chain) <= 0.0; });
     return chains;
@@ -192,7 +192,8 @@ void check_relief(const VectorSettings& settings) {
         throw std::invalid_argument(
             "mesh.base_mm = 0: only walls can do without a base; a relief needs at least 0.01");
     }
-    // A slab has at most one more column and row than pixels, and two in a view of the plane.
+    // A slab has one more column and row than the image. In a view of the plane it has two more, of
+    // which the second is neglected here.
     const std::size_t triangles = slab_triangles(static_cast<std::size_t>(settings.width) + 1,
                                                  static_cast<std::size_t>(settings.height) + 1);
     if (triangles > kMaxTriangles) {

@@ -19,8 +19,8 @@ void check_mesh(const VectorSettings& settings);
 /// The surface of a relief passes through the height of each pixel of the image. On a torus, the
 /// heights of the first column and row are repeated beyond the last ones, so that the slab is as
 /// wide as the tile and copies of it fit together. (The slab is displaced by half a pixel against a
-/// drawing.) If the torus is sheared, the first row is displaced by the shear. In a view of the
-/// plane, the outermost heights continue to the border.
+/// drawing.) If the torus is sheared, the repetition of the first row is displaced by the shear. In
+/// a view of the plane, the outermost heights continue to the border.
 ///
 /// Walls have the outlines of the drawing. On a torus whose tile cuts them, the plate is the tile.
 /// Otherwise, the plate has the outline of all films, half a wall width away from the walls.

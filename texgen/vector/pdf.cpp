@@ -19,7 +19,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kPointsPerMillimeter = 72.0 / 25.4;
-// A Bezier curve turns by at most twice this angle: 15 degrees.
+// Half of the largest angle by which a Bezier curve turns: 15 degrees.
 constexpr double kBezierHalfAngle = std::numbers::pi / 12.0;
 // A fixed date, so that the same drawing gives the same bytes.
 constexpr const char* kCreationDate = "2000-01-01T00:00:00Z";
@@ -47,9 +47,8 @@ void set_color(cairo_t* cairo, const std::string& color) {
     cairo_set_source_rgb(cairo, code.r / 255.0, code.g / 255.0, code.b / 255.0);
 }
 
-// Adds an arc to the path. The handles of a Bezier curve of half angle b, which has the tangents of
-// an arc with the chord c, have the length 4/3 tan(b/2) times the radius, which is
-// 2/3 c / (1 + cos b).
+// Adds an arc to the path. The handles of a Bezier curve that replaces an arc of half angle b,
+// chord length c and radius r have the length 4/3 r tan(b/2) = 2/3 c / (1 + cos b).
 void add_arc(cairo_t* cairo, const DrawnArc& arc) {
     const FilmArc film = arc.arc();
     const int count =

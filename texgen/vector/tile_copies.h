@@ -25,9 +25,9 @@ struct ArcCopy {
 /// the plane.
 std::vector<ArcCopy> copies_near_tile(const DrawnArc& arc, const Page& page, double reach);
 
-/// Returns the parts outside of the tile that come within `reach` millimeters of it, of the
-/// periodic copies of an arc. Parts that are slightly farther away may be among them. Precondition:
-/// the domain of the page is not the plane.
+/// Returns those parts of the periodic copies of an arc that are outside of the tile and come
+/// within `reach` millimeters of it. Parts that are slightly farther away may be among them.
+/// Precondition: the domain of the page is not the plane.
 std::vector<DrawnArc> parts_beyond_tile(const DrawnArc& arc, const Page& page, double reach);
 
 }  // namespace foam::texgen

@@ -20,7 +20,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::string_view kMapKeyword = "Map";  // keyword of the PNG text that names the map
+constexpr std::string_view kMapKeyword = "Map";  // keyword of the text that names the map
 
 // Returns the name of the map that is stored in the texts of a picture, or an empty text if there
 // is none.

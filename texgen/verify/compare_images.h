@@ -16,7 +16,7 @@
 
 namespace foam::texgen {
 
-/// What to compare, and with which limits.
+/// The options of compare_pair.
 struct CompareOptions {
     /// Returns the limits of a map, whose name is empty if it is not known. Never null.
     std::function<CompareLimits(std::string_view map)> limits_of = [](std::string_view) {
@@ -35,7 +35,7 @@ struct ComparedImage {
     std::string layer{};  // empty if the images have no layers
     /// Failure if one of the images is missing; Unreadable if one could not be read.
     Verdict verdict = Verdict::Same;
-    Comparison found{};   // has its defaults if an image is missing or unreadable
+    Comparison found{};   // has its defaults unless both images were read and have the same layout
     std::string error{};  // why an image is unreadable, with its name
 };
 

@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The two things that are compared, A and B, are called sides. A SideImage is what is known about
-// one image of a side.
+// The two inputs that are compared, A and B, are called sides. A SideImage contains what is known
+// about one image of a side.
 struct SideImage {
     std::string map{};  // empty if unknown, or if the image has several maps
     std::optional<int> frame{};

@@ -10,18 +10,18 @@
 
 namespace foam::texgen {
 
-/// Which image of a pair exists or, for manifests, which manifest lists it. For single images and
-/// for frames of a range the value is Both, even if a file does not exist.
+/// Tells which image of a pair exists or, for manifests, which manifest lists it. For single images
+/// and for frames of a range the value is Both, even if a file does not exist.
 enum class Presence { Both, OnlyA, OnlyB };
 
-/// Two images to compare. The two things that are compared, A and B, are called sides. `a` is an
+/// Two images to compare. The two inputs that are compared, A and B, are called sides. `a` is an
 /// image of the side A, the reference; `b` is an image of the side B, the new one. The path of a
 /// missing image is the path at which it was expected.
 struct ImagePair {
     std::filesystem::path a;
     std::filesystem::path b;
     Presence presence = Presence::Both;
-    std::string map{};  // the map of the images if their manifest names only one; else empty
+    std::string map{};           // from a manifest; empty if unknown or if the image has several
     std::optional<int> frame{};  // from a pattern or a manifest; nullopt if it is not known
 };
 

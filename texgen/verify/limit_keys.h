@@ -10,9 +10,9 @@
 
 namespace foam::texgen {
 
-/// Percentile limits, written "99.9=0.01" (at least 99.9 percent of the pixels differ by at most
-/// 0.01), or several of them, separated by commas. This struct is one of the kinds of values that
-/// keys accept (keys/value_kinds.h).
+/// One or more percentile limits, separated by commas. Each is written like "99.9=0.01": at least
+/// 99.9 percent of the pixels differ by at most 0.01. This struct is one of the kinds of values
+/// that keys accept (keys/value_kinds.h).
 struct PercentileLimits {
     std::string allowed() const;
     std::string schema() const;

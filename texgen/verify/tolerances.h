@@ -34,8 +34,8 @@ class Tolerances {
 
 /// Parses a TOML document with a table per map, and optionally a table [default]. The keys of a
 /// table are the keys in limit_keys. A table without a limit of warnings gives no warnings. Throws
-/// PresetError (preset/assignment.h), whose message is one line that gives the location, the key
-/// and the allowed values. `source` is the name of the document for messages.
+/// PresetError (preset/assignment.h) if the document is invalid; the message is one line. `source`
+/// is the name of the document for messages.
 Tolerances parse_tolerances(std::string_view toml, const std::string& source);
 
 /// Reads a file of tolerances. Throws PresetError if it is unreadable or invalid.

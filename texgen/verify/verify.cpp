@@ -23,12 +23,13 @@ namespace foam::texgen {
 
 namespace {
 
-// Every file is decoded once. The hash of its pixels is compared with the hash in the manifest.
-// Then the picture is added to the MapCheck of each map in the file. A step is the mean difference
-// of the samples of two adjacent columns, rows or frames (steps.h). A MapCheck accumulates the
-// largest steps within frames, across the borders of frames and from frame to frame. A seam is the
-// border of a frame that should tile, or the change from the last frame of a loop to the first.
-// After the last file, the MapCheck returns the steps across seams and the largest other steps.
+// Every image is decoded once. The hash of its pixels is compared with the hash in the manifest.
+// If they are equal, the picture is added to the MapCheck of each map in the file. A step is the
+// mean difference of the samples of two adjacent columns, rows or frames (steps.h). A MapCheck
+// accumulates the largest steps within frames, across the borders of frames and from frame to
+// frame. A seam is the border of a frame that should tile, or the change from the last frame of a
+// loop to the first. After the last file, the MapCheck returns the steps across seams and the
+// largest other steps. Vector files are not decoded; only the hash of their content is compared.
 
 // Returns how samples of a map are compared.
 Difference difference_of(const ManifestMap& map) {
