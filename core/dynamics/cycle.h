@@ -71,7 +71,7 @@ class Cycle {
 };
 
 /// Returns the distance between two states of a foam: the largest distance from a junction of a
-/// bubble to the nearest junction of the same bubble in the other state. The unit is the diameter
+/// bubble in `one` to the nearest junction of the same bubble in `other`. The unit is the diameter
 /// of a circle of the mean target area. Returns infinity if a bubble is missing in one state, or if
 /// the number of sides of a bubble differs between the states. Lone bubbles do not count; the
 /// distance of states without other bubbles is 0.

@@ -23,10 +23,11 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam,
                                              std::optional<BubbleIdentity> identity = {});
 
 /// Adds a new two-sided bubble, a lens, in the middle of a film (E10). Returns the bubble. The
-/// bubble touches only the two bubbles beside the film. Takes the gas from these two bubbles.
-/// Returns nothing and changes nothing if their target areas add up to less than twice the given
-/// area. Equilibrium does not determine the position of the bubble along the film. Precondition:
-/// the area is positive.
+/// bubble touches only the two bubbles beside the film. Takes the gas from these two bubbles in
+/// proportion to their target areas; at the surface of a patch, all of it comes from the ghost.
+/// Returns nothing and changes nothing if the target areas of the two bubbles add up to less than
+/// twice the given area. Equilibrium does not determine the position of the new bubble along the
+/// film. Precondition: the area is positive.
 std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area);
 
 }  // namespace foam

@@ -15,10 +15,10 @@
 // and then finds the equilibrium anew. Three limits bound the length of a substep: the fraction of
 // its area that a bubble may lose by diffusion (E6), the imposed change of areas, and the strain. A
 // small bubble does not limit substeps by its diffusion; otherwise the last part of the life of
-// each bubble would need substeps of its own. Until the network changes, growth rates on a torus
-// are constant (von Neumann's law), so a long substep errs only in the moments at which bubbles
-// vanish. A substep works on a copy of the foam. If it finds no equilibrium, the copy is dropped
-// and a substep of half the length is tried.
+// each bubble would need substeps of its own. Until the network changes, growth rates are constant
+// (von Neumann's law), so a long substep errs only in the moments at which the network changes. A
+// substep works on a copy of the foam. If it finds no equilibrium, the copy is dropped and a
+// substep of half the length is tried.
 
 namespace foam {
 

@@ -28,10 +28,10 @@ class NewtonSystem {
     void start(const Foam& foam, Unknowns unknowns, int threads);
 
     /// Prepares the system for all unknowns of a foam. Does less work than `start` if the last call
-    /// was for a similar network. If the connections, the number of threads and the precision are
-    /// the same, the analysis is kept, and a factor of the earlier state, too, if there is one.
-    /// Otherwise, the order of elimination is repaired (LinearSolver::start). The steps then depend
-    /// on earlier calls.
+    /// was for a similar network. If the connections and the number of threads are the same, and
+    /// the precision has not been raised since (raise_precision), the analysis is kept, and a
+    /// factor of the earlier state, too, if there is one. Otherwise, the order of elimination is
+    /// repaired (LinearSolver::start). In both cases, the steps depend on earlier calls.
     void start_whole(const Foam& foam, int threads);
 
     const Unknowns& unknowns() const { return unknowns_; }
