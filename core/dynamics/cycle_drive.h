@@ -28,7 +28,8 @@ struct OscillatingBubble {
     double phase = 0.0;      // in turns
 };
 
-/// What a Cycle does with each bubble of a foam: some boil, and all others oscillate.
+/// The drive of a Cycle determines how each bubble of a foam changes: some boil, all others
+/// oscillate.
 struct CycleDrive {
     std::vector<BoilingBubble> boiling;
     std::vector<OscillatingBubble> oscillating;
