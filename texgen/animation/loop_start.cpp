@@ -8,6 +8,8 @@
 #include "texgen/preset/shipped_presets.h"
 #include "texgen/preset/simulation_keys.h"
 
+#include <fmt/core.h>
+
 #include <cstdint>
 #include <limits>
 
@@ -97,9 +99,8 @@ std::string write_loop_start(const LoopStart& start, const std::string& hash) {
                                        {"amplitude", bubble.amplitude},
                                        {"phase", bubble.phase}});
     }
-    std::string text = write_foam_json(start.foam);
-    text.erase(text.find_last_of('}'));
-    return text + ",\"loop\": " + json_text(loop) + "\n}\n";
+    const std::string foam = write_foam_json(start.foam);
+    return "{\n\"loop\": " + json_text(loop) + "," + foam.substr(1);
 }
 
 LoopStart read_loop_start(std::string_view text, const std::string& file) {
@@ -108,14 +109,14 @@ LoopStart read_loop_start(std::string_view text, const std::string& file) {
     return {read_foam_json(text, file), drive_in(loop), numbers_in(loop["first_pressures"])};
 }
 
-// The hash has 32 digits, so it is in the text of a file only if it is the hash of this file.
+// A file begins with the hash, so that the search does not read whole files.
 std::optional<LoopStart> stored_loop_start(const Preset& preset) {
     if (!preset.loop.is_cycle()) {
         return std::nullopt;
     }
-    const std::string hash = loop_hash(preset);
+    const std::string begin = fmt::format("{{\n\"loop\": {{\"hash\":\"{}\"", loop_hash(preset));
     for (const ShippedPreset& shipped : shipped_presets()) {
-        if (shipped.loop_start.find(hash) != std::string_view::npos) {
+        if (shipped.loop_start.starts_with(begin)) {
             return read_loop_start(shipped.loop_start, std::string(shipped.name) + ".json");
         }
     }

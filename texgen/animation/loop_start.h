@@ -29,8 +29,8 @@ struct LoopStart {
 std::string loop_hash(const Preset& preset);
 
 /// Returns the content of a file of presets/loops: the foam as a state file
-/// (core/io/foam_json.h) with one more member, "loop", which contains the hash, the drive and the
-/// pressures.
+/// (core/io/foam_json.h) with the additional first member "loop", which contains the hash, the
+/// drive and the pressures.
 std::string write_loop_start(const LoopStart& start, const std::string& hash);
 
 /// Parses the content of a file of presets/loops. `file` is its name in error messages. Throws
