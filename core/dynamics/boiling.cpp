@@ -24,9 +24,7 @@ namespace foam {
 namespace {
 
 constexpr double kLifeFraction = 0.9;  // part of the cycle in which a boiling bubble is present
-// Initial value of BoilingBubble::area_rise, in units of the bubble's target area before the boil.
-constexpr double kRiseFraction = 2.5;
-// BoilingBubble::min_area_rise in the same unit.
+// BoilingBubble::min_area_rise, in units of the bubble's target area before the boil.
 constexpr double kMinRiseFraction = 0.12;
 
 // Returns the age at which a boiling bubble vanishes: the number of steps of the cycle since
@@ -101,10 +99,8 @@ std::optional<JunctionId> junction_between_neighbors(const Foam& foam,
 
 }  // namespace
 
-std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
-                                                  double fraction,
-                                                  int steps,
-                                                  Random& random) {
+std::vector<BoilingBubble> choose_boiling_bubbles(
+    const Foam& foam, double fraction, double rise, int steps, Random& random) {
     std::vector<BubbleId> bubbles;
     std::vector<Vec2> centers;
     for (const BubbleId bubble : foam.network.bubbles()) {
@@ -125,7 +121,7 @@ std::vector<BoilingBubble> choose_boiling_bubbles(const Foam& foam,
         const double area = foam.target_areas[bubbles[k]];
         boiling.push_back({.identity = foam.identities[bubbles[k]],
                            .birth = static_cast<int>(turn * steps),
-                           .area_rise = kRiseFraction * area,
+                           .area_rise = rise * area,
                            .min_area_rise = kMinRiseFraction * area,
                            .last_position = centers[k]});
     }

@@ -12,7 +12,8 @@ CycleDrive random_drive(const Foam& foam, const CycleOptions& options) {
     Random random(options.seed);
     CycleDrive drive;
     if (options.boiling > 0.0) {
-        drive.boiling = choose_boiling_bubbles(foam, options.boiling, options.steps, random);
+        drive.boiling = choose_boiling_bubbles(
+            foam, options.boiling, options.boiling_rise, options.steps, random);
     }
     std::set<BubbleIdentity> boils;
     for (const BoilingBubble& bubble : drive.boiling) {

@@ -16,6 +16,7 @@ struct CycleOptions {
     double area_amplitude = 0.0;  // relative amplitude of target areas, with random phases
     double strain = 0.0;          // amplitude of the shear strain of a torus
     double boiling = 0.0;         // fraction of the bubbles that vanish and are born again
+    double boiling_rise = 2.5;    // initial area rise of these bubbles, in units of their areas
     std::uint64_t seed = 1;       // seed of the random phases and of the choice of bubbles
 };
 

@@ -13,6 +13,7 @@ CycleOptions cycle_options_of(const Preset& preset) {
     CycleOptions options{.steps = preset.frames.count, .seed = preset.seeding.seed};
     (loop.kind == LoopKind::Shear ? options.strain : options.area_amplitude) = loop.amplitude;
     options.boiling = loop.kind == LoopKind::Boil ? loop.boiling : 0.0;
+    options.boiling_rise = loop.rise;
     return options;
 }
 

@@ -78,6 +78,14 @@ Keys<LoopOptions> loop_keys() {
             &LoopOptions::boiling)
             .in("fraction of the bubbles")
             .used_with("loop.kind", {"boil"}),
+        key("rise",
+            Reals{0.15, 5.0},
+            "for \"boil\": how large the bubbles grow that vanish, relative to their size without "
+            "a loop; lower values close the loop sooner; where the foam does not return to its "
+            "first state, bubbles grow less large",
+            &LoopOptions::rise)
+            .in("areas of the bubble")
+            .used_with("loop.kind", {"boil"}),
         key("drift",
             IntegerPairs{{-kMaxPeriods, kMaxPeriods}},
             "number of whole images that the foam moves in a loop, to the right and up",

@@ -30,6 +30,9 @@ struct LoopOptions {
     // areas of the bubbles that do not vanish. Shear: amplitude of the strain.
     double amplitude = 0.15;
     double boiling = 0.15;  // Boil: fraction of the bubbles that vanish and are born again
+    // Boil: largest rise of the areas of these bubbles above the area at birth, in units of their
+    // areas before the loop. Where the foam does not return to the same state, the rise is reduced.
+    double rise = 2.5;
     std::array<int, 2> drift = {0, 0};  // motion per loop, in image widths and heights; y is up
     // The root mean square of the strain from a current, which moves the drawn bubbles around and
     // back to their start in every loop.

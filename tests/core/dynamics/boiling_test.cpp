@@ -21,7 +21,8 @@ constexpr int kSteps = 48;
 TEST(Boiling, BubblesAreFarApartAndTheirBirthsSpreadOverTheCycle) {
     const Foam foam = test::equilibrated_foam(200, 1);
     Random random(1);
-    const std::vector<BoilingBubble> boiling = choose_boiling_bubbles(foam, 0.12, kSteps, random);
+    const std::vector<BoilingBubble> boiling =
+        choose_boiling_bubbles(foam, 0.12, 2.5, kSteps, random);
     ASSERT_EQ(boiling.size(), 24U);
     double nearest = std::numeric_limits<double>::infinity();
     for (const BoilingBubble& one : boiling) {
@@ -43,10 +44,19 @@ TEST(Boiling, BubblesAreFarApartAndTheirBirthsSpreadOverTheCycle) {
     }
 }
 
+TEST(Boiling, AreaRisesAreMultiplesOfTheTargetAreas) {
+    const Foam foam = test::equilibrated_foam(30, 1);
+    Random random(1);
+    for (const BoilingBubble& bubble : choose_boiling_bubbles(foam, 0.2, 0.75, kSteps, random)) {
+        const double area = foam.target_areas[find_bubble(foam, bubble.identity).value()];
+        EXPECT_DOUBLE_EQ(bubble.area_rise, 0.75 * area);
+    }
+}
+
 TEST(Boiling, AtLeastOneBubbleBoils) {
     Random random(1);
     const Foam foam = test::equilibrated_foam(20, 1);
-    EXPECT_EQ(choose_boiling_bubbles(foam, 0.001, kSteps, random).size(), 1U);
+    EXPECT_EQ(choose_boiling_bubbles(foam, 0.001, 2.5, kSteps, random).size(), 1U);
 }
 
 TEST(Boiling, LoneBubblesDoNotBoil) {
@@ -56,7 +66,7 @@ TEST(Boiling, LoneBubblesDoNotBoil) {
     ASSERT_TRUE(collapse(foam, BubbleId{0}, counts));
     compact(foam);
     ASSERT_EQ(foam.lone_bubbles.size(), 1U);
-    EXPECT_TRUE(choose_boiling_bubbles(foam, 0.5, kSteps, random).empty());
+    EXPECT_TRUE(choose_boiling_bubbles(foam, 0.5, 2.5, kSteps, random).empty());
     EXPECT_FALSE(give_birth(foam, {.identity = 0}, 0.02));
 }
 

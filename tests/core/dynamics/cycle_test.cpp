@@ -149,7 +149,8 @@ TEST(Cycle, ABoilingBubbleThatLeftItsRaftIsNotBornAgain) {
     Cycle cycle(foam, options);
     Random random(options.seed);
     const BoilingBubble boiling =
-        choose_boiling_bubbles(foam, options.boiling, options.steps, random).front();
+        choose_boiling_bubbles(foam, options.boiling, options.boiling_rise, options.steps, random)
+            .front();
     TopologyCounts counts;
     ASSERT_TRUE(collapse(foam, *find_bubble(foam, boiling.identity), counts));
     compact(foam);
