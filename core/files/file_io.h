@@ -34,7 +34,7 @@ inline void append(Bytes& to, std::span<const std::byte> bytes) {
 
 /// Returns the whole content of a file. Throws InputError if the file cannot be read, if it is not
 /// a regular file but, for example, a folder or a pipe, or if it is larger than `kind` allows.
-Bytes read_file(const std::filesystem::path& path, const InputKind& kind = kImageInput);
+Bytes read_file(const std::filesystem::path& path, const InputKind& kind);
 
 /// Returns true if the name can be a part of a file name: it is not empty, has at most 200 bytes,
 /// is harmless (is_harmless in shown_text.h), and has no '/' and no leading '.'. Names in files

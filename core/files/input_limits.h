@@ -19,7 +19,8 @@ struct InputKind {
 
 inline constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
-inline constexpr InputKind kPresetInput{"a preset or a file of tolerances", kMebibyte};
+inline constexpr InputKind kPresetInput{"a preset, a profile or a file of tolerances", kMebibyte};
+inline constexpr InputKind kJobsInput{"a file of jobs", 64 * kMebibyte};
 inline constexpr InputKind kFoamInput{"a foam", 1024 * kMebibyte};
 inline constexpr InputKind kDescriptionInput{
     "a manifest or the description of a cache or a flipbook", 512 * kMebibyte};
@@ -28,8 +29,13 @@ inline constexpr InputKind kImageInput{"an image", 4096 * kMebibyte};
 inline constexpr InputKind kDrawingInput{"a drawing (SVG)", 16 * kMebibyte};
 
 /// All kinds of input files.
-inline constexpr std::array kInputKinds = {
-    kPresetInput, kFoamInput, kDescriptionInput, kStateInput, kImageInput, kDrawingInput};
+inline constexpr std::array kInputKinds = {kPresetInput,
+                                           kJobsInput,
+                                           kFoamInput,
+                                           kDescriptionInput,
+                                           kStateInput,
+                                           kImageInput,
+                                           kDrawingInput};
 
 /// The largest size of the uncompressed content of a state of a cache, in bytes.
 inline constexpr std::uint64_t kMaxStateContent = 4096 * kMebibyte;

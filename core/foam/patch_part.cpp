@@ -23,6 +23,11 @@ constexpr int kMaxPatchDraws = 8;
 // of this size is a sliver (clipped_cells.cpp).
 constexpr double kLeastPart = 0.1;
 
+// The number of random points that are drawn for a part is limited to this number plus
+// kMaxPointsPerBubble per bubble. An outline that fills less of its bounding box is too narrow.
+constexpr int kMaxPoints = 100'000;
+constexpr int kMaxPointsPerBubble = 1'000;
+
 // Points along each side of the bounding box of a part at which an area field is measured.
 constexpr int kFieldPoints = 64;
 
@@ -110,17 +115,24 @@ Vec2 random_point(const Box& box, Random& random) {
 
 // Returns `count` random points inside the part. Draws points uniformly in the bounding box of the
 // part or, if there is an area field, in the bounding box of the whole outline with a density of
-// 1 / area. Keeps the points inside the part.
+// 1 / area. Keeps the points inside the part. Throws std::runtime_error if too few points are
+// inside.
 std::vector<Vec2> random_sites(const PreparedPart& part, int count, Random& random) {
     const Box box = box_of(part.outline);
+    const std::int64_t max_points = kMaxPoints + std::int64_t{kMaxPointsPerBubble} * count;
     std::vector<Vec2> sites;
-    while (static_cast<int>(sites.size()) < count) {
+    for (std::int64_t drawn = 0; drawn < max_points; ++drawn) {
         const Vec2 site = part.areas ? part.areas->random_point(random) : random_point(box, random);
         if (is_inside(part.outline, site)) {
             sites.push_back(site);
+            if (static_cast<int>(sites.size()) == count) {
+                return sites;
+            }
         }
     }
-    return sites;
+    throw std::runtime_error("of " + std::to_string(max_points) +
+                             " random points in its bounding box, only " +
+                             std::to_string(sites.size()) + " are inside");
 }
 
 ClippedCells cells_of(const PreparedPart& part, const std::vector<Vec2>& sites) {

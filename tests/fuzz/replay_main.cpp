@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
         for (const std::filesystem::path& file : files_of(argument)) {
             std::printf("%s\n", file.c_str());
             std::fflush(stdout);  // if the target aborts, the last line names the file
-            const foam::Bytes content = foam::read_file(file);
+            const foam::Bytes content = foam::read_file(file, foam::kImageInput);
             target.run({reinterpret_cast<const char*>(content.data()), content.size()});
             ++runs;
         }

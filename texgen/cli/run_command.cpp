@@ -106,7 +106,7 @@ void print_summary(const std::vector<FinishedJob>& finished,
 }
 
 ExitCode run_jobs(const RunCommandArguments& arguments) {
-    const Bytes content = read_file(arguments.file);
+    const Bytes content = read_file(arguments.file, kJobsInput);
     const std::vector<Job> jobs = read_jobs(as_text(content), arguments.file);
     if (arguments.job && *arguments.job > jobs.size()) {
         throw std::invalid_argument(

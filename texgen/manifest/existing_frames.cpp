@@ -56,7 +56,7 @@ std::vector<std::string> names_of(const Preset& preset) {
 }  // namespace
 
 std::string file_hash(const std::filesystem::path& path) {
-    return text_hash(as_text(read_file(path)));
+    return text_hash(as_text(read_file(path, kImageInput)));
 }
 
 std::set<int> existing_frames_of(const Preset& preset,

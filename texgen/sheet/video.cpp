@@ -106,7 +106,7 @@ Bytes encode_video(std::span<const std::byte> apng, FrameRate rate, VideoFormat 
     arguments.insert(arguments.end(), more.begin(), more.end());
     arguments.push_back(to.string());
     run_ffmpeg(std::move(arguments));
-    return read_file(to);
+    return read_file(to, kImageInput);
 }
 
 }  // namespace foam::texgen

@@ -59,7 +59,7 @@ std::vector<Bytes> baked_frames(Preset preset,
     const BakeSummary summary = bake(preset, {.frames = frames, .source = source});
     std::vector<Bytes> files;
     for (const std::filesystem::path& path : summary.files) {
-        files.push_back(read_file(path));
+        files.push_back(read_file(path, kImageInput));
     }
     return files;
 }

@@ -21,7 +21,7 @@ constexpr std::string_view kMark =
 constexpr std::string_view kSuffix = ".toml";
 
 bool has_mark(const std::filesystem::path& path) {
-    const Bytes content = read_file(path);
+    const Bytes content = read_file(path, kPresetInput);
     return as_text(content).starts_with(kMark);
 }
 

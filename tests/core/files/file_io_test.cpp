@@ -49,7 +49,7 @@ TEST(FileIo, RoundTrips) {
     const TemporaryFolder folder;
     const Bytes content(100'000, std::byte{42});
     write_file(folder.path() / "a.bin", content);
-    EXPECT_EQ(read_file(folder.path() / "a.bin"), content);
+    EXPECT_EQ(read_file(folder.path() / "a.bin", kImageInput), content);
     EXPECT_EQ(folder.files(), std::vector<std::string>{"a.bin"});
 }
 
@@ -57,7 +57,7 @@ TEST(FileIo, ReplacesAnOlderFile) {
     const TemporaryFolder folder;
     write_file(folder.path() / "a.bin", Bytes(10));
     write_file(folder.path() / "a.bin", Bytes(3));
-    EXPECT_EQ(read_file(folder.path() / "a.bin").size(), 3U);
+    EXPECT_EQ(read_file(folder.path() / "a.bin", kImageInput).size(), 3U);
 }
 
 TEST(FileIo, AMissingFolderIsNamed) {
@@ -99,7 +99,7 @@ TEST(FileIo, AFailureKeepsTheOlderFile) {
         const FileSizeLimit limit(1000);
         failure_to_write(path, 2000);
     }
-    EXPECT_EQ(read_file(path), Bytes(10));
+    EXPECT_EQ(read_file(path, kImageInput), Bytes(10));
 }
 
 TEST(FileIo, FoldersAreMadeAsFarAsTheyAreMissing) {
@@ -153,7 +153,7 @@ TEST(FileIo, AStagedFileHasNoNameBeforeItIsPublished) {
     EXPECT_FALSE(std::filesystem::exists(path));
     write_file(path, Bytes(3));
     file.publish();
-    EXPECT_EQ(read_file(path).size(), 10U);
+    EXPECT_EQ(read_file(path, kImageInput).size(), 10U);
     EXPECT_EQ(folder.files(), std::vector<std::string>{"a.bin"});
 }
 
@@ -191,8 +191,9 @@ TEST(FileIo, AFolderMustTakeFilesAndNotOnlyAllowThem) {
 
 TEST(FileIo, ReadingNamesFileAndReason) {
     const TemporaryFolder folder;
-    EXPECT_THROW(read_file(folder.path() / "none"), InputError);
-    EXPECT_THROW(read_file(folder.path()), InputError);  // a folder can be opened but not read
+    EXPECT_THROW(read_file(folder.path() / "none", kImageInput), InputError);
+    EXPECT_THROW(read_file(folder.path(), kImageInput),
+                 InputError);  // a folder can be opened but not read
 }
 
 }  // namespace

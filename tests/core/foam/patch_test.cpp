@@ -242,6 +242,20 @@ TEST(SeedPatch, RejectsAnOutlineThatIsTooNarrow) {
     }
 }
 
+// A sliver along the diagonal of its bounding box: almost no random point is inside.
+TEST(SeedPatch, RejectsAnOutlineThatFillsTooLittleOfItsBoundingBox) {
+    const Outline sliver = outline_from_wkt("POLYGON((0 0, 1 1, 1 1.00000001))");
+    try {
+        seed_patch(sliver, options_for(3, 1));
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(),
+                     "no valid patch of 3 bubbles fits into this outline: it is too narrow, or has "
+                     "parts too small for a bubble; use more bubbles or a wider outline (of 103000 "
+                     "random points in its bounding box, only 0 are inside)");
+    }
+}
+
 // A rectangle whose left half has bubbles of a ninth of the area of those on its right: nine of ten
 // bubbles are on the left. Small bubbles are no slivers.
 TEST(Patch, AFieldDecidesTheNumberOfBubblesAndTheirAreas) {

@@ -51,7 +51,7 @@ TEST(Bake, FramesDoNotDependOnTheOtherFramesBaked) {
     const std::vector<Bytes> all = baked_files(preset, 2);
     const BakeSummary third = bake(preset, {.frames = {3}, .threads = 2}, {});
     ASSERT_EQ(third.files.size(), 1U);
-    EXPECT_EQ(read_file(third.files.front()), all[2]);
+    EXPECT_EQ(read_file(third.files.front(), kImageInput), all[2]);
 }
 
 // The files of a patch do not depend on the number of threads either. Frame 1 determines the view
@@ -65,7 +65,7 @@ TEST(Bake, FramesOfAPatchAreSeenAlike) {
     EXPECT_EQ(all, baked_files(preset, 3));
     const BakeSummary later = bake(preset, {.frames = {4, 5}, .threads = 2}, {});
     ASSERT_EQ(later.files.size(), 2U);
-    EXPECT_EQ(read_file(later.files[1]), all[4]);
+    EXPECT_EQ(read_file(later.files[1], kImageInput), all[4]);
     const Image<std::uint8_t> image = codes8(decode_png(all[4]));
     EXPECT_EQ(image.channels(), 4);
     EXPECT_EQ(image.pixel(0, 0)[3], 0);
@@ -112,12 +112,12 @@ TEST(Bake, MapsDoNotDependOnTheOtherMapsBaked) {
     const BakeSummary all = bake(preset, {.frames = {1, 2, 3}, .threads = 2}, {});
     std::vector<Bytes> third;
     for (std::size_t k = 2 * names.size(); k < all.files.size(); ++k) {
-        third.push_back(read_file(all.files[k]));
+        third.push_back(read_file(all.files[k], kImageInput));
     }
     const BakeSummary alone = bake(preset, {.frames = {3}, .threads = 1}, {});
     ASSERT_EQ(alone.files.size(), names.size());
     for (std::size_t k = 0; k < names.size(); ++k) {
-        EXPECT_EQ(read_file(alone.files[k]), third[k]) << names[k];
+        EXPECT_EQ(read_file(alone.files[k], kImageInput), third[k]) << names[k];
     }
 }
 
@@ -130,7 +130,7 @@ TEST(Bake, CompressionChangesNoPixel) {
          {Compression::None, Compression::Fast, Compression::Small}) {
         preset.output.png_compression = compression;
         const BakeSummary summary = bake(preset, {.frames = {1}, .threads = 1}, {});
-        sizes.push_back(read_file(summary.files.front()).size());
+        sizes.push_back(read_file(summary.files.front(), kImageInput).size());
         pictures.push_back(codes8(read_picture(summary.files.front())));
     }
     EXPECT_GT(sizes[0], sizes[1]);

@@ -18,7 +18,7 @@ inline std::vector<Bytes> baked_files(const Preset& preset, int threads) {
     const BakeSummary summary = bake(preset, {.frames = {1, 2, 3, 4, 5}, .threads = threads}, {});
     std::vector<Bytes> contents;
     for (const std::filesystem::path& path : summary.files) {
-        contents.push_back(read_file(path));
+        contents.push_back(read_file(path, kImageInput));
     }
     return contents;
 }

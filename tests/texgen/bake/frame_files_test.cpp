@@ -50,7 +50,7 @@ TEST(FrameFiles, AnExrHoldsAllMapsOfAFrame) {
     EXPECT_TRUE(image.metadata.color);
     EXPECT_EQ(image.metadata.frame_rate, (FrameRate{30, 1}));
     EXPECT_EQ(image.metadata.text.size(), 4U);
-    EXPECT_EQ(read_file(summary.files[1]), baked_files(preset, 1)[1]);
+    EXPECT_EQ(read_file(summary.files[1], kImageInput), baked_files(preset, 1)[1]);
 }
 
 // A PNG stores the mask of films as 8-bit codes; an EXR stores it as numbers from 0 to 1.

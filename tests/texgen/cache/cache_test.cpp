@@ -25,7 +25,7 @@ std::vector<Bytes> baked(Preset preset, const BakeOptions& options) {
     preset.output.texts = FileTexts::LeftOut;
     std::vector<Bytes> contents;
     for (const std::filesystem::path& path : bake(preset, options, {}).files) {
-        contents.push_back(read_file(path));
+        contents.push_back(read_file(path, kImageInput));
     }
     return contents;
 }

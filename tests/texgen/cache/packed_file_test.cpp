@@ -26,7 +26,7 @@ TEST(PackedFile, AStateThatIsMissingDamagedOrForeignIsRejected) {
                   "simulate' has written their states");
     const std::filesystem::path path = folder.path() / "state.000002.foam";
     const std::string prefix = "cannot read '" + path.string() + "': ";
-    const Bytes good = read_file(path);
+    const Bytes good = read_file(path, kImageInput);
     const auto error_with = [&](std::size_t place_of_byte) {
         Bytes bad = good;
         bad.at(place_of_byte) ^= std::byte{1};

@@ -104,7 +104,8 @@ TEST(ExrHeader, RejectsAttributesOfTheWrongSize) {
 
 // Found by random changes: OpenEXR allocated 2 GB for a text of this length.
 TEST(ExrHeader, RejectsAFileWithALongAttribute) {
-    const Bytes file = read_file(foam::test::data_folder() / "damaged/long_attribute.exr");
+    const Bytes file =
+        read_file(foam::test::data_folder() / "damaged/long_attribute.exr", kImageInput);
     EXPECT_EQ(fault_of(file), "an attribute of type box2i must have 16 bytes, not 1");
 }
 

@@ -55,7 +55,7 @@ std::map<std::string, Bytes> images_of(const TemporaryFolder& folder) {
     std::map<std::string, Bytes> images;
     for (const std::string& name : folder.files()) {
         if (name.ends_with(".png")) {
-            images[name] = read_file(folder.path() / name);
+            images[name] = read_file(folder.path() / name, kImageInput);
         }
     }
     return images;

@@ -66,7 +66,7 @@ TEST(ManifestFile, DoesNotOverwriteFilesOfOtherPrograms) {
     write_file(folder.path() / "manifest.json", std::as_bytes(std::span(other)));
     EXPECT_THROW(manifest_in(folder.path()), InputError);
     EXPECT_THROW(add_frame(folder.path(), 1), InputError);
-    EXPECT_EQ(read_file(folder.path() / "manifest.json").size(), other.size());
+    EXPECT_EQ(read_file(folder.path() / "manifest.json", kImageInput).size(), other.size());
     EXPECT_EQ(folder.files().size(), 1U);
     EXPECT_EQ(manifest_in(folder.path() / "none"), Manifest{});
 }

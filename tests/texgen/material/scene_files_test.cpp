@@ -23,7 +23,7 @@ std::string fault_of(const Preset& preset) {
 }
 
 std::string content_of(const std::filesystem::path& path) {
-    const Bytes bytes = read_file(path);
+    const Bytes bytes = read_file(path, kImageInput);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

@@ -104,7 +104,7 @@ TEST(Preview, AnimatesEveryFrame) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
     write(set, folder, {.kinds = {PreviewKind::Loop}});
-    const Bytes stream = read_file(folder.path() / "shown" / "small_albedo_loop.png");
+    const Bytes stream = read_file(folder.path() / "shown" / "small_albedo_loop.png", kImageInput);
     EXPECT_EQ(codes8(decode_png(stream)),
               codes8(read_picture(folder.path() / "small_albedo.0001.png")));
     EXPECT_EQ(chunk(stream, "acTL"), std::string("\0\0\0\4\0\0\0\0", 8));
@@ -115,7 +115,7 @@ TEST(Preview, KeepsItsSpeedWithFewerFrames) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
     write(set, folder, {.frames = {1, 3}, .kinds = {PreviewKind::Loop}});
-    const Bytes stream = read_file(folder.path() / "shown" / "small_albedo_loop.png");
+    const Bytes stream = read_file(folder.path() / "shown" / "small_albedo_loop.png", kImageInput);
     EXPECT_EQ(chunk(stream, "fcTL").substr(20, 4), std::string("\0\2\0\x18", 4));  // 2/24 s
 }
 
@@ -124,9 +124,9 @@ TEST(Preview, IsTheSameForAnyNumberOfThreads) {
     const BakedSet set = baked(small_loop(folder.path()), {"albedo"});
     const std::filesystem::path path = folder.path() / "shown" / "small_albedo_loop.png";
     write(set, folder, {.kinds = {PreviewKind::Loop}, .size = 20, .threads = 1});
-    const Bytes one = read_file(path);
+    const Bytes one = read_file(path, kImageInput);
     write(set, folder, {.kinds = {PreviewKind::Loop}, .size = 20, .threads = 3});
-    EXPECT_EQ(read_file(path), one);
+    EXPECT_EQ(read_file(path, kImageInput), one);
     EXPECT_EQ(codes8(decode_png(one)).width(), 20);
     EXPECT_EQ(codes8(decode_png(one)).height(), 15);
 }

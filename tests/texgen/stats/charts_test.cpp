@@ -38,7 +38,7 @@ class Charts : public testing::Test {
 
     /// Returns true if a chart contains a text, such as a title in its key.
     bool shows(const std::string& name, const std::string& text) const {
-        const Bytes bytes = read_file(folder_.path() / (name + ".svg"));
+        const Bytes bytes = read_file(folder_.path() / (name + ".svg"), kImageInput);
         const std::string svg(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         return svg.find(text) != std::string::npos;
     }

@@ -17,7 +17,7 @@ namespace foam::texgen {
 namespace {
 
 std::string text_of(const std::filesystem::path& path) {
-    const Bytes bytes = read_file(path);
+    const Bytes bytes = read_file(path, kImageInput);
     std::string text(bytes.size(), '\0');
     std::memcpy(text.data(), bytes.data(), bytes.size());
     return text;
