@@ -38,8 +38,8 @@ void require(bool holds, const std::string& message) {
     }
 }
 
-// The largest strain of one call, and the largest push in radii. Larger ones would take too many
-// substeps.
+// The largest strain of one call, and the largest displacement of a push along x and y, in radii.
+// Larger ones would take too many substeps of the step or small steps of the push.
 constexpr double kMaxStrain = 100.0;
 constexpr double kMaxPush = 1000.0;
 constexpr int kMaxBubbles = 10'000'000;
@@ -56,7 +56,7 @@ bool is_positive(double number) {
 
 void check(const StepSettings& settings) {
     require(std::isfinite(settings.kappa) && settings.kappa >= 0.0,
-            "kappa: must be a number of at least 0");
+            "kappa: must be finite and at least 0");
     require(is_positive(settings.tolerance), "tolerance: must be a positive number");
     require(is_positive(settings.t1_distance), "t1_distance: must be a positive number");
     require(is_positive(settings.t2_area), "t2_area: must be a positive number");
@@ -105,10 +105,10 @@ foam::StateChange change_of(const Drive& drive, const foam::Domain& domain) {
         require(domain.is_plane() || push.radius <= 0.5 * std::min(domain.width, domain.height),
                 "radius: on a torus, must be at most half of its shorter side");
         require(std::isfinite(push.center.x) && std::isfinite(push.center.y),
-                "center: must consist of numbers");
+                "center: both coordinates must be finite");
         const double limit = kMaxPush * push.radius;
         require(is_from(push.by.x, -limit, limit) && is_from(push.by.y, -limit, limit),
-                "by: must be at most 1000 radii");
+                "by: each coordinate must be at most 1000 radii");
         change.pushes.push_back({vector_of(push.center), push.radius, vector_of(push.by)});
     }
     return change;
@@ -208,7 +208,7 @@ Equilibrium Foam::step(double time,
                        const Drive& drive,
                        const StepSettings& settings,
                        const std::function<void()>& poll) {
-    require(std::isfinite(time) && time >= 0.0, "time: must be a number of at least 0");
+    require(std::isfinite(time) && time >= 0.0, "time: must be finite and at least 0");
     check(settings);
     foam::check_threads(settings.threads);
     const foam::StateChange change = change_of(drive, state_->foam.domain);

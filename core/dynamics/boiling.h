@@ -23,7 +23,8 @@ struct BoilingBubble {
     // The position at which the bubble last vanished. Before the bubble has vanished for the first
     // time, this is the mean position of the junctions that it had when it was chosen.
     Vec2 last_position{0.0, 0.0};
-    // The bubbles between which the bubble last vanished; empty until it has vanished.
+    // The bubbles between which the bubble last vanished. Empty until it has vanished, and if it
+    // last vanished as a lone bubble.
     std::set<BubbleIdentity> neighbors{};
     // False if the bubble has vanished between the same bubbles the last two times.
     bool neighbors_changed = true;
@@ -38,9 +39,10 @@ std::vector<BoilingBubble> choose_boiling_bubbles(
     const Foam& foam, double fraction, double rise, int steps, Random& random);
 
 /// Returns the target area of the bubble at a position of a cycle with the given number of steps,
-/// or nothing if the bubble is absent. The bubble is present for nine tenths of the cycle. In this
-/// time its target area rises from `first_area` to `first_area` + `area_rise` and falls back.
-/// Precondition: `first_area` is above the T2 area (E8).
+/// or nothing if the bubble is absent. Positions from `steps` on belong to later cycles. The bubble
+/// is present for nine tenths of the cycle. In this time its target area rises from `first_area` to
+/// `first_area` + `area_rise` and falls back. Preconditions: `first_area` is above the T2 area
+/// (E8), and the position is not negative.
 std::optional<double> area_at(const BoilingBubble& bubble,
                               int position,
                               int steps,

@@ -27,8 +27,7 @@ class Cycle {
     /// options, only the number of steps and the strain are used.
     Cycle(const Foam& foam, const CycleOptions& options, CycleDrive drive);
 
-    /// Returns what the cycle does with each bubble. It changes in `calm` and when a boiling bubble
-    /// vanishes.
+    /// Returns the drive, which changes in `calm` and when a boiling bubble vanishes.
     const CycleDrive& drive() const { return drive_; }
 
     /// Advances the foam from position `position` - 1 of the cycle, or from a state near it, to

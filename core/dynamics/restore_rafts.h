@@ -21,7 +21,7 @@ std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch);
 void restore_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before);
 
 /// Brings a foam to equilibrium (equilibrate_with). If it converges, the rafts of a patch return to
-/// their places (restore_rafts). Removes dead slots of a patch.
+/// their earlier positions and rotations (restore_rafts). Removes the dead slots of a patch.
 EquilibriumSummary equilibrate_keeping_rafts(Solver solver,
                                              Foam& foam,
                                              const EquilibriumOptions& options);

@@ -10,6 +10,7 @@ namespace foam {
 /// the strain times its y coordinate. The areas within the chords of the bubbles are unchanged. The
 /// foam is not in equilibrium afterwards. Finally, the shear of the torus is reduced to at most
 /// half of its width, which does not move the junctions (reduce_lattice in core/foam/lattice.h).
+/// Precondition: the domain is a torus.
 void shear(Foam& foam, double strain);
 
 }  // namespace foam

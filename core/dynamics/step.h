@@ -12,7 +12,7 @@ namespace foam {
 /// Options for a step.
 struct StepOptions {
     CoarseningOptions coarsening{};
-    EquilibriumOptions equilibrium{};
+    EquilibriumOptions equilibrium{};  // relaxes_first has no effect: a step starts in equilibrium
     Solver solver = Solver::Newton;
     double largest_loss = 0.75;  // largest fraction of its area that a bubble loses in a substep
     int max_halvings = 12;       // largest number of times that a failed substep is halved
@@ -24,7 +24,7 @@ struct StepOptions {
 struct StepSummary {
     int substeps = 0;
     EquilibriumSummary equilibrium;
-    double strain = 0.0;  // by which the foam was sheared (StateChange::strain)
+    double strain = 0.0;  // the strain by which the foam was sheared (StateChange::strain)
 };
 
 /// Advances a foam in equilibrium by the given time: diffusion (E6), T2 (E8), T1 (E7) and

@@ -34,7 +34,8 @@ struct EquilibriumSummary {
 
 /// Brings the foam to mechanical equilibrium (E2) at its target areas by relaxation (E4) and
 /// Newton's method (E3). Makes the T1s (E7) that are due on the way to equilibrium and in
-/// equilibrium. On a torus, the mean of the resulting pressures, weighted by target area, is 0.
+/// equilibrium. In a patch, these may leave dead slots (compact in foam.h). On a torus, the mean of
+/// the resulting pressures, weighted by target area, is 0.
 /// Preconditions: the network is valid; target areas are positive, and on a torus they add up to
 /// its area.
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);

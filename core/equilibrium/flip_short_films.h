@@ -10,6 +10,7 @@
 
 namespace foam {
 
+/// The four bubbles around a film: on its left, on its right, beyond its tail and beyond its head.
 using FourBubbles = std::array<BubbleId, 4>;
 
 /// A function that flip_short_films calls after it has applied the T1 rule to a film. The arguments

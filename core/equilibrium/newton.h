@@ -25,9 +25,9 @@ struct NewtonOptions {
     // of the norm of the residual. The value 1 disables this status.
     double slow_ratio = 1.0;
     // Decides which of the films that are shorter than their T1 distance get a T1 before a step is
-    // made. If true, near equilibrium: those that would still be shorter after the step
-    // (closing_films). Otherwise, and always far from equilibrium: only those that the step would
-    // shorten by more than half (collapsing_films). Collapsed films always get a T1.
+    // made. If this is true and the foam is near equilibrium, these are the films that would still
+    // be shorter after the step (closing_films). Otherwise, these are only the films that the step
+    // would shorten by more than half (collapsing_films). Collapsed films always get a T1.
     bool predicts_t1 = true;
     // If false, the precision of the factor is raised only near equilibrium. Farther away, defects
     // are a likelier cause of a stall, and a factor in double precision is costly in a large foam.
@@ -49,7 +49,7 @@ enum class NewtonStatus {
 /// The result of `newton`.
 struct NewtonSummary {
     NewtonStatus status = NewtonStatus::IterationLimit;
-    int iterations = 0;
+    int iterations = 0;  // number of steps that were made
     // The larger of the largest force and the largest area error, in the units of the tolerances.
     double residual = 0.0;
     std::vector<FilmId> collapsing;  // the films that need a T1, in increasing order

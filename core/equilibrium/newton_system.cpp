@@ -19,11 +19,11 @@ namespace {
 constexpr double kSingleRegularization = 1e-6;
 constexpr double kDoubleRegularization = 1e-7;
 
-// Systems of fewer unknowns are factored in double precision. In a small foam, it may be that no
-// film resists a certain motion of junctions, but only the area constraint of a bubble does. If the
-// pressure of this bubble is eliminated after these junctions, a pivot of the junctions is only as
-// large as the regularization, and the pivot of the pressure has about the magnitude of its
-// inverse. Single precision is not enough for such pivots.
+// Systems of fewer unknowns than this are factored in double precision. In a small foam, it may be
+// that no film resists a certain motion of junctions, but only the area constraint of a bubble
+// does. If the pressure of this bubble is eliminated after these junctions, a pivot of the
+// junctions is only as large as the regularization, and the pivot of the pressure has about the
+// magnitude of its inverse. Single precision is not enough for such pivots.
 constexpr int kFewUnknowns = 500;
 
 // Subtracts the mean vector of all junctions from the vector of each junction. The vectors are in

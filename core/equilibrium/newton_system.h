@@ -27,11 +27,12 @@ class NewtonSystem {
     /// `threads` has the same meaning as in parallel_for.
     void start(const Foam& foam, Unknowns unknowns, int threads);
 
-    /// Prepares the system for all unknowns of a foam. Does less work than `start` if the last call
-    /// was for a similar network. If the connections and the number of threads are the same, and
-    /// the precision has not been raised since (raise_precision), the analysis is kept, and a
-    /// factor of the earlier state, too, if there is one. Otherwise, the order of elimination is
-    /// repaired (LinearSolver::start). In both cases, the steps depend on earlier calls.
+    /// Prepares the system for all unknowns of a foam. Does less work than `start` if the system
+    /// was last prepared for a similar network. The analysis, and the factor of the earlier state
+    /// if there is one, are kept under three conditions: this function also made the last
+    /// preparation, the connections and the number of threads are the same, and the precision has
+    /// not been raised since (raise_precision). Otherwise, the order of elimination is repaired
+    /// (LinearSolver::start). In both cases, the steps depend on earlier calls.
     void start_whole(const Foam& foam, int threads);
 
     const Unknowns& unknowns() const { return unknowns_; }

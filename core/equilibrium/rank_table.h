@@ -35,7 +35,8 @@ class RankTable {
         }
     }
 
-    /// Returns the index of the id in the list; negative if the id is not in it.
+    /// Returns the index of the id in the list; negative if the id is not in it. Precondition: the
+    /// id is below the `slots` of the constructor.
     int operator[](Id id) const {
         return is_direct_ ? direct_[index_of(id)] : entries_[slot_of(id)].rank;
     }

@@ -7,8 +7,8 @@
 namespace foam {
 
 /// Reopens collapsed bubbles: two-sided bubbles that have less than a hundredth of their target
-/// area. Leaves two kinds of collapsed bubbles as they are: bubbles at the surface of a patch, and
-/// bubbles whose two ends are also joined by a third film. Returns the number of reopened bubbles.
+/// area. Leaves two kinds of collapsed bubbles as they are: bubbles with an outer film, and bubbles
+/// whose two ends are also joined by a third film. Returns the number of reopened bubbles.
 ///
 /// Relaxation cannot open a collapsed bubble. Its two films pull its ends together. To push the
 /// ends apart, the pressure in the bubble must exceed the pressure around it by sqrt(3) times the

@@ -64,7 +64,8 @@ class SoftFoam {
     /// Updates a bubble after the T1 rule has been applied near it: loads the arcs of its outer
     /// films, since the rule may have joined two films into one, and measures its area. If
     /// `may_be_empty` is true, for example after a film has torn, and the bubble has less than half
-    /// of its target area, its outer films are bent by bulge_outer_films.
+    /// of its target area, its outer films are bent by bulge_outer_films. Precondition: the bubble
+    /// is loaded.
     void renew(BubbleId bubble, bool may_be_empty);
 
   private:

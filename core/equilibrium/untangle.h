@@ -7,9 +7,10 @@
 namespace foam {
 
 /// Returns true if the junction is tangled: the films leave the junction in a cyclic order that
-/// differs from their order in the network, or one of these films has no length. The direction in
-/// which an inner film leaves is the direction of its chord; for an outer film it is the tangent to
-/// its arc. Bubbles at a tangled junction overlap or are inverted.
+/// differs from their order in the network, or the chord of one of these films is zero (shorter
+/// than 1e-9 foam units). The direction in which an inner film leaves is the direction of its
+/// chord; for an outer film it is the tangent to its arc. Bubbles at a tangled junction overlap or
+/// are inverted.
 bool is_tangled(const Foam& foam, JunctionId junction);
 
 /// Untangles the foam by Tutte's barycentric embedding (How to draw a graph, 1963), applied

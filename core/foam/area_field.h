@@ -16,7 +16,7 @@ namespace foam {
 /// bubbles per unit area is proportional to 1 / area. Copies share the grid.
 class AreaField {
   public:
-    /// Returns a field on the rectangle from (0, 0) to (1, 1). `areas` has one positive number per
+    /// Creates a field on the rectangle from (0, 0) to (1, 1). `areas` has one positive number per
     /// cell, in rows from bottom to top. Throws std::invalid_argument if the numbers of columns,
     /// rows and areas do not fit together, or if an area is not positive and finite.
     AreaField(int columns, int rows, std::vector<double> areas);
@@ -33,8 +33,9 @@ class AreaField {
     Vec2 random_point(Random& random) const;
 
     /// Returns the area that a bubble covering a polygon should have: the harmonic mean of the
-    /// field over the polygon, measured at points that are at most a cell of the grid apart, or
-    /// 1/32 of the polygon if it is large. Precondition: the polygon is counter-clockwise.
+    /// field over the polygon. The distance between sample points is about the shorter side of a
+    /// cell of the grid or, in a large polygon, 1/32 of its size (visit_polygon_samples).
+    /// Precondition: the polygon is counter-clockwise.
     double mean_over(std::span<const Vec2> polygon) const;
 
     /// Returns the point to which Lloyd's algorithm moves the site of a cell: the centroid of the
@@ -49,7 +50,7 @@ class AreaField {
         int columns = 0;
         int rows = 0;
         std::vector<double> areas;
-        std::vector<double> sums;  // of 1 / area over all cells up to and including each one
+        std::vector<double> sums;  // sums[k] is the sum of 1 / area over the cells 0 to k
     };
 
     double cell_size() const;  // the shorter side of a cell

@@ -14,7 +14,7 @@ namespace foam {
 struct CellCorner {
     Vec2 point;            // in the plane; corners are not wrapped into the fundamental cell
     std::size_t across;    // index of the neighboring cell
-    LatticeOffset offset;  // lattice offset of the copy of the neighboring cell
+    LatticeOffset offset;  // lattice offset of the copy of the neighboring cell across the side
 };
 
 /// A tiling of the torus by polygons: the corners of each cell, counter-clockwise.

@@ -78,8 +78,8 @@ Cell cell_of_ring(const std::vector<Vec2>& ring, PointSet& points) {
     return cell;
 }
 
-// Returns the lengths of the sides of a cell. The keys are the sides as the neighboring cells have
-// them, in the opposite direction: from the end to the start of a side.
+// Returns the lengths of the sides of a cell. Each key is a side in the direction in which the
+// neighboring cell has it: from the end of the side to its start.
 std::map<Side, double> reversed_sides(const PolygonMesh& mesh, const Cell& corners) {
     std::map<Side, double> sides;
     for (std::size_t k = 0; k < corners.size(); ++k) {

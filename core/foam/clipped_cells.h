@@ -36,9 +36,10 @@ std::vector<Vec2> polygon_of(const PolygonMesh& mesh, const PolygonMesh::Cell& c
 double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
 
 /// Merges every cell smaller than a tenth of the mean area into the neighbor with which it shares
-/// the longest border. If `areas` is not null, the area of a cell is counted relative to that of
-/// the field. If the boundary of the union of the two cells is not a single loop, tries the
-/// neighbor with the next longest border. Removes the small cell if no neighbor is left to try.
+/// the longest border. If `areas` is not null, each area is compared relative to the mean of the
+/// field over the cell (AreaField::mean_over). If the boundary of the union of the two cells is not
+/// a single loop, tries the neighbor with the next longest border. Removes the small cell if no
+/// neighbor is left to try.
 void merge_slivers(PolygonMesh& mesh, const AreaField* areas = nullptr);
 
 }  // namespace foam

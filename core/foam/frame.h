@@ -23,7 +23,7 @@ struct Frame {
     double film_tension = 1.0;
     Network network;
     Indexed<JunctionId, Vec2> positions;
-    Indexed<FilmId, FilmArc> arcs;           // of the forward sides
+    Indexed<FilmId, FilmArc> arcs;           // the arc of each film along its forward side
     Indexed<BubbleId, FrameBubble> bubbles;  // without the ghost, which is last in the network
     std::vector<LoneBubble> lone_bubbles;
 

@@ -132,8 +132,8 @@ bool is_apart(const std::vector<Vec2>& ring, const Box& bounds) {
 }
 
 // Returns true if the bounding box of the polygon touches the bounding box of no side of the
-// outline. The polygon is then entirely inside or entirely outside of the outline. Most cells are,
-// and this test is much faster than an intersection.
+// outline. The polygon is then entirely inside or entirely outside of the outline. This is so for
+// most cells, and this test is much faster than an intersection.
 bool is_apart_from_rings(const Outline& outline, const std::vector<Vec2>& polygon) {
     Box bounds{polygon.front(), polygon.front()};
     for (const Vec2& point : polygon) {

@@ -45,8 +45,7 @@ struct Box {
 /// Returns the bounding box of an outline of one or several parts. Precondition: there is a part.
 Box bounding_box(std::span<const Outline> parts);
 
-/// Returns the width of the bounding box of an outline of one or several parts divided by its
-/// height.
+/// Returns the width of bounding_box(parts), divided by its height. Precondition: there is a part.
 double bounding_aspect(std::span<const Outline> parts);
 
 /// Returns the centroid of the region.

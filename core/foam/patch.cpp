@@ -21,8 +21,8 @@
 // twice the longer side of the bounding box of the part. Random sites are drawn within the part
 // and, as an option, moved by Lloyd's algorithm (seeding.cpp). Their Voronoi diagram on the torus
 // is clipped to the part (clipped_cells.h). If a draw gives no valid foam, new sites are drawn. The
-// cells of all parts together are converted to a foam (polygon_mesh.h). A part with a share of one
-// bubble becomes a lone bubble.
+// cells of all parts together are converted to a foam (polygon_mesh.h). A part whose share is
+// rounded to one bubble becomes a lone bubble.
 
 namespace foam {
 

@@ -28,7 +28,8 @@ constexpr double kLeastPart = 0.1;
 constexpr int kMaxPoints = 100'000;
 constexpr int kMaxPointsPerBubble = 1'000;
 
-// Points along each side of the bounding box of a part at which an area field is measured.
+// An area field is measured at a grid of kFieldPoints x kFieldPoints points in the bounding box of
+// a part.
 constexpr int kFieldPoints = 64;
 
 Box box_of(const Outline& outline) {

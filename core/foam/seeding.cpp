@@ -74,7 +74,7 @@ CellDiagram lloyd_relaxed(const Domain& domain,
     return cells;
 }
 
-// Sets the target areas, which are the areas of the cells, to those that the options ask for.
+// Replaces the target areas, which are still the areas of the cells, as the options ask for.
 void set_targets(const SeedingOptions& options, const CellDiagram& cells, Foam& foam) {
     std::vector<double> field;
     for (std::size_t cell = 0; options.areas && cell < cells.size(); ++cell) {

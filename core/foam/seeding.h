@@ -30,9 +30,9 @@ struct SeedingOptions {
 
 /// Returns the Voronoi diagram of random sites on a torus as a foam that is not yet in equilibrium:
 /// films are straight and every pressure is 0. If `area_ratio` is not 0, the target areas are
-/// assigned by rank: the largest cell gets the largest target area. With a field of areas, the rank
-/// is that of the cell's area divided by the area of the field. Throws std::invalid_argument if
-/// an option is out of range, and std::runtime_error if none of several random draws gives a valid
+/// assigned by rank: the largest cell gets the largest target area. With a field of areas, cells
+/// are ranked by their area divided by the area of the field. Throws std::invalid_argument if an
+/// option is out of range, and std::runtime_error if none of several random draws gives a valid
 /// foam.
 Foam seed_foam(const SeedingOptions& options);
 

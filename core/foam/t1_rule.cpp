@@ -50,8 +50,8 @@ Vec2 tangent(const Foam& foam, HalfEdgeId h) {
 // of the difference between the forces on its two ends. The flipped film is across the present
 // film: its left end is on the left of the present film.
 struct NeighborPull {
-    Vec2 present;  // of the present film: half of (force on its head - force on its tail)
-    Vec2 flipped;  // of the flipped film: half of (force on its left end - force on its right end)
+    Vec2 present;  // half of (force on head - force on tail) of the present film
+    Vec2 flipped;  // half of (force on left end - force on right end) of the flipped film
 };
 
 NeighborPull neighbor_pull(const Foam& foam, FilmId film) {

@@ -15,10 +15,10 @@ namespace foam {
 /// the network are in core/network (t1.h, split.h, t2.h) and rafts.h. The first case that applies
 /// is decisive:
 /// - A film that can tear (can_tear) tears or stays as it is. It never flips, because the flipped
-///   film would have the ghost on both sides. It tears in two cases. Either it is shorter than its
-///   T1 distance (t1_distance_at), and its neighboring films would pull its two sides apart
-///   (flipped_pulls_apart). Or it has collapsed (collapsed_length), and the pull of its neighboring
-///   films across it exceeds their pull along it minus the tension of the film.
+///   film would have the ghost on both sides. It tears if it is shorter than its T1 distance
+///   (t1_distance_at) and its neighboring films would pull its two sides apart
+///   (flipped_pulls_apart). It also tears if it has collapsed (collapsed_length) and the pull of
+///   its neighboring films across it exceeds their pull along it minus the tension of the film.
 /// - If an outer film is at a small hole (is_small_hole with the T1 distance of the thresholds),
 ///   the hole closes, if it can.
 /// - If an outer film of any length is at a hole in which bubbles overlap (is_overlapping_hole),

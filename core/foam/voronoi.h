@@ -14,7 +14,7 @@ namespace foam {
 /// are on one circle, a corner may join more than three cells; foam_from_cells rejects such a
 /// diagram. Throws std::runtime_error if two sites share a grid point, or if the gaps between sites
 /// are too large, for example if a very long torus has few sites. Precondition: the torus has no
-/// shear.
+/// shear, and the sites are in its fundamental cell.
 CellDiagram voronoi_cells(const Domain& domain, const std::vector<Vec2>& sites);
 
 }  // namespace foam

@@ -49,7 +49,7 @@ inline constexpr double kRounder = 0x1.8p52;
     return of_bits((bits_of(a) & mask) | (bits_of(b) & ~mask));
 }
 
-/// Returns 2^exponent. The argument is a whole number from -1022 to 1023.
+/// Returns 2^exponent. Precondition: the exponent is a whole number from -1022 to 1023.
 [[gnu::always_inline]] inline double power_of_two(double exponent) {
     return of_bits(bits_of(exponent + (kRounder + 1023.0)) << 52);
 }

@@ -98,7 +98,8 @@ inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
 }
 
 /// Return the natural logarithm and the logarithms of base 2 and 10, with an error below 0.6 ulp.
-/// Logarithms that are whole numbers are exact.
+/// Logarithms that are whole numbers are exact. As in the C standard, the logarithm of 0 is minus
+/// infinity, and the logarithm of a negative number is NaN.
 inline double log(double x) {
     return detail::scaled_logarithm(x, {1.0, 0.0});
 }

@@ -91,7 +91,7 @@ double segment_shape_of_angle(double half_angle) {
     return (half_angle - s * c) / (s * s);
 }
 
-// Returns (xx, yy) of segment_moments in units of c⁴ / 16, for alpha = `half_angle`.
+// Returns xx and yy of segment_moments, both divided by (chord length)⁴ / 16.
 Vec2 second_moment_shape(double half_angle) {
     const auto [s, c] = ieee::sincos(half_angle);
     if (c > 0.0 && std::abs(s) < kSeriesLimit) {

@@ -19,7 +19,8 @@ inline double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Returns the vector of length 1 at an angle from the x axis, counter-clockwise.
+/// Returns the vector of length 1 whose direction is `angle`: radians, counter-clockwise from the x
+/// axis.
 inline Vec2 unit_vector(double angle) {
     const auto [sine, cosine] = ieee::sincos(angle);
     return {cosine, sine};

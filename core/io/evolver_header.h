@@ -24,9 +24,10 @@ struct Header {
 /// Reads and returns the top section. The next token is then the keyword of the section of
 /// vertices. Ignores quantities that are not energies; adds a note if they are fixed or conserved.
 /// Also ignores all statements with unknown keywords. Throws FormatError if the file is not a
-/// string model in the plane or on a torus whose first period is along x. Also throws FormatError
-/// if the file adds an energy other than the length of all edges, or has another statement that is
-/// not supported (README.md).
+/// string model in the plane or on a torus whose first period is along x. Throws FormatError if the
+/// width or the height of the torus is not positive, if they differ too much (has_moderate_shape),
+/// or if the shear is more than 1e6 widths. Also throws FormatError if the file adds an energy
+/// other than the length of all edges, or has another statement that is not supported (README.md).
 Header read_header(TokenReader& tokens);
 
 }  // namespace foam::evolver

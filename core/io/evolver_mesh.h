@@ -55,7 +55,7 @@ struct Body {
     std::optional<double> pressure;  // the Lagrange multiplier in the file
 };
 
-/// The elements of a data file, each in the order of the file.
+/// The elements of a data file. Each vector is in the order of the file.
 struct Mesh {
     // Includes the midpoints of the edges of a quadratic model. No Edge refers to them.
     std::vector<Vertex> vertices;

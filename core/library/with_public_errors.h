@@ -12,8 +12,9 @@
 
 namespace foam {
 
-/// Returns work(). Exceptions that the program throws on purpose, and errors of the operating
-/// system, become the exceptions of the library (foamtex/errors.h).
+/// Returns work(). If work() throws InputError, FormatError, OutputError, std::invalid_argument or
+/// std::system_error, throws an exception of the library with the same message instead
+/// (foamtex/errors.h). All other exceptions stay unchanged.
 template <class Work>
 auto with_public_errors(const Work& work) {
     try {

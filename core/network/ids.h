@@ -18,6 +18,7 @@ enum class BubbleId : std::uint32_t {};
 /// side are also called the tail and the head of the film.
 enum class HalfEdgeId : std::uint32_t {};
 
+/// The index of kNone. No element has it.
 inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
 /// The id that stands for no element.
@@ -29,6 +30,7 @@ constexpr std::size_t index_of(Id id) {
     return static_cast<std::size_t>(id);
 }
 
+/// Returns the id with the given index. Precondition: the index is below 2^32.
 template <class Id>
 constexpr Id id_at(std::size_t index) {
     return static_cast<Id>(static_cast<std::uint32_t>(index));

@@ -92,7 +92,8 @@ class Network {
     std::vector<HalfEdgeId> around(BubbleId bubble) const;
 
     // Functions for building and changing the network. They do not maintain the invariants;
-    // find_fault (validate.h) checks the invariants.
+    // find_fault (validate.h) checks the invariants. The functions add_... return the id of the new
+    // element, which is not connected to any other element yet.
     JunctionId add_junction();
     FilmId add_film();
     BubbleId add_bubble();
@@ -114,8 +115,9 @@ class Network {
     /// junction; the chords of the films are then unchanged.
     void rebase(JunctionId junction, LatticeOffset by);
 
-    /// Returns true if the networks have the same slots, live elements and connections. The lattice
-    /// offsets may differ.
+    /// Returns true if the networks have the same slots, live elements and connections, and if
+    /// first() of each bubble and outgoing() of each junction are the same. The lattice offsets may
+    /// differ.
     bool is_connected_as(const Network& other) const;
 
     /// For each new id after compact(), the old id of the element. The elements of each kind keep

@@ -27,8 +27,10 @@ struct Vanished {
 
 /// Removes a bubble by the T2 process (E8; paper Figure 2). A three-sided bubble is replaced by one
 /// of its junctions, the tail of `first(bubble)`: the films at its three corners then meet there.
-/// This junction is not rebased (Network::rebase). A two-sided bubble is removed with both its
-/// junctions, and the films at its two corners become one film. Precondition: can_vanish.
+/// The lattice offsets of these films are relative to the present position of this junction; a
+/// caller that moves the junction by whole periods must call Network::rebase. A two-sided bubble is
+/// removed with both its junctions, and the films at its two corners become one film. Precondition:
+/// can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 
 /// Returns true if a hole can close. The conditions are the same as for a bubble with the boundary

@@ -8,9 +8,10 @@
 #include <sstream>
 #include <vector>
 
-// Half-edges are checked first, then junctions, bubbles and counts. In the plane, the boundaries of
-// the ghost and the lattice offsets are checked next. Euler's relation is checked last. Later
-// checks rely on earlier checks, for example when they follow successors.
+// The lattice offsets and half-edges of each film are checked first, then junctions, bubbles and
+// counts. In the plane, the boundaries of the ghost are checked next; then each lattice offset must
+// be zero. Euler's relation is checked last. Later checks rely on earlier checks, for example when
+// they follow successors.
 
 namespace foam {
 

@@ -10,21 +10,21 @@
 
 namespace foam {
 
-/// The largest number of periods, along either axis, of the lattice offset of a film, and of the
-/// sum of the offsets along the loop of a bubble from its first half-edge to any other. Sums of two
-/// offsets within this limit do not overflow.
+/// The largest number of periods, along either axis, that the lattice offset of a film may have.
+/// The limit also applies to the sum of the offsets along the loop of a bubble, from its first
+/// half-edge to any other. Sums of two offsets within this limit do not overflow.
 inline constexpr std::int32_t kMaxPeriods = 1'000'000;
 
 /// Returns a description of the first broken invariant, or nothing if the network is valid. The
 /// invariants, for V junctions, E films and F bubbles (without the ghost), are:
 /// - exactly three half-edges of live films leave each junction;
-/// - what next(), left(), tail(), first() and outgoing() return is consistent (first() of the ghost
-///   is not checked);
+/// - next(), left(), tail(), first() and outgoing() are consistent with each other (first() of the
+///   ghost is not checked);
 /// - every bubble has at least two sides; the loop around it closes after sides() half-edges, and
 ///   the lattice offsets of these half-edges add up to zero, so that the bubble is a disc;
 /// - no lattice offset, and no sum of the offsets along a loop, exceeds kMaxPeriods;
 /// - no film has the same copy of a bubble on both sides;
-/// - all numbers of sides add up to 2 E, and 3 V = 2 E;
+/// - the numbers of sides of all bubbles and of the ghost add up to 2 E, and 3 V = 2 E;
 /// - Euler's relation holds: on a torus V - E + F = 0;
 /// - in the plane, all lattice offsets are zero, and each boundary of the ghost (a closed chain of
 ///   outer films around a raft or a hole) has at least two films; Euler's relation is

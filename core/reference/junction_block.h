@@ -31,9 +31,9 @@ using BlockMatrix = Eigen::MatrixXd;
 /// constraint, Laplace-Young's law (E1) at the film. In the order of the unknowns, the half angles
 /// come after the pressures and before x and y. In the order of the constraints, Laplace-Young's
 /// law comes after the areas and before the angles. Below 90 degrees, where the law determines the
-/// half angle, the Newton step is the same as without these unknowns and constraints. At 90
-/// degrees, where the half angle has no finite derivative with respect to the pressures, the step
-/// is still well defined.
+/// half angle, the Newton step is the same as without these unknowns and constraints if the law
+/// holds before the step. At 90 degrees, where the half angle has no finite derivative with respect
+/// to the pressures, the step is still well defined.
 ///
 /// All quantities are dimensionless and of order one for bubbles of any size. The unit of a
 /// pressure is the film tension divided by the square root of the bubble's target area. The unit of
@@ -56,8 +56,8 @@ class JunctionBlock {
         return static_cast<Eigen::Index>(bubble_count_ + outer_films_.size()) + 2;
     }
 
-    /// Returns the chords of the junction's films in foam units. The chords point away from the
-    /// junction.
+    /// Returns the chords of the junction's films in foam units, in the order of Network::leaving.
+    /// The chords point away from the junction.
     std::array<Vec2, 3> chords() const;
 
     /// Returns true if a film of the junction has length 0. The angles between the films, and so

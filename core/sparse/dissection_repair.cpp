@@ -11,9 +11,9 @@ namespace foam {
 
 // An edge is allowed if the part of one of its nodes is an ancestor of the part of the other, or
 // the same part. If an edge is not allowed, one of its nodes is moved to the lowest common ancestor
-// of the two parts. The allowed edges of this node stay allowed: an ancestor of its old part is an
-// ancestor or a descendant of its new part, and a descendant of its old part is a descendant of its
-// new part. One pass over the edges is therefore enough.
+// of the two parts. The allowed edges of this node stay allowed: its old part and all descendants
+// of its old part are descendants of its new part, and each ancestor of its old part is the new
+// part itself, or an ancestor or a descendant of it. One pass over the edges is therefore enough.
 
 namespace {
 

@@ -9,9 +9,9 @@
 
 namespace foam {
 
-/// A separator divides a graph into two zones, Low and High (zone.h). This function returns the
-/// largest weight that one of them should have in a graph of total weight `weight`: about six
-/// tenths of `weight`.
+/// Returns the largest weight that either side of a separator (the zone Low or High, zone.h) should
+/// have in a graph of total weight `weight`: six tenths of `weight`, rounded down to a multiple of
+/// 3.
 int heaviest_zone(int weight);
 
 /// Divides a graph by a light separator. Uses only the graph, not the positions of its nodes.

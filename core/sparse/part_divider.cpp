@@ -27,8 +27,8 @@ namespace {
 // Refinement may move a separator through this many layers of nodes on each side of it.
 constexpr int kRefinedLayers = 6;
 
-// Returns the periods of the torus. For the plane, returns periods so large that no coordinate is
-// ever wrapped.
+// Returns the width and the height of the torus, by which x and y are wrapped, whatever its shear.
+// For the plane, returns values so large that no coordinate is ever wrapped.
 Vec2 periods_of(const Domain& domain) {
     return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
                              : Vec2(domain.width, domain.height);

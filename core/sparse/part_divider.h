@@ -54,6 +54,7 @@ struct DivisionMemory {
 /// divides the part by its edges alone.
 class PartDivider {
   public:
+    /// Keeps references to all arguments. `nodes` are the nodes of the graph.
     PartDivider(const NodeGraph& graph,
                 std::span<const SolverNode> nodes,
                 const Domain& domain,

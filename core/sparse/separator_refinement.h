@@ -28,8 +28,8 @@ namespace foam {
 /// separators (Karypis and Kumar 1998).
 class SeparatorRefinement {
   public:
-    /// No move makes a zone heavier than `max_weight`. Precondition: `zones` has one element per
-    /// node, and no edge connects Low with High.
+    /// Keeps references to the graph and the zones. No move makes a zone heavier than `max_weight`.
+    /// Precondition: `zones` has one element per node, and no edge connects Low with High.
     SeparatorRefinement(const WeightedGraph& graph, int max_weight, std::span<Zone> zones);
 
     /// Runs sweeps until neither direction improves the separator, but at most 20 sweeps. Changes

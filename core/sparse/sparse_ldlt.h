@@ -43,8 +43,8 @@ class SparseLdlt {
     /// and the update matrices of fronts. Returns TooLarge, and plans nothing, if this memory would
     /// exceed LdltOptions::max_bytes. `nodes` are the nodes (SolverNode) of the matrix, and
     /// `domain` is the torus or plane of their positions. The first node has the first rows of the
-    /// matrix, the second node has the next rows, and so on. Precondition: the lower triangle is
-    /// compressed, and the entries of each column are sorted by row.
+    /// matrix, the second node has the next rows, and so on. Preconditions: there is at least one
+    /// node; the lower triangle is compressed, and the entries of each column are sorted by row.
     LdltAnalysis analyze(const Eigen::SparseMatrix<double>& lower_pattern,
                          std::span<const SolverNode> nodes,
                          const Domain& domain,

@@ -15,19 +15,22 @@
 
 namespace foamtex {
 
-/// How a foam is seeded: the Voronoi diagram of random points. The same options give the same foam
-/// on every machine.
+/// Options for seeding a foam, which is the Voronoi diagram of random points. The same options give
+/// the same foam on every machine.
 struct SeedOptions {
-    int bubbles = 1000;        ///< also the area of the torus, because the mean area is 1
-    double aspect = 1.0;       ///< width of the torus divided by its height; unused for a disk
-    int lloyd_iterations = 0;  ///< of Lloyd's algorithm, which makes the cells rounder
-    /// Largest divided by smallest target area; 0 keeps the areas of the diagram.
+    /// Number of bubbles, at most 10 million. The torus has this area, because the mean area is 1.
+    int bubbles = 1000;
+    /// Width of the torus divided by its height, from 1/16384 to 16384; has no effect on a disk.
+    double aspect = 1.0;
+    /// Iterations of Lloyd's algorithm, which makes the cells rounder; from 0 to 1000.
+    int lloyd_iterations = 0;
+    /// Largest divided by smallest target area, from 1 to 1e6; 0 keeps the areas of the diagram.
     double area_ratio = 0.0;
-    double surface_tension = 0.5;  ///< gamma; a film has the tension 2 gamma
-    std::uint64_t seed = 1;        ///< of the random points
+    double surface_tension = 0.5;  ///< gamma, positive; a film has the tension 2 gamma
+    std::uint64_t seed = 1;        ///< seed of the random points
 };
 
-/// How a time step is computed. No result depends on the number of threads.
+/// Options for computing a time step. No result depends on the number of threads.
 /// The defaults fit a mean area of 1. For a foam with another mean area A, such as one from Surface
 /// Evolver, use the t1_distance 0.05 √A and the t2_area 0.01 A.
 struct StepSettings {
@@ -35,13 +38,13 @@ struct StepSettings {
     double tolerance = 1e-9;    ///< largest error of areas (relative) and of angles (radians)
     double t1_distance = 0.05;  ///< a film with a shorter chord may flip (E7), foam units
     double t2_area = 0.01;      ///< smaller bubbles of two or three sides vanish (E8), foam units
-    int threads = 0;            ///< 0: all threads of the machine
+    int threads = 0;            ///< at most 256; 0: all threads of the machine
 };
 
 /// The work and the result of `relax` or `step`.
 struct Equilibrium {
-    bool converged = false;    ///< true if an equilibrium was reached
-    int iterations = 0;        ///< of Newton's method
+    bool converged = false;    ///< true if `relax` found an equilibrium or `step` was completed
+    int iterations = 0;        ///< number of steps of Newton's method
     int t1 = 0;                ///< number of T1s: neighbor swaps at films
     int t2 = 0;                ///< number of T2s: bubbles that vanished
     double area_error = 0.0;   ///< largest |area / target area - 1|
@@ -50,7 +53,7 @@ struct Equilibrium {
 
 /// A bubble whose target area is imposed during a step.
 struct DrivenArea {
-    std::int64_t identity = 0;  ///< of the bubble (Bubble::identity)
+    std::int64_t identity = 0;  ///< identity of the bubble (Bubble::identity)
     double target_area = 0.0;   ///< at the end of the step; positive
 };
 
@@ -59,7 +62,7 @@ struct DrivenArea {
 struct Push {
     Point center;         ///< moves with the push
     double radius = 1.0;  ///< positive; on a torus, at most half of its shorter side
-    Point by;             ///< displacement of the center
+    Point by;             ///< displacement of the center, along x and y at most 1000 radii
 };
 
 /// The changes that are imposed on a foam from outside during a step (E9).
@@ -69,7 +72,8 @@ struct Drive {
     /// every bubble is driven, all target areas are scaled to fill the torus. Bubbles that have
     /// vanished are ignored.
     std::vector<DrivenArea> areas{};
-    double strain = 0.0;  ///< simple shear of a torus: every point moves to the right by strain * y
+    /// Simple shear of a torus, from -100 to 100: every point moves to the right by strain * y.
+    double strain = 0.0;
     std::vector<Push> pushes{};  ///< made in small steps
 };
 
@@ -79,15 +83,18 @@ struct Drive {
 class FOAMTEX_EXPORT Foam {
   public:
     /// Returns the Voronoi diagram of random points on a torus. The foam is not yet in equilibrium:
-    /// call `relax`. Throws ArgumentError if an option is out of range.
+    /// call `relax`. Throws ArgumentError if an option is out of range or if no valid foam results,
+    /// for example for a torus of one bubble.
     static Foam torus(const SeedOptions& options);
 
     /// Returns a patch with a free surface, seeded in a disk. It is not in equilibrium. The number
-    /// of bubbles may differ slightly from `bubbles`. Throws as `torus` does.
+    /// of bubbles may differ slightly from `bubbles`, which must be at least 2. Throws as `torus`
+    /// does.
     static Foam disk(const SeedOptions& options);
 
     /// Reads a foam from a file: .fe or .dmp of Surface Evolver, or .json, a state of foamtex.
-    /// Throws InputError, and ArgumentError for another ending.
+    /// Throws InputError if the file cannot be read or is malformed, and ArgumentError for another
+    /// ending.
     static Foam read(const std::string& file);
 
     /// Reads a foam from the text of a state (`state`). Throws InputError.
@@ -114,11 +121,12 @@ class FOAMTEX_EXPORT Foam {
     /// std::invalid_argument and std::system_error arrive as ArgumentError and OutputError.
     Equilibrium relax(int threads = 0, const std::function<void()>& poll = {});
 
-    /// Advances a foam in equilibrium by a time, in which gas diffuses (E6), bubbles vanish (T2)
-    /// and bubbles swap neighbors (T1), and `drive` acts on it. If this fails, the result says so,
-    /// and the foam is in the last equilibrium that was reached; the errors in the result are 0 if
-    /// the step reached none. Throws ArgumentError if an argument is not allowed. `poll` is as in
-    /// `relax`.
+    /// Advances a foam in equilibrium by a time of at least 0, in the unit of foam time (E6). In
+    /// this time gas diffuses, bubbles vanish (T2), bubbles swap neighbors (T1), and `drive` acts
+    /// on the foam. If this fails, the result says so, and the foam is in the last equilibrium that
+    /// was reached; the errors in the result are 0 if the step reached none. A step of time 0
+    /// without a drive only measures the errors, and `converged` tells whether they are below the
+    /// tolerance. Throws ArgumentError if an argument is not allowed. `poll` is as in `relax`.
     Equilibrium step(double time,
                      const Drive& drive = {},
                      const StepSettings& settings = {},

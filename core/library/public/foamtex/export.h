@@ -2,5 +2,5 @@
 
 #pragma once
 
-/// Marks what the shared libraries of foamtex export.
+/// Marks a class or a function that a shared library of foamtex exports.
 #define FOAMTEX_EXPORT __attribute__((visibility("default")))

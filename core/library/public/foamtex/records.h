@@ -23,29 +23,36 @@ struct Point {
 struct Bubble {
     std::int64_t identity = 0;  ///< unique; reused only if a boil (E9) revives the bubble
     std::int64_t sides = 0;     ///< number of films; 0 for a bubble that touches no other bubble
-    double x = 0.0;             ///< centroid; on a torus it may be outside of the cell
+    double x = 0.0;             ///< centroid; on a torus, perhaps outside of the fundamental cell
     double y = 0.0;             ///< likewise
     double area = 0.0;          ///< within its curved films
     double target_area = 0.0;   ///< its area in equilibrium: represents the amount of gas
-    double pressure = 0.0;      ///< on a torus determined only up to a common constant
-    double perimeter = 0.0;     ///< total length of its films
-    /// Longer divided by shorter axis of the ellipse with the same second moments of area; NaN for
-    /// an inverted bubble.
+    /// In a patch, relative to the pressure outside. On a torus, determined only up to a common
+    /// constant.
+    double pressure = 0.0;
+    double perimeter = 0.0;  ///< total length of its films
+    /// Longer divided by shorter axis of the ellipse with the same second moments of area. NaN for
+    /// an inverted bubble, whose area is not positive.
     double elongation = 1.0;
-    /// Angle from the x axis to the longer axis, counter-clockwise, in radians, -pi/2 to pi/2.
+    /// Angle from the x axis to the longer axis, counter-clockwise, in radians, -pi/2 to pi/2. NaN
+    /// for an inverted bubble.
     double orientation = 0.0;
 };
 
 /// A film: a circular arc between two bubbles, from its tail to its head.
 struct Film {
-    std::int64_t left = -1;   ///< index of the bubble on the left; -1 outside of a patch
-    std::int64_t right = -1;  ///< index of the bubble on the right; -1 outside of a patch
-    std::int64_t tail = 0;    ///< index of the junction at which the film begins
-    std::int64_t head = 0;    ///< index of the junction at which it ends, or of a periodic copy
-    double x = 0.0;           ///< position of the tail
-    double y = 0.0;           ///< position of the tail
-    double chord_x = 0.0;     ///< vector from the tail to the head
-    double chord_y = 0.0;     ///< vector from the tail to the head
+    /// Index of the bubble on the left, or -1 for the outside or a hole of a patch.
+    std::int64_t left = -1;
+    /// Index of the bubble on the right, or -1 for the outside or a hole of a patch.
+    std::int64_t right = -1;
+    std::int64_t tail = 0;  ///< index of the junction at which the film begins
+    /// Index of the junction at which the film ends. On a torus, the film may end at a periodic
+    /// copy of this junction.
+    std::int64_t head = 0;
+    double x = 0.0;        ///< position of the tail
+    double y = 0.0;        ///< position of the tail
+    double chord_x = 0.0;  ///< vector from the tail to the end of the film
+    double chord_y = 0.0;  ///< vector from the tail to the end of the film
     /// Half of the angle by which the arc turns, in radians. Positive if the arc bulges to the
     /// right, that is, if the pressure is higher on the left (E1).
     double half_angle = 0.0;
@@ -61,8 +68,9 @@ struct FoamRecords {
 };
 
 /// The domain of a foam. A torus is the plane modulo its two periods, the vectors (width, 0) and
-/// (shear, height). Whenever a torus is sheared, the magnitude of `shear` is reduced to at most
-/// half of the width. For a patch in the plane, all numbers are 0.
+/// (shear, height). Its fundamental cell is the rectangle [0, width) x [0, height) for any shear.
+/// Whenever a torus is sheared, the magnitude of `shear` is reduced to at most half of the width.
+/// For a patch in the plane, all numbers are 0.
 struct Extent {
     double width = 0.0;   ///< x of the first period
     double height = 0.0;  ///< y of the second period
@@ -86,15 +94,15 @@ enum class EventKind {
 struct Event {
     EventKind kind = EventKind::T1;  ///< what happened
     double time = 0.0;               ///< foam time at the start of the substep
-    Point position;                  ///< where; on a torus, perhaps beyond the border
+    Point position;                  ///< where; on a torus, perhaps outside of the fundamental cell
     /// The identities of the bubbles whose neighbors changed. For T2 and Birth, the first is the
     /// bubble that vanished or was added.
     std::vector<std::int64_t> bubbles;
 };
 
-/// The stress tensor of a foam (E11): tension per length, in the unit of the film tension. It is
-/// symmetric, and tension is positive. On a torus, xx and yy contain the common constant of the
-/// pressures; xy and xx - yy do not depend on it.
+/// The stress tensor of a foam (E11): a force per length. Its unit is the unit of the film tension
+/// divided by a foam unit. It is symmetric, and tension is positive. On a torus, xx and yy contain
+/// the common constant of the pressures; xy and xx - yy do not depend on it.
 struct Stress {
     double xx = 0.0;  ///< normal stress along x
     double xy = 0.0;  ///< shear stress
