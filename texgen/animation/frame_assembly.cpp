@@ -149,8 +149,8 @@ void FrameAssembly::keep(const SimulatedFrame& state) {
     event_counts_.emplace(number, event_count_);
 }
 
-// Few maps need frame 1. If no frame shows its state, it is therefore moved by the current only
-// when a map needs it.
+// Returns frame 1. If no requested frame uses the state of frame 1, this state has not been moved
+// by the current. The current is then applied only when a map needs frame 1, because few maps do.
 std::shared_ptr<const FrameOne> FrameAssembly::frame_one_of(const SimulatedFrame& state) const {
     const auto kept = kept_.find(first_state_);
     if (kept != kept_.end()) {
@@ -233,10 +233,10 @@ void FrameAssembly::release(const Request& request) {
 }
 
 // Returns the part of the effort `total` that emitted frames have not reported yet. `total` is the
-// effort from the seed to a state, and `event_count` the number of events from the seed to this
-// state. The counts and the time in the result are 0, and it has no events, if emitted frames have
-// already reported the effort up to this state or a later one. The measurements in the result are
-// the measurements of the state.
+// effort from the start of the simulation to a state, and `event_count` is the number of events up
+// to this state. If emitted frames have already reported the effort up to this state or a later
+// one, the counts and the time in the result are 0, and the result has no events. The measurements
+// in the result are the measurements of the state.
 FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total, std::size_t event_count) {
     FrameEffort effort = total;
     if (total.seconds < reported_.seconds) {

@@ -42,7 +42,7 @@ class FrameAssembly {
 
     /// Adds a state and emits the frames that are complete with it. Preconditions: states are added
     /// in the order of states(); the effort of each state (its T1s, T2s and computing time) covers
-    /// the steps since the state added before it, or since the seed.
+    /// the steps since the state added before it, or since the start of the simulation.
     void add(const SimulatedFrame& state);
 
   private:
@@ -73,16 +73,14 @@ class FrameAssembly {
     std::vector<Request> requests_;  // in the order in which their frames are emitted
     std::size_t emitted_ = 0;        // number of requests whose frames were emitted
     std::map<int, int> uses_;        // by state: number of requests, not yet emitted, that need it
-    // By state; efforts are totals since the seed, except that their lists of events are empty.
+    // By state; efforts are totals since the start of the simulation, without lists of events.
     std::map<int, SimulatedFrame> kept_;
-    // By kept state: the number of events from the seed to this state.
+    // By kept state: the number of events from the start of the simulation to this state.
     std::map<int, std::size_t> event_counts_;
-    FrameEffort total_;     // effort from the seed to the last added state
+    FrameEffort total_;     // effort from the start of the simulation to the last added state
     FrameEffort reported_;  // part of `total_` that emitted frames have reported
-    // The number of events from the seed to the last added state, and the last of these events,
-    // which no emitted frame has reported yet.
-    std::size_t event_count_ = 0;
-    std::vector<TopologyEvent> unreported_;
+    std::size_t event_count_ = 0;            // number of events up to the last added state
+    std::vector<TopologyEvent> unreported_;  // events that no emitted frame has reported yet
 };
 
 }  // namespace foam::texgen

@@ -15,7 +15,7 @@ namespace foam::texgen {
 
 /// A state from which a breathe, shear or boil loop closes in its next cycle. Finding such a state
 /// takes many cycles. For some shipped presets it is stored in presets/loops and in the program.
-/// Only for loops on a torus.
+/// The foam of a LoopStart is on a torus.
 struct LoopStart {
     Foam foam;         // at position 0 of the cycle
     CycleDrive drive;  // what each step of the cycle does with each bubble
@@ -30,15 +30,15 @@ std::string loop_hash(const Preset& preset);
 
 /// Returns the content of a file of presets/loops: the foam as a state file
 /// (core/io/foam_json.h) with the additional first member "loop", which contains the hash, the
-/// drive and the pressures.
+/// drive and the pressures. `hash` is the loop_hash of the preset.
 std::string write_loop_start(const LoopStart& start, const std::string& hash);
 
 /// Parses the content of a file of presets/loops. `file` is its name in error messages. Throws
 /// FormatError or InputError if the content is not the result of write_loop_start.
 LoopStart read_loop_start(std::string_view text, const std::string& file);
 
-/// Returns the start of the loop of a preset if one is stored in the program, whichever shipped
-/// preset it was stored for: only loop_hash matters.
+/// Returns the start of the loop of a preset if one is stored in the program, otherwise nullopt.
+/// The start may have been stored for another preset: only loop_hash matters.
 std::optional<LoopStart> stored_loop_start(const Preset& preset);
 
 }  // namespace foam::texgen

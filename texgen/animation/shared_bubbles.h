@@ -9,10 +9,11 @@
 
 namespace foam::texgen {
 
-/// Returns, for every bubble of `from`, the displacement to the bubble of the same identity in
-/// `to`. The displacement is measured between the means of the junctions of both bubbles. It is
-/// nullopt if `to` has no such bubble, or if the displacement is longer than the diameter of a mean
-/// bubble. Precondition: both foams are on the same torus.
+/// Returns, for every bubble of `from` in the order of Frame::bubbles, the displacement to the
+/// bubble of the same identity in `to`, in foam units. The displacement is measured between the
+/// means of the junctions of both bubbles. It is nullopt if `to` has no such bubble, or if the
+/// displacement is longer than the diameter of a mean bubble. Precondition: both foams are on the
+/// same torus.
 std::vector<std::optional<Vec2>> displacements_of_shared(const Frame& from, const Frame& to);
 
 /// Returns the frame `from` with its bubbles moved towards the bubbles of the same identity in

@@ -64,7 +64,7 @@ RunOutcome failed(const Simulation& simulation, const Preset& preset) {
 }
 
 // Returns why a loop did not close. `closing_error` is infinite if, at the end of the last cycle, a
-// bubble is missing or has another number of sides than at its start.
+// bubble is missing or has another number of sides than at the start of this cycle.
 std::string open_loop_failure(double closing_error) {
     if (!std::isfinite(closing_error)) {
         return "the loop does not close: at the end of its last cycle, bubbles are missing or have "

@@ -47,23 +47,25 @@ using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
                                              const FrameVisitor&,
                                              const ProgressCallback&)>;
 
-/// Returns a source that simulates a preset. Every call starts again from the seed. `threads` is
-/// the number of threads of the simulation; 0 uses all hardware threads.
+/// Returns a source that simulates a preset. Every call starts a new simulation (simulate_frames).
+/// `threads` is the number of threads of the simulation; 0 uses all hardware threads.
 FrameSource simulation_of(const Preset& preset, int threads);
 
-/// Simulates a preset from its seed to the last of the given states and calls `on_state` for each
-/// of them. The FrameEffort of a state covers the steps since the state passed before it, or since
-/// the seed. `on_progress` receives the same reports as from a FrameSource. Precondition: `states`
-/// is in increasing order.
+/// Simulates a preset to the last of the given states and calls `on_state` for each of them. The
+/// simulation begins with the seeded foam or, if there is one, with the stored start of the loop
+/// (stored_loop_start). The FrameEffort of a state covers the steps since the state passed before
+/// it, or since the start of the simulation. `on_progress` receives the same reports as from a
+/// FrameSource. Throws the exceptions of Simulation and of the callbacks. Precondition: `states` is
+/// in increasing order.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,
                            const FrameVisitor& on_state,
                            const ProgressCallback& on_progress = {});
 
-/// Simulates a preset from its seed until all states that the frames with the given numbers need
-/// are computed. Calls `on_frame` for each frame as soon as the states that it needs exist
-/// (FrameAssembly). `on_progress` receives the same reports as from a FrameSource.
+/// Simulates a preset, as simulate_states does, until all states that the frames with the given
+/// numbers need are computed. Calls `on_frame` for each frame as soon as the states that it needs
+/// exist (FrameAssembly). `on_progress` receives the same reports as from a FrameSource.
 RunOutcome simulate_frames(const Preset& preset,
                            int threads,
                            const std::vector<int>& numbers,

@@ -16,8 +16,9 @@ namespace foam::texgen {
 
 /// The effort of simulating a frame, and measurements of the foam. The effort covers the steps
 /// since the previous frame that was passed to the FrameVisitor; for the first such frame, all
-/// steps since the foam was seeded. The measurements describe the state of the simulation that the
-/// frame shows, before any transform for display (display_transform.h) and any current (current.h).
+/// steps since the start of the simulation. The measurements describe the state of the simulation
+/// that the frame shows, before any transform for display (display_transform.h) and any current
+/// (current.h).
 struct FrameEffort {
     int t1 = 0;                           // number of T1s
     int t2 = 0;                           // number of T2s
@@ -34,9 +35,11 @@ struct FrameEffort {
 struct DrawnState {
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const FoamRecord> record;
-    std::shared_ptr<const Frame> next;      // the frame after `frame`; null if not requested
-    std::shared_ptr<const FrameOne> first;  // frame 1 of the animation, shared by all frames
-    std::vector<double> fade_ranks = {};    // FadeOrder::ranks; empty unless loop.kind is "flow"
+    std::shared_ptr<const Frame> next;  // the frame after `frame`; null if not requested
+    // Frame 1 of the animation, shared by all frames. Set by FrameAssembly; null in a state that
+    // simulate_states passes.
+    std::shared_ptr<const FrameOne> first;
+    std::vector<double> fade_ranks = {};  // FadeOrder::ranks; empty unless loop.kind is "flow"
 
     /// Returns the input of FrameLayers, which borrows this state and the cross-fade. `distance`
     /// lists the images of the distance field that the maps need.

@@ -159,7 +159,7 @@ double Simulation::loop_progress() const {
 // not compare the flags of films that have flipped (Foam::t1_armed), so the T1s of the next cycle
 // may still differ after one cycle has closed. After each cycle of a boil that does not close,
 // bubbles that keep changing neighbors are made to oscillate less, and the boiling bubbles nearest
-// to them are made to grow less (Cycle::calm). From a LoopStart, a single cycle must close, since
+// to them are made to grow less (Cycle::calm). From a LoopStart, one cycle that closes is enough:
 // the cycles before it have closed, too, and the flags are stored with the foam.
 //
 // Returns false if the loop does not close or if a step finds no equilibrium. The cycles before the

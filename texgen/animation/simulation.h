@@ -17,8 +17,8 @@
 
 namespace foam::texgen {
 
-/// Simulates the foam of a preset from its seed, one frame after another. The frames of this class
-/// are the states of shown_states.h: a frame of an animation shows one or two of them.
+/// Simulates the foam of a preset, one frame after another. The frames of this class are the states
+/// of shown_states.h: a frame of an animation shows one or two of them.
 class Simulation {
   public:
     /// A cycle whose closing_error is below this number has closed.
@@ -30,7 +30,8 @@ class Simulation {
     explicit Simulation(const Preset& preset, int threads = 0, ProgressCallback on_progress = {});
 
     /// Starts at a state from which the loop of the preset closes in one cycle (stored_loop_start),
-    /// instead of seeding a foam. No other phase but LoopClosing comes before frame 1.
+    /// instead of seeding a foam. Of the phases before frame 1, `on_progress` receives only
+    /// LoopClosing.
     Simulation(const Preset& preset,
                LoopStart start,
                int threads = 0,

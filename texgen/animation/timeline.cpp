@@ -72,9 +72,9 @@ std::vector<int> Timeline::missing_bubbles() const {
     return missing;
 }
 
-// Creates new bubbles until the foam has as many bubbles as at the first call of `renew`, and
-// schedules their growth to the mean area of that number of bubbles. Creates fewer bubbles if
-// nucleate_anywhere fails.
+// Creates new bubbles until the foam has as many bubbles as at the first call of `renew`. Schedules
+// their growth to the mean area that the foam has with this number of bubbles. Creates fewer
+// bubbles if nucleate_anywhere fails.
 void Timeline::renew(int frame, Foam& foam) {
     if (renewal_->bubbles == 0) {
         renewal_->bubbles = foam.network.bubble_count();

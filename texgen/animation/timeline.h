@@ -18,6 +18,7 @@ namespace foam::texgen {
 /// replaces bubbles that have vanished.
 class Timeline {
   public:
+    /// Precondition: the preset is valid (check_events does not throw).
     explicit Timeline(const Preset& preset);
 
     /// Begins the events that are due in the step to a frame and returns the change to impose

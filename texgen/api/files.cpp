@@ -29,7 +29,7 @@ using foam::texgen::with_texture_errors;
 std::string pattern_of(const foam::texgen::Preset& preset, const std::string& out) {
     const std::filesystem::path path(out);
     const bool is_pattern = path.has_extension() || out.find_first_of("{#@%") != std::string::npos;
-    std::error_code error;  // a path that cannot be examined is a pattern, whose writing fails
+    std::error_code error;  // a path that cannot be examined counts as a pattern
     if (is_pattern && !std::filesystem::is_directory(path, error)) {
         return out;
     }

@@ -9,14 +9,16 @@
 
 namespace foam::texgen {
 
-/// Returns the shape of the images that the functions below return.
+/// Returns the shape of the images that the functions below return. `integers` is true for
+/// code_image, false for number_image. Throws std::invalid_argument for an unknown map.
 foamtex::ImageShape shape_of(const foamtex::Frame::State& frame,
                              const std::string& map_name,
                              bool integers);
 
 /// Draws a map of a frame as numbers in the unit of the map, or as linear light that is multiplied
-/// by the opacity. Throws std::invalid_argument for an unknown map, and if the map needs the next
-/// frame, which the frame does not have.
+/// by the opacity. `threads` is from 0 to 256, and as for thread_count. Throws
+/// std::invalid_argument for an unknown map, and if the map needs the next frame but `frame` was
+/// simulated without it. Throws foamtex::ArgumentError if `threads` is out of range.
 Image<float> number_image(const foamtex::Frame::State& frame,
                           const std::string& map_name,
                           int threads);

@@ -31,7 +31,7 @@ foam::texgen::NextFrames next_frames_of(const foam::texgen::Preset& preset) {
                                                   : foam::texgen::NextFrames::Omitted;
 }
 
-// Ends the simulation of a caller who needs no more frames.
+// The exception that ends the simulation when the caller needs no more frames.
 struct Stopped {};
 
 }  // namespace

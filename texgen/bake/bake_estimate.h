@@ -13,8 +13,8 @@ namespace foam::texgen {
 /// The files, the memory and the time of a bake, estimated from its first frames. Scenes and
 /// statistics are not included. Sheets are included only in the memory.
 struct BakeEstimate {
-    std::size_t files = 0;     // images, or drawings and tables
-    std::uint64_t bytes = 0;   // of these files
+    std::size_t files = 0;     // number of files: images, or drawings, tables and meshes
+    std::uint64_t bytes = 0;   // size of these files
     std::uint64_t memory = 0;  // peak, in bytes (estimated_memory)
     double seconds = 0.0;      // wall time
     double simulating = 0.0;   // seconds that a simulation of all frames takes
@@ -25,10 +25,11 @@ struct BakeEstimate {
 /// The number of frames that estimate_bake bakes, unless the bake has fewer.
 inline constexpr std::size_t kEstimatedFrames = 2;
 
-/// Bakes the first two frames into a scratch folder, which is removed, and extrapolates to all
-/// frames: the time before the first frame, the time from frame to frame, the time of drawing and
-/// writing, which all threads share, and the size of the files. `on_progress` receives the phases
-/// of this bake. Throws the exceptions of check_bake and bake.
+/// Bakes the first two frames into a scratch folder, which is removed afterwards. Measures the time
+/// before the first frame, the time from frame to frame, the time of drawing and writing, which all
+/// threads share, and the size of the files. Extrapolates these measurements to all frames.
+/// `on_progress` receives the phases of this bake. Throws the exceptions of check_bake and bake,
+/// and OutputError if the scratch folder cannot be created.
 BakeEstimate estimate_bake(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

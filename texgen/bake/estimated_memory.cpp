@@ -79,8 +79,8 @@ double bytes_per_layer_sample(SampleType numbers) {
     return numbers == SampleType::Half ? 6.0 : 8.0;
 }
 
-// The number of copies of a sheet that are in memory when it is written: its samples and the
-// content of its file. A KTX2 file is compressed once more.
+// Returns the number of copies of a sheet that are in memory when it is written: its samples and
+// the content of its file. The compression of a KTX2 file needs a third copy.
 double copies_of_sheet(SheetKind sheets) {
     return sheets == SheetKind::Ktx2 ? 3.0 : 2.0;
 }
@@ -113,7 +113,8 @@ double sheet_bytes_per_pixel(const MapTraits& traits, const Preset& preset, bool
 }
 
 // Returns the memory, in bytes, of the largest sheet that a bake joins its frames to at the end
-// (output.sheets). The sheets are made one after the other.
+// (output.sheets). The sheets are made one after the other. `pixels` is the number of pixels of all
+// frames together.
 double sheet_memory(const Preset& preset, double pixels, bool is_png) {
     double largest = 0.0;
     for (const DrawnImage& image : drawn_images(preset)) {

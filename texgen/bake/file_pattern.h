@@ -29,7 +29,7 @@ struct VectorFormat;
 ///
 /// Shorter numbers get leading zeros; longer numbers are written in full. If the pattern of a
 /// format with several tables (CSV) has no {map}, "_{map}" is inserted before the first period of
-/// the file name, outside of braces.
+/// the file name. Periods in braces, and a period with which the file name begins, do not count.
 class FilePattern {
   public:
     /// Parses the pattern of a preset, output.pattern, and replaces the placeholders of the preset

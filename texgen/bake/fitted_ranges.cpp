@@ -32,8 +32,8 @@ constexpr double kMargin =
 // A map with an automatic range, and how large its numbers have been so far.
 struct MeasuredMap {
     const Map* map = nullptr;
-    // The largest absolute value of its numbers so far, divided by the upper end of the range that
-    // the present AutoReal::value gives, which is not fitted yet.
+    // The largest absolute value of its numbers so far, divided by the upper end of its range
+    // before the fit. This range follows from the AutoReal::value that the preset has until then.
     double largest = 0.0;
 };
 

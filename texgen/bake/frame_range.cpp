@@ -23,7 +23,7 @@ struct Range {
     bool inverted = false;  // true for ySTEP, which selects the frames that xSTEP skips
 };
 
-// The largest sum of the lengths of all ranges. It limits the time that a list costs.
+// The largest sum of the lengths of all ranges. It limits the time that parsing a list takes.
 constexpr int kLongestList = 10 * kLastFrame;
 
 [[noreturn]] void reject(std::string_view text, std::string_view reason) {
@@ -77,7 +77,8 @@ class Scanner {
     std::string_view rest_;
 };
 
-// Appends the frames of a range that `seen` does not contain. `seen` is indexed by frames.
+// Appends the frames of a range that are not yet marked in `seen`, and marks them. `seen` is
+// indexed by frame numbers.
 void expand(const Range& range, std::vector<bool>& seen, std::vector<int>& frames) {
     const int count = std::abs(range.last - range.first) + 1;
     const int direction = range.last < range.first ? -1 : 1;

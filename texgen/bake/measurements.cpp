@@ -91,7 +91,7 @@ bool has_measurements(const std::string& json, std::span<const std::string> meas
 }
 
 void check_measurements(const Preset& preset, std::size_t frames) {
-    constexpr std::uint64_t kBytesPerBubble = 180;  // ten numbers with commas, at most
+    constexpr std::uint64_t kBytesPerBubble = 180;  // estimate: ten numbers and commas
     if (!is_among("bubbles", preset.output.measurements)) {
         return;
     }

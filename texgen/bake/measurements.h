@@ -15,14 +15,15 @@ namespace foam::texgen {
 /// `measurements` is empty. Each word of `measurements` (OutputOptions::measurements) adds the
 /// member of its name:
 ///
-/// - bubbles: an object of lists with one number per bubble, which are named as the members of
-///   foamtex::Bubble.
+/// - bubbles: an object with one list for each member of foamtex::Bubble. A list has the name of
+///   its member and one number per bubble.
 /// - events: the T1s, T2s and births of FrameEffort::events, as objects.
 /// - shear_modulus: a number, or null if the frame has none (core/dynamics/shear_modulus.h).
 ///
-/// Bubbles and the shear modulus are those of the frame as it is shown. In a shear loop and with a
-/// current, the shown foam is displaced: its positions are not those of the events, and it seldom
-/// has a shear modulus.
+/// Bubbles and the shear modulus are those of the frame as it is shown; events are those of the
+/// simulation. A drift, a current, a cross-fade and a shear loop displace the shown foam, so that
+/// its positions do not match the positions of the events. Except for a drift, they also disturb
+/// its equilibrium, so that it seldom has a shear modulus.
 ///
 /// Lengths are in foam units. A number that is not finite becomes null.
 std::string measurements_json(const SimulatedFrame& shown,
@@ -33,8 +34,8 @@ std::string measurements_json(const SimulatedFrame& shown,
 bool has_measurements(const std::string& json, std::span<const std::string> measurements);
 
 /// Checks before a bake that the manifest can hold the measurements of a number of frames. Throws
-/// std::invalid_argument if the shapes of their bubbles would make it larger than the program reads
-/// (kDescriptionInput).
+/// std::invalid_argument if, by an estimate, the shapes of the bubbles in these frames would make
+/// the manifest larger than the largest file that the program reads (kDescriptionInput).
 void check_measurements(const Preset& preset, std::size_t frames);
 
 }  // namespace foam::texgen

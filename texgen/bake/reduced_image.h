@@ -18,13 +18,15 @@ struct ReducedImage {
     double reduction = 1.0;  // width of the full image divided by the width of the reduced image
     MapOptions options;
 
-    /// Returns the grid of a frame at the reduced size.
+    /// Returns the grid of a frame at the reduced size. `view` is the view of the frame at full
+    /// size (SimulatedFrame::view).
     RasterGrid grid(std::optional<View> view) const;
 };
 
-/// Returns the reduced image of a preset whose longer side has at most `side` pixels, if the width
-/// and the height have a large enough common divisor; otherwise the smallest size of exactly the
-/// same aspect ratio. Never enlarges. Precondition: `side` is positive.
+/// Returns the largest reduced image of a preset whose longer side has at most `side` pixels. If
+/// there is none, because the width and the height have too small a common divisor, returns the
+/// smallest image of exactly the same aspect ratio. The result is never larger than the image of
+/// the preset. Precondition: `side` is positive.
 ReducedImage reduced_image(const Preset& preset, int side);
 
 }  // namespace foam::texgen

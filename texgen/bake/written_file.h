@@ -61,10 +61,11 @@ struct WrittenFile {
     // its range (DrawnImage::ranged_channels); nullopt if there is no such channel, if the file
     // stores floating-point numbers, or if it is a packing of colors.
     std::optional<NumberExtent> numbers{};
-    // A height, as a fraction of the width of the image: the height that the largest code of the
-    // map height represents, or the number 1 if the file stores floating-point numbers. In a
-    // packing, the height that the fraction 1 of the map height represents. In a file of several
-    // images, this member describes the first image that contains heights. nullopt without heights.
+    // A height, as a fraction of the width of the image. In a file of codes, it is the height that
+    // the largest code of the map height represents. In a file of floating-point numbers, it is the
+    // height that the number 1 represents. In a packing, it is the height that the fraction 1 of
+    // the map height represents. In a file of several images, this member describes the first image
+    // that contains heights. nullopt without heights.
     std::optional<double> displacement{};
 };
 

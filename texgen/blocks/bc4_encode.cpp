@@ -13,16 +13,17 @@
 #include <utility>
 
 // One channel of a block is approximated by evenly spaced values between two endpoints: eight, or
-// six and in addition 0 and 255. The endpoints begin with the smallest and the largest texel, are
-// improved by least squares, and are then moved by 1 where this reduces the error. Blocks are
-// compressed in groups, one block per lane of a SIMD register.
+// six and in addition 0 and 255. The endpoints begin with the smallest and the largest texel (for
+// six values, of the texels that are neither 0 nor 255), are improved by least squares, and are
+// then moved by 1 where this reduces the error. Blocks are compressed in groups, one block per lane
+// of a SIMD register.
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr int kLeastSquaresSteps = 2;  // of least squares
-constexpr int kMovePasses = 2;         // of moving endpoints
+constexpr int kLeastSquaresSteps = 2;
+constexpr int kMovePasses = 2;  // each pass tries all moves of the endpoints
 constexpr float kLargestTexel = 255.0F;
 
 // The values of one channel of several blocks.
@@ -181,7 +182,7 @@ FOAM_INLINE StoredChannels<Simd> compressed(const Values<Simd>& texels) {
     using Ints = typename Simd::Ints;
     Floats low = kLargestTexel;
     Floats high;
-    Floats inner_low = kLargestTexel;  // of the texels that are neither 0 nor 255
+    Floats inner_low = kLargestTexel;  // neglects texels that are 0 or 255
     Floats inner_high;
     for (const Floats& texel : texels) {
         low = Simd::smaller(low, texel);
@@ -225,7 +226,7 @@ FOAM_INLINE Values<Simd> channel_of(std::span<const TexelBlock> texels, std::siz
     return values;
 }
 
-// Stores the bytes of a channel in blocks, from the given byte of each block.
+// Stores the 8 bytes of a channel in each block, beginning at the byte `offset` of the block.
 template <class Simd, std::size_t kBytes>
 FOAM_INLINE void store(const StoredChannels<Simd>& channels,
                        std::size_t offset,

@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-/// The values between two endpoints, of which the first has the index 0 and the last `kSteps`. With
-/// five steps, there are also the values 0 and 255.
+/// The evenly spaced values of a block: the lower endpoint has the index 0, and the higher endpoint
+/// has the index `kSteps`. With five steps, the palette also has the extra values 0 and 255.
 template <class Simd, int kSteps>
 class Palette {
   public:
@@ -22,9 +22,9 @@ class Palette {
 
     /// The value of the palette that is nearest to a texel.
     struct Nearest {
-        Floats index;     // from 0 to kSteps; unspecified for 0 and 255
+        Floats index;     // from 0 to kSteps; unspecified for the extra values
         Floats square;    // squared error
-        Ints is_between;  // -1 unless the value is one of 0 and 255
+        Ints is_between;  // 0 if the value is an extra value, otherwise -1
         Ints code;        // the index that a block stores
     };
 
@@ -57,7 +57,7 @@ class Palette {
     }
 
   private:
-    // A block with values 0 and 255 stores the lower endpoint first, other blocks the higher one.
+    // A block with the extra values stores the lower endpoint first, other blocks the higher one.
     FOAM_INLINE static Ints code_of(const Ints& index) {
         const Ints rank = kHasExtremes ? index : Ints(kSteps) - index;
         const Ints code = Simd::select(Simd::equal(rank, Ints(kSteps)), Ints(0), rank) + Ints(1);

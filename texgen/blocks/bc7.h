@@ -22,7 +22,8 @@ using Bc7Block = std::array<std::uint8_t, kBc7Bytes>;
 /// elements as `texels`.
 void encode_bc7(std::span<const TexelBlock> texels, std::span<Bc7Block> blocks);
 
-/// Returns the texels of a block. A block without a mode is transparent black.
+/// Returns the texels of a block. A block whose first byte is 0 has no mode and gives transparent
+/// black.
 TexelBlock decode_bc7(std::span<const std::uint8_t, kBc7Bytes> block);
 
 }  // namespace foam::texgen

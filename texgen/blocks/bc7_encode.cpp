@@ -129,7 +129,7 @@ FOAM_INLINE void try_partitions(Group<Simd>& group,
     group.offer(best.error, [&](std::size_t lane) { return stored.fields(mode, lane); });
 }
 
-// Tries modes of two subsets, and mode 5.
+// Tries the modes 1 and 3, which have two subsets, and mode 5, for opaque blocks.
 struct TwoLines {
     std::size_t fine_count;    // partitions of mode 1
     std::size_t coarse_count;  // partitions of mode 3
@@ -151,7 +151,7 @@ struct TwoLines {
     }
 };
 
-// Tries modes of three subsets.
+// Tries the modes 0 and 2, which have three subsets, for opaque blocks.
 struct ThreeLines {
     template <class Simd>
     FOAM_INLINE void operator()(Group<Simd> group) const {

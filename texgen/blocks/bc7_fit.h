@@ -16,8 +16,8 @@
 
 namespace foam::texgen::bc7 {
 
-/// The endpoints of all subsets as a decoder expands them to 8 bits, an index for each texel, and
-/// the sum of squared errors.
+/// The partition, the endpoints of all subsets as a decoder expands them to 8 bits, an index for
+/// each texel, and the sum of squared errors.
 template <class Simd, class Format>
 struct Fit {
     using Floats = typename Simd::Floats;
@@ -219,14 +219,14 @@ class Fitter {
     const Colors& colors_;
     const Membership<Simd, kSubsets>& membership_;
     Ints partition_;
-    Array<Floats, kSubsets> counts_;                  // of texels
-    Array<ColorOf<Simd, kChannels>, kSubsets> sums_;  // of colors
+    Array<Floats, kSubsets> counts_;                  // numbers of texels
+    Array<ColorOf<Simd, kChannels>, kSubsets> sums_;  // sums of colors
     Lines axes_;                                      // the principal axes
     Lines lines_;
     Array<SquaredError<Simd, kChannels>, kSubsets> errors_;
 };
 
-inline constexpr int kImprovements = 2;  // of endpoints
+inline constexpr int kImprovements = 2;  // rounds of Fitter::refine
 
 /// The share of the spread along a line that rounding adds to the error (bc7_partition.h).
 template <class Format>

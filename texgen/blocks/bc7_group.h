@@ -19,7 +19,7 @@ namespace foam::texgen::bc7 {
 struct Work {
     std::span<const TexelBlock> texels;
     std::span<Bc7Block> blocks;
-    std::vector<float> errors;
+    std::vector<float> errors;  // sums of squared errors; infinity before the first result
 };
 
 using Numbers = std::vector<std::uint32_t>;  // indices of blocks

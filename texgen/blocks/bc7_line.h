@@ -70,8 +70,8 @@ struct SubsetSum {
             sums[s] += Simd::select(membership.masks[s][texel], value, Floats());
         }
     }
-    /// Subtracts the sums of the other subsets from that of the first, which is the sum over all
-    /// texels before. Call once, after the last call of add.
+    /// Before this call, the sum of the first subset is the sum over all texels. Subtracts the sums
+    /// of the other subsets from it. Call once, after the last call of add.
     FOAM_INLINE void finish() {
         for (std::size_t s = 1; s < kSubsets; ++s) {
             sums[0] = sums[0] - sums[s];
@@ -221,8 +221,8 @@ FOAM_INLINE Array<ColorSums<Simd, kChannels>, kSubsets> subset_sums(
     return sums;
 }
 
-/// Returns the parts of the principal axes of the subsets onto which their colors are projected,
-/// relative to the color of texel 0.
+/// Returns a line for each subset: the shortest part of its principal axis that contains the
+/// projections of all its colors. Lines are relative to the color of texel 0.
 template <class Simd, std::size_t kSubsets, std::size_t kChannels>
 FOAM_INLINE Array<LineOf<Simd, kChannels>, kSubsets> principal_lines(
     const ColorLanes<Simd, kChannels>& relative_colors,

@@ -19,7 +19,8 @@
 
 namespace foam::texgen::bc7 {
 
-/// The lowest bits of endpoints, which all channels of an endpoint share.
+/// The lowest bits of endpoints, called P-bits in the specification. All channels of an endpoint
+/// share one bit.
 enum class LowestBits : std::uint8_t {
     None,
     PerEndpoint,

@@ -19,8 +19,8 @@ struct IndexedChannels {
     int index_bits;
 };
 
-// If the highest bit of the index of the anchor is set, exchanges the endpoints of a subset in some
-// channels and reverses its indices. This bit is not stored.
+// If the highest bit of the index of the anchor is set, exchanges the endpoints of a subset in the
+// given channels and reverses its indices, because a block does not store this bit.
 void order_ends(BlockFields& fields,
                 int subset,
                 const IndexedChannels& channels,

@@ -19,11 +19,11 @@ using Indices = std::array<std::int32_t, kBlockTexels>;
 struct BlockFields {
     int mode = 0;
     int partition = 0;
-    int rotation = 0;
+    int rotation = 0;                 // 1, 2, 3: exchanges alpha with red, green, blue; 0: none
     bool exchanges_indices = false;   // in mode 4: colors have indices of 3 bits, alpha of 2 bits
-    std::array<EndValues, 3> ends{};  // of each subset
-    Indices indices{};                // of all channels or, in the modes 4 and 5, of colors
-    Indices alpha_indices{};          // in the modes 4 and 5
+    std::array<EndValues, 3> ends{};  // endpoints of each subset
+    Indices indices{};                // for all channels or, in the modes 4 and 5, for colors
+    Indices alpha_indices{};          // only in the modes 4 and 5
 };
 
 /// Returns a block. Exchanges endpoints where the highest bit of the index of an anchor is set.

@@ -86,6 +86,7 @@ struct BestPartitions {
     Array<Ints, kMost> partitions;
 };
 
+/// For each texel, the sums of a subset that contains only this texel.
 template <class Simd, std::size_t kChannels>
 using TexelSums = Array<ColorSums<Simd, kChannels>, kBlockTexels>;
 

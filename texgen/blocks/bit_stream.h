@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// Writes bits into a block of 128 bits, which are 0 at first. The first bit is the lowest bit of
-/// the first byte.
+/// Writes at most 128 bits into a block of 16 bytes, which are 0 at first. The first bit is the
+/// lowest bit of the first byte.
 class BitWriter {
   public:
     /// Appends the lowest `count` bits of `value`, the lowest bit first. Preconditions: `value` has
@@ -25,6 +25,7 @@ class BitWriter {
         }
         position_ += count;
     }
+    /// Returns the block.
     std::array<std::uint8_t, 16> bytes() const {
         std::array<std::uint8_t, 16> bytes{};
         for (std::size_t k = 0; k < 8; ++k) {

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <cstring>
 
-/// Leaves out the checks of pointers and indices of UndefinedBehaviorSanitizer. Inlined a thousand
-/// times into a kernel, they take Clang more than six minutes to compile; the others take 20 s.
-/// AddressSanitizer still checks the accesses.
+/// Leaves out the checks of pointers and indices of UndefinedBehaviorSanitizer. They are inlined a
+/// thousand times into a kernel, which Clang then compiles for more than six minutes; with only the
+/// other checks, it takes 20 s. AddressSanitizer still checks the accesses.
 #ifdef __clang__
 #define FOAM_UNCHECKED_POINTERS \
     __attribute__((no_sanitize("null", "alignment", "object-size", "pointer-overflow", "bounds")))
@@ -106,7 +106,7 @@ class Lanes {
     Register lanes;
 };
 
-/// The types of lanes of a SIMD level.
+/// The types of lanes at a SIMD level, and operations on them, lane by lane.
 template <SimdLevel kLevel>
 struct LanesAt {
     static constexpr int kBytes = kLevel == SimdLevel::Avx512 ? 64

@@ -11,14 +11,15 @@
 
 namespace foam::texgen {
 
-/// Writes states to a cache as they are simulated. cache.json is written immediately before the
-/// first state, so a simulation that fails before its first state creates no cache.
+/// Writes states to a cache as they are simulated. The folder and cache.json are created only when
+/// the first state is written, so a simulation that fails before its first state creates no cache.
 class CacheWriter {
   public:
     /// `frames` are the frames that can be drawn once all states have been written.
     CacheWriter(const Preset& preset, std::vector<int> frames, std::filesystem::path folder);
 
-    /// Writes the file of a state. Throws OutputError if a file cannot be written.
+    /// Writes the file of a state, and pressures.foam before the first state that needs it. Throws
+    /// OutputError if a file cannot be written.
     void write(const SimulatedFrame& state);
 
   private:

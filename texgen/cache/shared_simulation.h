@@ -43,7 +43,7 @@ class SharedSimulation {
     std::optional<ScratchFolder> folder_;  // empty if a state could not be stored
     std::optional<RunOutcome> outcome_;    // nullopt until the foam has been simulated
     std::optional<Cache> cache_;           // set if the simulation is complete and stored
-    // By state: the effort since the state that was simulated before it.
+    // The effort of each state since the state before it, by the number of the state.
     std::map<int, FrameEffort> efforts_;
 };
 

@@ -14,7 +14,7 @@ enum class ValueKind {
     Words,  // one of the words
     List,   // several of the words, separated by commas
     Key,    // one of the words, followed by '=' and any value
-    Path,   // the path of a file
+    Path,   // the path of a file or folder; also the kind of all values that are not words
 };
 
 /// The values that completion offers for an argument.

@@ -158,8 +158,8 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
     CLI::Option* const dds = add_array("--dds", ".dds");
     add_array("--ktx2", ".ktx2")->excludes(dds);
     add_out_folder_option(command, arguments.out, "Folder for the sheets (default: DIR)");
-    CLI::Option* const quiet =
-        add_quiet_option(command, arguments.quiet, "Print only errors (and --json)");
+    CLI::Option* const quiet = add_quiet_option(
+        command, arguments.quiet, "Print only errors, warnings and, with --json, the report");
     add_progress_option(command, arguments.progress)->excludes(quiet);
     add_json_option(command, arguments.json);
 }

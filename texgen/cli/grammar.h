@@ -14,7 +14,8 @@ namespace foam::texgen {
 /// An option or a positional argument of a command.
 struct ArgumentGrammar {
     std::vector<std::string> names;  // such as "-o" and "--out"; one name for a positional argument
-    std::string value;               // placeholder of the value ("W[xH]"); empty without a value
+    // Placeholder of the value ("W[xH]"); empty for flags and for positional arguments.
+    std::string value;
     std::string meaning;
     bool repeats = false;  // true for an option that may be given several times
 };

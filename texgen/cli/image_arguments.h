@@ -30,7 +30,8 @@ struct ImageArguments {
     bool dry_run = false;
     bool resume = false;
     bool json = false;
-    bool watch = false;  // only of bake: images of the run before are replaced without a warning
+    // --watch, which only `bake` has. If true, no warning is printed when images are replaced.
+    bool watch = false;
 };
 
 /// The images of one preset to draw.
@@ -48,7 +49,8 @@ void add_image_options(CLI::App& command, ImageArguments& arguments);
 std::vector<Assignment> assignments_of(const ImageArguments& arguments);
 
 /// If --out is given and no --set gives output.sheet_pattern, returns the preset with its sheets
-/// beside its images (with_sheets_beside_images). Otherwise returns the preset unchanged.
+/// beside its images (with_sheets_beside_images). Otherwise returns the preset unchanged. Throws
+/// the exceptions of with_sheets_beside_images.
 Preset with_sheets_placed(Preset preset, const RunArguments& run, const ImageArguments& arguments);
 
 }  // namespace foam::texgen

@@ -26,17 +26,17 @@ struct SetArguments {
 /// Adds --preset, --size and --seed. The arguments must outlive the parsing.
 void add_set_options(CLI::App& command, SetArguments& arguments);
 
-/// Returns the choice that the options make. A size W selects sets of any height. Throws
-/// std::invalid_argument for a size that is not W or WxH, or a seed that is not a whole number of
-/// at least 0.
+/// Returns the choice that the options make. A size W selects sets of width W and any height.
+/// Throws std::invalid_argument for a size that is not W or WxH, or a seed that is not a whole
+/// number of at least 0.
 SetChoice choice_of(const SetArguments& arguments);
 
-/// Returns true if a path is the name of a shipped preset, and no file has this name.
+/// Returns true if a path is the name of a shipped preset, and no file or folder has this name.
 bool is_preset_name(const std::string& path);
 
 /// Reads the manifest of a folder; `path` is the folder or the manifest. Throws InputError if the
-/// manifest is missing or unreadable. If the path is a cache of simulated states or the name of a
-/// preset, the message says which command draws its images.
+/// manifest is missing, unreadable or malformed. If the path is a cache of simulated states or the
+/// name of a preset, the message says which command draws its images.
 Manifest read_image_manifest(const std::filesystem::path& path);
 
 /// Returns the result of newest_set for the same arguments, and throws its exceptions. If the

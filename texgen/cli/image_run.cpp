@@ -209,7 +209,8 @@ void warn_of_resources(std::span<const ImageRun> runs) {
     warn_of_little_memory(memory);
 }
 
-/// Makes a run. With `with_statistics`, also writes statistics.
+/// Carries out a run. If it is complete, also writes its sheets and scene files. If
+/// `with_statistics` is true, also writes statistics.
 FinishedRun finish(const ImageRun& run,
                    const ImageArguments& arguments,
                    const ProgressOptions& progress,

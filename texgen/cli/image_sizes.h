@@ -15,8 +15,8 @@ namespace foam::texgen {
 void describe_several_sizes(CLI::App& command);
 
 /// Returns the preset of each size that --size lists, such as "2048,1024,512"; one preset if the
-/// option has at most one size. `load` returns the preset of arguments with a single size; it
-/// prints notes only for the first size.
+/// option has at most one size. `load` returns the preset of arguments with a single size. For each
+/// size except the first, these arguments have `quiet` set, so that `load` prints notes only once.
 ///
 /// With several sizes, the images of each size get a folder of their own, unless the pattern of
 /// their names contains {size}: with_size_folder changes output.pattern and output.sheet_pattern.

@@ -11,19 +11,21 @@ class Interrupted : public std::runtime_error {
   public:
     explicit Interrupted(int signal);
 
+    /// Returns the number of the signal, such as SIGINT.
     int signal() const { return signal_; }
 
   private:
     int signal_;
 };
 
-/// How a run stops after a signal: after its current step, or, if it has no steps, soon.
+/// Selects how a run stops after a signal: after its current step, or soon if it has no steps. The
+/// signal handler tells the user.
 enum class Stopping { AfterStep, Soon };
 
 /// Installs handlers for SIGINT, SIGTERM and SIGHUP. If one of these signals arrives, the process
 /// does not end. Instead, the handler writes to stderr how the run will stop, and from then on
-/// throw_if_interrupted throws. A second signal of the same kind ends the
-/// process immediately. If the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
+/// throw_if_interrupted throws. A second signal of the same kind ends the process immediately. If
+/// the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
 void handle_stop_signals(Stopping stopping = Stopping::AfterStep);
 
 /// Throws Interrupted if a signal has arrived since the first call of handle_stop_signals. A signal

@@ -7,8 +7,10 @@
 
 namespace foam::texgen {
 
-/// Returns the JSON object (--json) of a run that neither simulates nor draws frames. Its only
-/// member is `status`, which is "complete". The command adds further members.
+/// Returns the JSON object (--json) of a command that simulates nothing, such as `maps`, or whose
+/// parts have outcomes of their own: the variations of `vary` and the jobs of `run`. The only
+/// member is `status`, which is "complete" whatever these outcomes are. The command adds further
+/// members.
 Json json_report();
 
 /// Returns the JSON object of a run that simulates or draws frames. The command adds further

@@ -2,8 +2,8 @@
 
 #pragma once
 
-// Options that several commands share. Each function adds one option to a command. The variable
-// that receives the value must exist until the command line has been parsed.
+// Options that several commands share. Each function add_NAME_option adds one option to a command.
+// The variable that receives the value must exist until the command line has been parsed.
 
 #include "texgen/cli/progress.h"
 
@@ -20,7 +20,8 @@ class Option;
 namespace foam::texgen {
 
 /// Allows only the given words as values of an option, and shows them in the help. The error
-/// message for any other value suggests the most similar word.
+/// message for any other value lists the words and suggests the most similar one, if any is
+/// similar.
 void allow_only(CLI::Option& option, const std::vector<std::string>& words);
 
 /// Adds --json, with which the command prints one JSON object (json_report.h).

@@ -72,14 +72,14 @@ class ProgressReporter {
     void note_long_run();
     double seconds_since(PhaseClock::Clock::time_point begin) const;
 
-    std::mutex mutex_;  // protects all members below that are not constant, except heartbeat_
+    std::mutex mutex_;  // protects the members from clock_ to has_noted_
     std::condition_variable_any wake_;
     ProgressOptions options_;
     Style style_;
     bool has_color_;
     PhaseClock clock_;
     PhaseClock::Clock::time_point begin_ = PhaseClock::Clock::now();
-    PhaseClock::Clock::time_point now_ = begin_;  // time of the latest report
+    PhaseClock::Clock::time_point now_ = begin_;  // time of the latest report or repetition
     PhaseClock::Clock::time_point last_print_ = begin_;
     RunProgress latest_;
     bool has_printed_ = false;

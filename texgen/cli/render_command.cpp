@@ -28,8 +28,8 @@ constexpr const char* kRenderExamples = R"(Examples:
   foamtex render foam --frames 1-100x2
   foamtex render foam --size 4096 --maps albedo,height,normal --out 'out/{map}.####.exr'
 If the cache contains all frames of the animation, the images are identical to those of a bake. Keys
-of the images, the output and the maps can be set, and for a patch also keys of the camera. The
-aspect ratio of a torus cannot be changed.)";
+of images, output, drawings, meshes and maps can be set, but the aspect ratio of a torus cannot be
+changed. For a patch without events at positions, keys of the camera can also be set.)";
 
 struct RenderArguments {
     RunArguments run;

@@ -29,7 +29,7 @@ void note_missing_charts(const StatisticsFiles& statistics);
 void note_other_version(const CacheInfo& cache, const std::filesystem::path& folder);
 
 /// Prints a note on stderr if the preset has a loop, but the frames that were baked do not close it
-/// (closes_loop).
+/// (closes_loop). Precondition: `frames` is not empty.
 void note_open_loop(const Preset& preset, std::span<const int> frames);
 
 /// Prints a note on stderr if events of the preset begin after its last frame and after the last of
@@ -48,13 +48,12 @@ void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder);
 /// the user can lower so that it needs less. `bytes` is an estimate of the memory.
 std::string memory_needed(std::uint64_t bytes);
 
-/// Prints a warning on stderr if a run that needs the given number of bytes needs more memory than
-/// is available.
+/// Prints a warning on stderr if a run needs more memory than is available (available_memory).
+/// `bytes` is an estimate of the memory that the run needs.
 void warn_of_little_memory(std::uint64_t bytes);
 
-/// Each element of `replaced` is a set of images of an earlier bake. For each of them, prints a
-/// warning on stderr: the bake replaces files of this set, and the images of both
-/// bakes can be kept by writing to another folder.
+/// Prints a warning on stderr for each element of `replaced`: the bake replaces images of an
+/// earlier bake. The warning says how to keep the images of both bakes.
 void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the

@@ -39,8 +39,9 @@ std::vector<Assignment> in_order(std::vector<Assignment> first,
 }
 
 /// Applies the assignments of the profile, of the command line and `more` to a preset. `own` are
-/// the assignments in the file of the preset, which have been applied already. Unless output is
-/// quiet, prints the remarks on the preset and these assignments (remarks_on).
+/// the assignments in the file of the preset, which have been applied already. Unless -q is given,
+/// prints the remarks (remarks_on) on the preset and on all these assignments, except those of the
+/// profile.
 Preset assigned(Preset preset,
                 const std::vector<Assignment>& own,
                 const RunArguments& arguments,

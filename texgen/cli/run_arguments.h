@@ -66,14 +66,14 @@ std::vector<Assignment> assignments_of(const RunArguments& arguments);
 /// Returns the preset that the arguments name, after assignments in this order: those of the
 /// profile, every `--set`, the other options that set a key, and `more`. Later assignments override
 /// earlier ones. Throws PresetError if the preset or the profile is missing or invalid, or if a
-/// value is not allowed. Unless -q is given, prints each remark on the preset (remarks_on) as a
-/// note on stderr, for example on a key that an assignment, or the file of the preset, sets without
-/// effect.
+/// value is not allowed. Also throws PresetError for a cache in place of a preset. Unless -q is
+/// given, prints each remark on the preset (remarks_on) as a note on stderr, for example on a key
+/// that the command line, `more` or the file of the preset sets without effect.
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});
 
-/// Returns the given preset after the same assignments as in preset_of. Throws PresetError if a
-/// value is not allowed. Unless -q is given, prints each remark on the preset and these assignments
-/// (remarks_on) as a note on stderr.
+/// Returns the given preset after the same assignments as in preset_of. Throws PresetError if the
+/// profile is missing or invalid, or if a value is not allowed. Unless -q is given, prints each
+/// remark (remarks_on) on the preset, the command line and `more` as a note on stderr.
 Preset changed(Preset preset,
                const RunArguments& arguments,
                const std::vector<Assignment>& more = {});

@@ -47,7 +47,7 @@ struct RunCommandArguments {
     bool json = false;
 };
 
-/// How a job ended.
+/// The result of a job.
 struct FinishedJob {
     std::size_t number = 0;  // from 1
     ExitCode code = ExitCode::Success;

@@ -46,7 +46,7 @@ constexpr const char* kVaryExamples = R"(Examples:
 0..0.6:4 stands for 4 evenly spaced numbers from 0 to 0.6. In a grid of two sweeps, rows have the
 values of the first one; --seeds is a sweep, too, and comes first. --random draws a seed of the foam
 and values of the keys that the preset lists in preset.vary, except those that --set gives. Every
-variation becomes a preset file beside the sheet, which replaces the preset files of an earlier run.)";
+variation becomes a preset file beside the sheet; these files replace those of an earlier run.)";
 
 constexpr int kLargestWidth = 2048;
 constexpr int kMostVariations = 400;  // of --random

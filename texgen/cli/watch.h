@@ -13,8 +13,8 @@
 
 namespace foam::texgen {
 
-/// The contents of files, to detect changes. A file that is missing or unreadable counts as a
-/// content of its own.
+/// The contents of files, to detect changes. Becoming missing or unreadable, and becoming readable
+/// again, count as changes.
 class WatchedFiles {
   public:
     /// Remembers the present contents.
@@ -44,10 +44,11 @@ void add_watch_option(CLI::App& command, bool& watch);
 /// malformed.
 std::vector<std::filesystem::path> watched_files(const RunArguments& arguments);
 
-/// Calls `run`, and calls it again whenever a file on which it depends (watched_files) has changed
-/// and then has not changed for a moment, because editors write a file in several steps. An
-/// exception of `run` is reported as one line (report_exception), and the watching goes on. Ends
-/// only with Interrupted, after a signal. Throws PresetError if there is no file to watch.
+/// Calls `run`, and calls it again after each change of a file on which it depends (watched_files).
+/// Editors write a file in several steps, so the call waits until no file has changed for 0.2 s.
+/// Reports an exception of `run` as one line (report_exception) and goes on watching. Never
+/// returns: throws Interrupted after a signal, and PresetError if there is no file to watch or if a
+/// `--set` is malformed.
 [[noreturn]] void run_watching(const RunArguments& arguments, const std::function<void()>& run);
 
 }  // namespace foam::texgen

@@ -12,8 +12,8 @@ namespace foam::texgen {
 namespace {
 
 // Escapes a text for single quotes and for the specifications that the functions _arguments and
-// _describe of zsh read.
-// In these specifications square brackets, colons and backslashes have a special meaning.
+// _describe of zsh read. In these specifications, square brackets, colons and backslashes have a
+// special meaning.
 std::string zsh_escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {

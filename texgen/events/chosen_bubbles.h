@@ -18,10 +18,16 @@ struct ChosenBubble {
 
 /// Returns up to `count` of the bubbles that an event chooses, or all bubbles of the foam if
 /// `count` is 0. An event may call this function several times, to choose some of its bubbles in
-/// each call. `first_index` is the sum of `count` over the earlier calls. If the event has a list
-/// of identities, the call chooses the bubbles from this index of the list on. If it has a list of
-/// numbers of sides, the numbers take turns, beginning at this index modulo the length of the list;
-/// each chooses the smallest bubble of this number of sides that the call has not chosen yet.
+/// each call. `first_index` is the sum of `count` over the earlier calls. The bubbles depend on the
+/// key that the event has:
+///
+/// - bubble, a list of identities: the bubbles from the index `first_index` of the list on.
+///   Precondition: the list has at least first_index + count elements.
+/// - sides, a list of numbers of sides: the numbers take turns, beginning at the index
+///   `first_index` modulo the length of the list. In its turn, a number chooses a bubble with this
+///   number of sides: the one with the smallest target area that the call has not chosen yet.
+/// - at, a position: the bubble that contains it.
+///
 /// Bubbles that do not exist are left out, so that the result may be shorter or empty.
 std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
                                          const EventContext& context,

@@ -24,11 +24,15 @@ struct CollapseOptions {
 };
 
 Keys<CollapseOptions> collapse_keys();
+
+/// Rejects an event without a valid choice of bubbles (check_choice), and an event whose bubbles
+/// collapse in turn but which has fewer frames than bubbles.
 void check_collapse(const EventCheck& check, const CollapseOptions& options);
 
 /// Schedules the collapse of the bubbles that begin to collapse in the step that leads to the frame
 /// `context.frame`: their target areas shrink to the T2 area, and the bubbles vanish at the last
-/// frame of their collapse. With EventOrder::AtOnce, this is the last frame of the event.
+/// frame of their collapse. With EventOrder::AtOnce, this is the last frame of the event. Counts
+/// bubbles that do not exist in context.missing.
 void advance_collapse(const EventBase& event,
                       const CollapseOptions& options,
                       EventContext& context);

@@ -13,8 +13,8 @@ Keys<DriveOptions> drive_keys() {
     return {
         key("scale",
             Reals{0.01, 100.0},
-            "factor by which the target area changes, linearly from the first to the last frame of "
-            "the event",
+            "factor by which the target area, without the oscillation, changes linearly over the "
+            "frames of the event",
             &Options::scale),
         key("amplitude",
             Reals{0.0, 0.9},

@@ -30,10 +30,14 @@ struct DriveOptions {
 };
 
 Keys<DriveOptions> drive_keys();
+
+/// Rejects an event with an invalid choice of bubbles (check_choice). An event that chooses no
+/// bubbles drives all bubbles.
 void check_drive(const EventCheck& check, const DriveOptions& options);
 
-/// At the first frame of the event, chooses bubbles and schedules their target areas: a ramp times
-/// an oscillation (E9). Does nothing at later frames.
+/// Before the step to the first frame of the event, chooses bubbles and schedules their target
+/// areas: a ramp times an oscillation (E9). Counts bubbles that do not exist in context.missing.
+/// Does nothing at later frames.
 void advance_drive(const EventBase& event, const DriveOptions& options, EventContext& context);
 
 }  // namespace foam::texgen

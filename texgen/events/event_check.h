@@ -33,7 +33,8 @@ struct EventCheck {
     std::string name;               // name of the event in messages, such as "event[2]"
     bool has_assigned_key = false;  // true if a key of this event was assigned
     std::function<bool(std::string_view key)> is_given;  // true if the key was assigned
-    std::function<void(std::string_view key, std::string_view reason)> reject;  // throws
+    // Throws PresetError, whose message contains the reason.
+    std::function<void(std::string_view key, std::string_view reason)> reject;
 
     /// Calls `reject` with the key and the reason unless the condition `holds`.
     void require(bool holds, std::string_view key, std::string_view reason) const {

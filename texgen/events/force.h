@@ -22,6 +22,9 @@ struct ForceOptions {
 };
 
 Keys<ForceOptions> force_keys();
+
+/// Rejects an event without a position. On a torus, also rejects a radius above half of the shorter
+/// side.
 void check_force(const EventCheck& check, const ForceOptions& options);
 
 /// Adds the push, divided by the number of frames of the event, to context.change. The push

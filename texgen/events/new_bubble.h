@@ -11,10 +11,10 @@ namespace foam::texgen {
 /// The element of the foam on which a new bubble appears.
 enum class NucleationSite { Junction, Film };
 
-/// Creates a bubble with the given target area on the junction or film nearest to a point. Returns
-/// nullopt, and leaves the foam unchanged, if the point is in no bubble of the network, or if the
-/// bubbles around the junction or film have too little gas (core/dynamics/nucleation.h).
-/// Precondition: the target area is positive.
+/// Creates a bubble with the target area `area`, in square foam units, on the junction or film
+/// nearest to a point. Returns nullopt, and leaves the foam unchanged, if the point is in no bubble
+/// of the network, or if the bubbles around the junction or film have too little gas
+/// (core/dynamics/nucleation.h). Precondition: the target area is positive.
 std::optional<BubbleId> nucleate_near(NucleationSite on,
                                       const Vec2& point,
                                       double area,

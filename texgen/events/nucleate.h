@@ -23,6 +23,9 @@ struct NucleateOptions {
 };
 
 Keys<NucleateOptions> nucleate_keys();
+
+/// Rejects an event whose `area` is not above the T2 area, and an event with a position that
+/// creates more than one bubble.
 void check_nucleate(const EventCheck& check, const NucleateOptions& options);
 
 /// Creates the bubbles that are to appear in the step to the context's frame, and schedules their

@@ -18,6 +18,8 @@ struct ShearOptions {
 };
 
 Keys<ShearOptions> shear_keys();
+
+/// Rejects an event in a patch, which cannot be sheared.
 void check_shear(const EventCheck& check, const ShearOptions& options);
 
 /// Adds the strain, divided by the number of frames of the event, to context.change. The timeline

@@ -20,10 +20,10 @@ class ApngMuxer {
     /// unless `frames` is positive and both members of `rate` are from 1 to 65535.
     ApngMuxer(int frames, FrameRate rate);
 
-    /// Appends the next frame. `png` is the content of a PNG file without a palette. Throws
-    /// std::invalid_argument if `png` is not a PNG or has a palette, if its width, height, type of
-    /// samples or interlacing differs from that of the first frame, or if all frames have already
-    /// been added.
+    /// Appends the next frame. `png` is the content of a PNG file without a palette. Precondition:
+    /// the PNG is not itself an animation. Throws std::invalid_argument if `png` is not a PNG or
+    /// has a palette, if its width, height, type of samples or interlacing differs from that of the
+    /// first frame, or if all frames have already been added.
     void add(std::span<const std::byte> png);
 
     /// Completes the stream and returns it. May be called only once. Throws std::invalid_argument

@@ -19,14 +19,15 @@ void append_number(Bytes& bytes, Number number) {
     bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-/// Reads a stream of bytes from the start. Every function throws InputError if the stream ends too
-/// early.
+/// Reads a stream of bytes from the start. The bytes must outlive the reader.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
+    /// Returns the number of bytes that have not been read.
     std::size_t remaining() const { return rest_.size(); }
 
+    /// Reads the next `count` bytes. Throws InputError if fewer bytes remain.
     std::span<const std::byte> take(std::size_t count) {
         if (count > rest_.size()) {
             throw InputError("the file ends too early");
@@ -36,7 +37,8 @@ class ByteReader {
         return taken;
     }
 
-    /// Reads an unsigned integer of `Number`'s size, the least significant byte first.
+    /// Reads an unsigned integer of `Number`'s size, the least significant byte first. Throws
+    /// InputError if fewer bytes remain.
     template <class Number = std::uint32_t>
     Number number() {
         Number value = 0;

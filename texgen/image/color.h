@@ -33,8 +33,8 @@ struct Srgb8 {
 double srgb_to_linear(double encoded);
 double linear_to_srgb(double linear);
 
-/// Returns the 8-bit sRGB code of every 16-bit value of linear light, of which 65535 is white. A
-/// value has the code k if its sRGB encoding rounds to k.
+/// Returns a table whose element v is the 8-bit sRGB code of the 16-bit value v of linear light.
+/// The value 65535 is white. A value has the code k if its sRGB encoding rounds to k.
 std::span<const std::uint8_t, 65536> srgb_codes_of_light();
 
 /// Returns the color in linear light.

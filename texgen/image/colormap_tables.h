@@ -167,7 +167,7 @@ inline constexpr std::array<std::uint32_t, 256> kCividis = {
     0xf3db42, 0xf5dc41, 0xf6dd3f, 0xf7de3e, 0xf8df3c, 0xf9e03a, 0xfbe138, 0xfce236, 0xfde334,
     0xfee434, 0xfee535, 0xfee636, 0xfee838};
 
-// The color maps below were made for foamtex, in the polar form of the color space OKLab. The
+// The color maps below were made for foamtex, in the polar form of the color space Oklab. The
 // lightness L changes linearly. The chroma C and the hue h (in degrees) are monotone cubic
 // interpolants of the listed points (t; C, h), where t from 0 to 1 is the position in the color
 // map.

@@ -20,17 +20,17 @@ namespace {
 
 constexpr std::uint32_t kDdsMagic = 0x20534444;  // "DDS "
 constexpr std::uint32_t kDdsHeaderBytes = 124;
-constexpr std::uint32_t kFormatBytes = 32;   // of the old description of the pixel format
-constexpr std::uint32_t kFourCc = 0x4;       // flag: the old description names a format
-constexpr std::uint32_t kDx10 = 0x30315844;  // "DX10": there is a second header
+constexpr std::uint32_t kFormatBytes = 32;   // size of DDS_PIXELFORMAT in the first header
+constexpr std::uint32_t kFourCc = 0x4;       // flag of DDS_PIXELFORMAT: it has a code
+constexpr std::uint32_t kDx10 = 0x30315844;  // the code "DX10": there is a second header
 
-// Flags of the header. Each says which of its fields are used.
+// Flags of the first header. Each flag states that certain fields of the header are used.
 constexpr std::uint32_t kAlways = 0x1007;       // caps, height, width and the pixel format
 constexpr std::uint32_t kMipLevels = 0x20000;   // the number of mip levels
 constexpr std::uint32_t kRowBytes = 0x8;        // the bytes of a row
 constexpr std::uint32_t kImageBytes = 0x80000;  // the bytes of the largest level
 
-// Caps: a texture; one that has mip levels.
+// Bits of the field dwCaps, for every texture and for a texture with mip levels.
 constexpr std::uint32_t kTexture = 0x1000;
 constexpr std::uint32_t kHasMipLevels = 0x400008;
 

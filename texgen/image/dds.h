@@ -15,8 +15,8 @@ namespace foam::texgen {
 Bytes encode_dds(const GpuTexture& texture);
 
 /// Returns the texture in a DDS file. Throws InputError if the stream is malformed or truncated, if
-/// it has no header of Direct3D 10, if its format is not one of PixelFormat, if it is a cube or a
-/// volume, and for an image above the limits in input_limits.h.
+/// it has no header of Direct3D 10, if its format is not one of PixelFormat, if it is a cube or not
+/// two-dimensional, and for an image above the limits in input_limits.h.
 GpuTexture decode_dds(std::span<const std::byte> content);
 
 }  // namespace foam::texgen

@@ -33,7 +33,7 @@ enum class ExrCompression { None, Rle, Zips, Zip, Piz };
 /// Options of layout and compression. The pixels do not depend on them.
 struct ExrEncoding {
     ExrCompression compression = ExrCompression::Zip;
-    /// The level for Zip and Zips: 1 and 2 are the fastest, 9 gives the smallest files.
+    /// The level for Zip and Zips, from 1 to 9: 1 and 2 are fastest, 9 gives the smallest files.
     int zip_level = 2;
     /// If true, the file has tiles of 64 x 64 pixels and mip levels down to 1 x 1. Each level has
     /// half the width and height of the level before, rounded down, but at least 1. Floating-point
@@ -63,8 +63,7 @@ Bytes encode_exr(std::span<const ExrChannel> channels,
                  const ExrEncoding& encoding = {});
 
 /// Encodes a picture of floating-point numbers and 32-bit integers. Throws std::invalid_argument if
-/// the picture has samples of 8 or 16 bits that are integers, and the same exceptions as the
-/// function above.
+/// the picture has codes (SampleType), and the same exceptions as the function above.
 Bytes encode_exr(const Picture& picture, const ExrEncoding& encoding = {});
 
 /// Decodes an EXR of rows or tiles. Each channel becomes a ChannelGroup of the picture, in

@@ -115,8 +115,9 @@ Groups read_tiles(std::span<const std::byte> content, int level) {
     });
 }
 
-/// Returns true if chromaticities are those of a color space. Programs round them to three to five
-/// digits, and the white point of AP1 sometimes to D60.
+/// Returns true if the chromaticities of a file are close to those of `primaries`. They need not be
+/// equal, because programs round them to three to five digits, and some programs write D60 instead
+/// of the white point of ACES.
 bool is_close(const Imf::Chromaticities& found, Primaries primaries) {
     constexpr double kTolerance = 2e-3;
     const Chromaticities wanted = chromaticities_of(primaries);

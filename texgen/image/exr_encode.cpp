@@ -31,9 +31,9 @@ namespace {
 constexpr int kTileSide = 64;
 constexpr std::size_t kLongestName = 31;  // characters; old readers reject longer attribute names
 
-// Names of standard attributes of EXR that a header may lack. A text must not have such a name,
-// because readers would give it a meaning. Attributes that a header has, such as the required ones,
-// need not be listed, because is_text_name also searches the header.
+// Names of optional attributes of EXR. A text must not have one of these names, because readers
+// would give it a meaning. Attributes that a header has, such as the required ones, need not be
+// listed, because is_text_name also searches the header.
 constexpr std::array<std::string_view, 7> kReservedNames = {
     "chromaticities", "wrapmodes", "framesPerSecond", "name", "type", "view", "chunkCount"};
 

@@ -57,7 +57,8 @@ struct ExrPlane {
 /// All channels of one mip level in the layout that OpenEXR writes.
 class ExrPlanes {
   public:
-    /// Converts the samples. Throws std::invalid_argument for a number that is not finite or that
+    /// Converts the samples. Precondition: there is at least one channel, and all channels have the
+    /// same width and height. Throws std::invalid_argument for a number that is not finite or that
     /// its type cannot hold.
     explicit ExrPlanes(std::span<const ExrChannel> channels);
 

@@ -24,11 +24,11 @@ struct ExternalOptions {
 };
 
 /// Runs a program and waits until it ends. `arguments` must not be empty. Its first element is the
-/// name of the program, which is looked up in PATH. No shell is used, so no character of an
-/// argument has a special meaning. Standard input is empty and standard output is discarded.
-/// Returns the exit code, -1 if a signal ended the program, or nullopt if the program or the folder
-/// of `options.error_file` does not exist. Throws OutputError if the working directory does not
-/// exist, or if the program cannot be started for another reason.
+/// name of the program, which is looked up in PATH unless it contains a '/'. No shell is used, so
+/// no character of an argument has a special meaning. Standard input is empty and standard output
+/// is discarded. Returns the exit code, -1 if a signal ended the program, or nullopt if the program
+/// or the folder of `options.error_file` does not exist. Throws OutputError if the working
+/// directory does not exist, or if the program cannot be started for another reason.
 std::optional<int> run_external(std::vector<std::string> arguments,
                                 const ExternalOptions& options = {});
 

@@ -37,8 +37,8 @@ void copy_texels(std::span<const Code> from, std::span<Code> to) {
     }
 }
 
-// Copies texels from a picture to a pixel format or back. Other pairs of channel counts than those
-// below do not occur.
+// Copies texels from a picture to a pixel format or back. Precondition: the two numbers of channels
+// are equal or are one of the pairs below.
 template <class Code>
 void copy_texels(std::span<const Code> from, int channels, std::span<Code> to, int to_channels) {
     if (channels == to_channels) {
@@ -131,7 +131,7 @@ Bytes compressed(const Image<std::uint8_t>& pixels, int threads, Encoder<bytes>*
     return result;
 }
 
-// Returns the bytes of an image in a format.
+// Returns the bytes of a picture in a pixel format.
 Bytes encode_image(const Picture& picture, PixelFormat format, int threads) {
     const ChannelGroup& group = picture.groups.front();
     if (group.type == SampleType::Uint16) {

@@ -17,7 +17,8 @@
 
 namespace foam::texgen {
 
-/// The maps that are compressed in blocks of 4 x 4 texels, as graphics hardware reads them.
+/// Selects the images that are compressed in blocks of 4 x 4 texels, as graphics hardware reads
+/// them.
 enum class BlockCompression {
     Auto,  // images of 8 bits whose width and height are multiples of 4, except ids
     None,  // no image
@@ -29,7 +30,8 @@ struct GpuEncoding {
     bool mip_levels = true;  // if false, only the full size is stored
     TexelMeaning meaning = TexelMeaning::Numbers;
     /// The number of channels that contain data. Pictures of two channels are stored with a third
-    /// channel of zeros, which a texture does not need. 0 if all channels contain data.
+    /// channel of zeros, which a texture does not need. 0 if all channels contain data. Must not be
+    /// 2 for a picture of four channels of 16 bits.
     int used_channels = 0;
     /// The number of threads that compress, as for thread_count (core/parallel/parallel_for.h). The
     /// bytes do not depend on it.
@@ -51,7 +53,7 @@ struct GpuTexture {
     int width = 0;
     int height = 0;
     bool is_array = false;  // true for an array texture, which may have any number of layers
-    bool opaque = true;     // true if a fourth channel is 1 everywhere because there is no alpha
+    bool opaque = true;     // true if there is no alpha; a fourth channel is then 1 everywhere
     std::vector<std::vector<Bytes>> layers;  // for each layer, its mip levels from the full size on
     std::vector<std::pair<std::string, std::string>> text;  // ImageMetadata::text
     /// Set if the layers of an array are frames of an animation. A DDS cannot store it.
@@ -71,7 +73,8 @@ struct GpuTexture {
 /// | other data | Bc7 | Rgba8 | Rgba16 |
 ///
 /// Ids are not compressed. A picture whose width or height is not a multiple of 4 is not compressed
-/// either, because Direct3D does not allow it.
+/// either, because Direct3D does not allow it. Colors are expected to have 8 bits: colors of 16
+/// bits would be stored as Rgba16, which does not mark them as sRGB.
 PixelFormat pixel_format_of(const Picture& picture, const GpuEncoding& encoding);
 
 /// Returns a texture of one layer that stores a picture. Throws std::invalid_argument unless the

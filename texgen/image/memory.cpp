@@ -93,7 +93,7 @@ std::uint64_t available_memory() {
 
 void save_address_space() {
 #ifdef M_ARENA_MAX
-    constexpr int kArenas = 2;  // parts of the heap, each for some of the threads
+    constexpr int kArenas = 2;  // largest number of heaps, which threads share
     if (address_space_left() != kUnlimited) {
         mallopt(M_ARENA_MAX, kArenas);
     }

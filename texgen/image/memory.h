@@ -21,8 +21,8 @@ class OutOfMemory : public std::runtime_error {
 std::uint64_t available_memory();
 
 /// If the address space of this process is limited (ulimit -v), prevents the GNU C library from
-/// reserving 64 MiB of it for every thread. Other C libraries do not do that. Call this function
-/// before threads are started.
+/// reserving 64 MiB of it for every thread. With other C libraries, does nothing. Call this
+/// function before threads are started.
 void save_address_space();
 
 /// Throws OutOfMemory if fewer than `bytes` bytes are available (available_memory). The message

@@ -84,7 +84,7 @@ struct Conversion {
     }
 };
 
-// Sets the numbers of one channel of a picture.
+// Sets `plane` to the numbers of one channel of a picture.
 template <class Code>
 void fill_plane(const Image<Code>& pixels,
                 const Conversion<Code>& conversion,
@@ -98,8 +98,8 @@ void fill_plane(const Image<Code>& pixels,
     }
 }
 
-// Returns the planes of the level below a picture. Only the planes of one channel and of the
-// opacity have the full size at the same time.
+// Returns the planes of the first level that is smaller than the picture. To save memory, only the
+// planes of one channel and of the opacity have the full size at the same time.
 template <class Code>
 Planes first_planes(const Image<Code>& pixels, const Conversion<Code>& conversion) {
     Planes planes;

@@ -16,6 +16,8 @@ struct Oklab {
     friend bool operator==(const Oklab&, const Oklab&) = default;
 };
 
+/// Converts a color from linear sRGB. For colors far outside the gamut of sRGB, negative responses
+/// of the cones of the eye are replaced by 0.
 Oklab to_oklab(const LinearRgb& color);
 
 /// Converts a color to linear sRGB. The result is not clamped.

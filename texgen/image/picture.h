@@ -47,8 +47,8 @@ struct ChannelGroup {
     bool has_codes() const { return type == SampleType::Uint8 || type == SampleType::Uint16; }
 };
 
-/// The primaries and the white point of the colors of a picture (primaries.h): those of sRGB, which
-/// are those of ITU-R BT.709, or those of ACEScg.
+/// The primaries and the white point of the colors of a picture (chromaticities_of in primaries.h).
+/// The primaries of sRGB are also the primaries of ITU-R BT.709.
 enum class Primaries : std::uint8_t { Srgb, AcesCg };
 
 /// Properties of a picture that its file records. A format omits the members that it cannot store.

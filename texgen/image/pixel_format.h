@@ -39,7 +39,7 @@ struct PixelFormatFacts {
 
 const PixelFormatFacts& facts_of(PixelFormat format);
 
-/// Return the format with a number of Direct3D or of Vulkan, or nullopt if there is none.
+/// Return the format that has this number in Direct3D or in Vulkan, or nullopt if there is none.
 std::optional<PixelFormat> find_dxgi_format(std::uint32_t number);
 std::optional<PixelFormat> find_vulkan_format(std::uint32_t number);
 

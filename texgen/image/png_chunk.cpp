@@ -10,7 +10,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kWord = 4;  // bytes of the length, the type or the checksum of a chunk
+constexpr std::size_t kWord = 4;  // bytes of each field of a chunk: length, type, checksum
 
 }  // namespace
 

@@ -28,7 +28,7 @@ struct Chromaticities {
 /// Academy's specification S-2014-004, "ACEScg - A Working Space for CGI Render and Compositing").
 Chromaticities chromaticities_of(Primaries primaries);
 
-/// A linear map of colors, as rows.
+/// The rows of a matrix that is multiplied by a color, a column vector of red, green and blue.
 using ColorMatrix = std::array<std::array<double, 3>, 3>;
 
 /// Returns the matrix that converts linear light from one color space to another. If the white
@@ -40,9 +40,10 @@ ColorMatrix conversion(Primaries from, Primaries to);
 /// "linear sRGB" or "ACEScg".
 std::string_view linear_space_name(Primaries primaries);
 
-/// Converts the colors of a layer of a picture: the channels R, G and B, or LAYER.R, LAYER.G and
-/// LAYER.B. They are linear light, which may be multiplied by an opacity. Other channels stay the
-/// same. Does nothing if one of the three channels is missing or does not store floats.
+/// Converts the colors of a layer of a picture: the channels LAYER.R, LAYER.G and LAYER.B or, if
+/// `layer` is empty, R, G and B. The colors are linear light, which may be multiplied by an
+/// opacity. Other channels stay the same. Does nothing if one of the three channels is missing or
+/// does not store floats.
 void convert_colors(Picture& picture, std::string_view layer, Primaries from, Primaries to);
 
 }  // namespace foam::texgen

@@ -11,9 +11,9 @@ namespace foam::texgen {
 inline constexpr std::uint32_t kMostLayers = 2048;
 
 /// Checks the sizes in the header of a texture before memory is allocated for its images. Throws
-/// InputError if an extent or a number is 0, if the image is above the limits in input_limits.h, if
-/// the mip levels do not fit the size, or if there are too many layers. `format` is the name of the
-/// file format for the message.
+/// InputError if one of the four numbers is 0, if the image is above the limits in input_limits.h,
+/// if there are more mip levels than an image of this size has (full_level_count), or if there are
+/// more than kMostLayers layers. `format` is the name of the file format for the message.
 void check_texture_size(std::string_view format,
                         std::uint32_t width,
                         std::uint32_t height,

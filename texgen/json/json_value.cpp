@@ -17,8 +17,9 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest allowed number of arrays and objects around a value. Manifests need only 6. Functions
-// of nlohmann-json are recursive and use stack memory in proportion to this number.
+// The largest allowed number of arrays and objects around a value. Manifests need only 9, for the
+// bubbles of an event in "measurements". Functions of nlohmann-json are recursive and use stack
+// memory in proportion to this number.
 constexpr int kDeepest = 16;
 
 /// Returns the parser's message without its error code. The text that the message quotes, with all

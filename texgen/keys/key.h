@@ -32,7 +32,7 @@ struct Condition {
 std::string text_of(const Condition& condition);
 
 /// The properties of a key that do not depend on the type of the object in which the key sets a
-/// value.
+/// value. All string views must refer to static memory, such as string literals.
 struct KeyInfo {
     std::string path;     // "foam.bubbles", or "bubbles" outside of a table
     std::string allowed;  // the allowed values: "an integer from 4 to 1000000"
@@ -47,10 +47,12 @@ struct KeyInfo {
     std::string_view meaning;              // the meaning in one sentence
     std::string_view unit{};               // the unit, such as "pixels"; empty if there is none
     std::optional<Value> default_value{};  // nullopt if the key is unset by default
-    std::optional<Condition> condition{};  // unless it is met, the key must keep its default
-    std::optional<Condition> use{};        // unless it is met, the key has no effect
-    /// Unless it is met, the TOML of a preset leaves the key out, because another key is written
-    /// instead: TOML can contain either the list albedo.colors or the table with
+    /// The key must keep its default unless this condition is met.
+    std::optional<Condition> condition{};
+    /// The key has no effect unless this condition is met.
+    std::optional<Condition> use{};
+    /// The TOML of a preset contains the key only if this condition is met. Otherwise another key
+    /// is written instead: TOML can contain either the list albedo.colors or the table with
     /// albedo.colors.from.
     std::optional<Condition> written{};
     /// The path of another key. The number of this key must be below the number of that key.
@@ -59,16 +61,16 @@ struct KeyInfo {
     /// is relative to the folder of the preset's file. This member is empty if no value is a path.
     std::function<bool(const Value&)> names_file{};
 
-    /// Returns the part of the path before the dot; the whole path if there is no dot.
+    /// Returns the part of the path before the first dot; the whole path if there is no dot.
     std::string_view table() const;
-    /// Returns the part of the path after the dot; the whole path if there is no dot.
+    /// Returns the part of the path after the first dot; the whole path if there is no dot.
     std::string_view name() const;
 };
 
 /// A file that an object uses because the value of a key names it.
 struct NamedFile {
     std::string path;
-    std::string hash;  // of its content, 32 hexadecimal digits
+    std::string hash;  // hash of the content, 32 hexadecimal digits
 };
 
 /// Returns the entry of a key in the reference of all keys: name, default, meaning and allowed

@@ -13,7 +13,8 @@
 namespace foam::texgen {
 
 /// Returns the folder of the manifest of a bake of a preset: the deepest folder that contains all
-/// images of the preset, whichever maps and frames are baked.
+/// images of the preset, whichever maps and frames are baked. The path is empty for the working
+/// folder. Throws std::invalid_argument if output.pattern is malformed (FilePattern).
 std::filesystem::path manifest_folder(const Preset& preset);
 
 /// Returns the paths of the files that a bake will write, relative to `folder`, the folder of the
@@ -51,7 +52,7 @@ class BakeRecorder {
 
     std::filesystem::path folder_;
     BakedSet set_;
-    std::vector<std::string> paths_;  // of the files that the bake will write
+    std::vector<std::string> paths_;  // paths of the files that the bake will write
     bool begun_ = false;
     std::chrono::steady_clock::time_point next_save_{};
 };

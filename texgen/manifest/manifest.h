@@ -94,7 +94,7 @@ struct FrameStatistics {
     double drawing = 0.0;      // wall time of drawing, encoding, writing and measuring, seconds
     // nullopt in manifests that older versions of foamtex wrote.
     std::optional<FrameMechanics> mechanics{};
-    // The JSON object of measurements_json, which the program only stores; empty if there is none.
+    // The JSON object that measurements_json returned; empty if there is none.
     std::string measurements{};
 
     friend bool operator==(const FrameStatistics&, const FrameStatistics&) = default;

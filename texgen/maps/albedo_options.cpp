@@ -67,7 +67,7 @@ struct ColorPictures : PictureFiles {
     }
 };
 
-// The TOML of a preset gives either the list colors or the table colors.
+// The TOML of a preset contains either the list albedo.colors or the table with this key.
 constexpr std::string_view kColorsFrom = "albedo.colors.from";
 
 Keys<AlbedoOptions> color_keys() {

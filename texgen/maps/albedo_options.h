@@ -57,7 +57,8 @@ struct AlbedoOptions {
     std::string colormap = "viridis";
     // sRGB, "#rrggbb" or "#rrggbb@position" (color_scale.h); if not empty, replaces the color map.
     std::vector<std::string> colors{};
-    // If a picture is set, `colors` are the main colors of it (texgen/pictures/palette.h).
+    // The picture whose main colors are in `colors` (texgen/pictures/palette.h). Not set if the
+    // colors do not come from a picture.
     PictureFile colors_from{};
     int colors_count = 5;  // the largest number of main colors
     ColorMix color_mix = ColorMix::Blend;

@@ -187,6 +187,7 @@ AutoReal* range_option_of(const Map& map, MapOptions& options);
 const AutoReal* range_option_of(const Map& map, const MapOptions& options);
 
 /// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).
+/// Precondition: all names are names of maps.
 bool shows_maze(std::span<const std::string> names, const MapOptions& options);
 
 /// Returns a Markdown table of all maps, which texgen/maps/README.md contains.

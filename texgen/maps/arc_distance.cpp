@@ -45,7 +45,7 @@ double radius_around_chord(const PixelArc& arc) {
 struct ArcCopy {
     const PixelArc* arc;
     Vec2 tail;      // in pixels of the image
-    Vec2 center;    // of the square
+    Vec2 center;    // center of the square, in pixels of the image
     double extent;  // half the side of the square
 };
 
@@ -111,7 +111,7 @@ void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
     }
 }
 
-// Makes the distances above `reach` infinite.
+// Makes the distances above `reach` infinite, and their gradients zero.
 void limit(ArcDistances& distances, double reach) {
     const bool has_gradient = !distances.gradient.samples().empty();
     for (std::size_t k = 0; k < distances.distance.samples().size(); ++k) {

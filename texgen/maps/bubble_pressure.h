@@ -9,9 +9,10 @@ namespace foam::texgen {
 
 /// The unit of a pressure.
 enum class PressureUnit {
-    Seed,     // film tension / sqrt(mean area of the seeded foam); this mean area is 1
-    Current,  // film tension / sqrt(FoamValues::mean_area), the mean area of the bubbles now or
-              // averaged over recent frames; it preserves contrast while the foam coarsens
+    Seed,  // film tension / sqrt(mean area of the seeded foam); this mean area is 1
+    // Film tension / sqrt(FoamValues::mean_area): the present mean area of the bubbles, or its
+    // average over recent frames. This unit preserves contrast while the foam coarsens.
+    Current,
 };
 
 inline constexpr Choices<PressureUnit> kPressureUnits = {

@@ -24,7 +24,7 @@ inline constexpr MapTraits kCausticsMap = {
 
 /// The water, and the colors in which the map shows the light on the floor.
 struct CausticsOptions {
-    double depth = 1.0;  // of the water, in bubble diameters (ReliefOptions::mean_bubble)
+    double depth = 1.0;  // depth of the water, in bubble diameters (ReliefOptions::mean_bubble)
     // The brightness is 1 - exp(-exposure * light). Under flat water, the light is 1.
     double exposure = 0.7;
     // The colors (sRGB) of the brightnesses from 0 to 1, evenly spaced. An empty list stands for
@@ -37,8 +37,8 @@ struct CausticsOptions {
 
 Keys<CausticsOptions> caustics_keys();
 
-/// Draws the light of a sun straight above on the floor of a pool. The relief is the surface of the
-/// water, which refracts the light by Snell's law for small angles: a ray moves uphill by
+/// Draws the light on the floor of a pool under a sun straight above. The relief is the surface of
+/// the water, which refracts the light by Snell's law for small angles: a ray moves uphill by
 ///     depth * (1 - 1/1.33) * slope.
 /// Where rays meet, the floor is bright. Light that leaves one side of a torus enters at the
 /// opposite side. Rays that leave the image of a patch are lost, and no light enters it from

@@ -24,11 +24,11 @@ PerBubble<double> scale_positions(const Frame& frame,
 /// Returns the color of every bubble: a base color times a factor. The base color is the color at
 /// the bubble's position on the scale or, with ColorBy::Picture, the mean color of the picture
 /// under the bubble (picture_colors). Positions are clamped to [0, 1]. The factor differs from 1 by
-/// at most options.variation, and a bubble keeps it for life. Throws std::invalid_argument if a
-/// color of options.colors is invalid, if that list is empty and the color map is unknown, or if
-/// there is no picture although options.color_by is Picture. Also throws as scale_positions does.
-/// `first` is frame 1, which only ColorBy::Picture uses; if it is null, the frame itself takes its
-/// place.
+/// at most options.variation, and a bubble keeps it for life. The components of the result are
+/// clamped to [0, 1]. With ColorBy::Picture, throws std::invalid_argument if there is no picture.
+/// Otherwise throws std::invalid_argument if options.colors is invalid (parse_gradient), or if that
+/// list is empty and the color map is unknown. Also throws as scale_positions does. `first` is
+/// frame 1, which only ColorBy::Picture uses; if it is null, the frame itself takes its place.
 PerBubble<LinearRgb> cell_colors(const Frame& frame,
                                  const FoamRecord& record,
                                  const AlbedoOptions& options,

@@ -101,7 +101,7 @@ Image<float> covered_numbers_of(const Image<std::uint16_t>& steps, const Steps& 
 }
 
 // In a cross-fade, paints the border between the regions of the two foams as a film over an image
-// of bubbles and films. Paints nothing if the frame shows only one foam.
+// of bubbles and films. Paints nothing if the frame shows only one foam or films have no width.
 void paint_border(FrameLayers& layers,
                   double film_width,
                   const Texel& film,

@@ -14,11 +14,12 @@
 namespace foam::texgen {
 
 /// Returns an image of bubbles in the given colors and of films in the color `film`. A pixel that
-/// several bubbles and films share has the mean of their linear light, weighted by exact area. The
-/// surroundings of a patch are transparent: the opacity is the fraction of a pixel that the patch
-/// covers, including the outer half of its outer films. Fully transparent pixels get a mean color
-/// of other pixels nearby (bleed_colors). The film width is in pixels. Throws as cell_arcs and
-/// fill_cells do.
+/// several bubbles and films share has the mean of their linear light, weighted by exact area. In a
+/// cross-fade, the border between the two foams (FadeBorder) is painted as a film, with approximate
+/// areas (line_coverage). The surroundings of a patch are transparent: the opacity is the fraction
+/// of a pixel that the patch covers, including the outer half of its outer films. Fully transparent
+/// pixels get a mean color of other pixels nearby (bleed_colors). The film width is in pixels.
+/// Throws as cell_arcs and fill_cells do.
 ColorPixels fill_colors(FrameLayers& layers,
                         const PerBubble<LinearRgb>& colors,
                         const LinearRgb& film,
@@ -33,12 +34,13 @@ struct CellNumbers {
 /// Returns an image whose pixels are means of the numbers of the bubbles and films in them,
 /// weighted by exact area. The numbers and their means are rounded to 65535 equal steps from the
 /// smallest to the largest number. Pixels around a patch are 0; a pixel on the rim of the patch has
-/// the mean over the part that the patch covers. The film width is in pixels. The image has one
-/// channel. Throws as cell_arcs and fill_cells do.
+/// the mean over the part that the patch covers. The border of a cross-fade is painted as in
+/// fill_colors. The film width is in pixels. The image has one channel. Throws as cell_arcs and
+/// fill_cells do.
 Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, double film_width);
 
-/// Returns the image that the function above returns for a film width of 0, in which films cover
-/// nothing.
+/// Returns the image that the function above returns for a film width of 0. Films are then not
+/// visible.
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles);
 
 /// Returns a table of values indexed by the ids of a DistanceField. The values of the bubbles of
@@ -66,8 +68,9 @@ IdPixels paint_ids(FrameLayers& layers, const PerBubble<std::uint32_t>& ids);
 enum class Part { Films, Foam };
 
 /// Returns the fraction of every pixel that a part of the foam covers. The film width is in pixels;
-/// outer films of a patch extend outward by half of this width. The image has one channel with
-/// values from 0 to 1 in steps of 1/65535. Throws as cell_arcs and fill_cells do.
+/// outer films of a patch extend outward by half of this width. The border of a cross-fade is
+/// painted as in fill_colors. The image has one channel with values from 0 to 1 in steps of
+/// 1/65535. Throws as cell_arcs and fill_cells do.
 Image<float> fill_coverage(FrameLayers& layers, Part part, double film_width);
 
 }  // namespace foam::texgen

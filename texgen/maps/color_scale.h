@@ -22,17 +22,18 @@ struct Gradient {
     std::vector<double> positions{};
 };
 
-/// Selects what is at the position 1 of a scale if the last color has no position: this color, or
-/// the end of the part of the scale that this color covers.
+/// Selects the position of the last color of a scale in a list that has positions, but not for its
+/// last color.
 enum class ScaleEnd {
-    LastColor,       // the last color is at 1
-    AfterLastColor,  // the last color ends at 1
+    LastColor,       // the last color is at the position 1
+    AfterLastColor,  // the part of the scale that the last color covers ends at 1
 };
 
 /// Returns the gradient of a list such as {"#000000", "#ff8000@0.25", "#ffffff"}: a color may be
-/// followed by its position. Without a position, the first color is at 0 and the last one as `end`
-/// says; the others are evenly spaced between their neighbors with positions. Throws
-/// std::invalid_argument if a color or a position is invalid, or if positions descend.
+/// followed by its position. Without a position, the first color is at 0, and `end` selects the
+/// position of the last color. The others are evenly spaced between their neighbors with positions.
+/// If no color has a position, Gradient::positions is empty. Throws std::invalid_argument if a
+/// color or a position is invalid, or if positions descend.
 Gradient parse_gradient(const std::vector<std::string>& list, ScaleEnd end);
 
 /// Returns the color at a position on a gradient. Between two colors, it is interpolated in sRGB;

@@ -21,10 +21,11 @@ inline constexpr MapTraits kCurvatureMap = {
     .full_key = "curvature.full"};
 
 struct CurvatureOptions {
-    // The distance between the compared heights: the height at a point is compared with the heights
-    // at this distance on both sides of it. In diameters of the relief's mean bubble.
+    // The height at a point is compared with the heights at this distance on both sides of it. The
+    // unit is the diameter of the relief's mean bubble.
     double radius = 0.08;
-    // The curvature that a PNG stores as its largest code (65535); code 0 stands for -full.
+    // The curvature that a PNG stores as its largest code (65535), per diameter of the relief's
+    // mean bubble. Code 0 stands for -full.
     AutoReal full{10.0, true};
 };
 
@@ -33,10 +34,10 @@ Keys<CurvatureOptions> curvature_keys();
 /// Draws the curvature of the relief across the nearest film, times the diameter of the mean
 /// bubble. The curvature is a difference of heights: (2 h(x) - h(x - a) - h(x + a)) / a². x is the
 /// distance of the pixel from the film. h(x) is the height at the distance x in the cross-section
-/// of the relief (height_along in relief_section.h), and a is the length options.radius. The
-/// curvature is positive on crests, negative in furrows, and 0 where the relief is flat or has a
-/// constant slope. The image has one channel and is 0 around a patch, apart from the outer half of
-/// ridges and wet films.
+/// of the relief (height_along in relief_section.h), times ReliefOptions::strength. a is the length
+/// options.radius. The curvature is positive on crests, negative in furrows, and 0 where the relief
+/// is flat or has a constant slope. The image has one channel and is 0 around a patch, apart from
+/// the outer half of ridges and wet films.
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefSource& source,
                             const CurvatureOptions& options);

@@ -26,6 +26,7 @@ enum class DistanceKind {
     Signed,  // from the film's edge on the side of the bubble; negative in films and around a patch
 };
 
+/// The unit of distances: pixels or foam units.
 enum class DistanceUnit { Pixels, Foam };
 
 struct DistanceOptions {

@@ -41,6 +41,7 @@ class DrawnImage {
     /// Returns true if the image is a packing of colors (Packing::is_color).
     bool packs_colors() const { return packed_ && packed_->packing.is_color; }
 
+    /// Draws the image of the frame that `shown` contains.
     MapImage draw(ShownLayers& shown, const MapOptions& options) const;
 
     /// Returns the text of Map::note, or, for a packing, a list of its channels with the ranges of

@@ -17,7 +17,8 @@ inline constexpr MapTraits kEmissionMap = {
     .smooth_distance = SmoothDistance::Used};
 
 /// Draws the emitted light of a surface: the fraction of its colors that glow_fractions returns.
-/// The map lit shows the same light. The surroundings of a patch are transparent.
+/// The map lit shows the same light. The surroundings of a patch are transparent. Throws as
+/// draw_surface_colors does.
 ColorPixels draw_emission(FrameLayers& layers, const SurfaceColors& surface, double glow);
 
 }  // namespace foam::texgen

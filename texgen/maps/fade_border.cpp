@@ -156,10 +156,10 @@ class FieldJoiner {
     }
 
   private:
-    // Returns true if a pixel of a growing bubble is within the rim of the bubble; joins both
-    // fields there. `nearest` is the distance from the nearest film of the border; at every
-    // pixel, within the rim or not, it is replaced by the distance from the rim if the rim is
-    // nearer.
+    // Returns true if a pixel of a growing bubble is within the rim of the bubble, and then joins
+    // both fields at the pixel. `nearest` is the distance from the nearest film of the border. If
+    // the rim is nearer, the distance from the rim replaces it, even if the pixel is outside the
+    // rim.
     bool join_growing(std::size_t k, std::size_t bubble, DistanceAndGradient& nearest) {
         const DistanceAndGradient smooth = grown(k, bubble);
         const DistanceAndGradient rim = from_rim(smooth, growth_[bubble] * radii_[bubble]);

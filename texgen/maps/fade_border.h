@@ -35,7 +35,8 @@ struct FadeBorder {
     Image<float> weights;
 };
 
-/// Finds the border and joins the distance fields of both foams at the border. Afterwards both
+/// Finds the border and joins the distance fields of both foams at the border. `out` is the field
+/// of CrossFade::fading_out, and `in` is the field of CrossFade::fading_in. Afterwards both
 /// fields contain the same distances: from the films of the foam that is shown, or from the border
 /// if it is nearer. The ids do not change. Precondition: both fields have the same images, among
 /// them the smooth distances. If the grid is shifted, the results are shifted cyclically, and no

@@ -13,7 +13,9 @@ namespace foam::texgen {
 /// films (FilmProfile::Even: the same width everywhere) the fraction is exact, except at the border
 /// of a cross-fade (FadeBorder). Wet films (FilmProfile::Wet) end where the smooth distance
 /// (distance_field.h) is half of options.film_width, which rounds the corners of bubbles. At the
-/// edge of a wet film the fraction falls linearly from 1 to 0 over the width of a pixel.
+/// edge of a wet film the fraction falls linearly from 1 to 0 over the width of a pixel. Throws as
+/// film_width_in_pixels does and, for even films, as fill_coverage does. Precondition: if films are
+/// wet, the distance field contains the smooth distance (film_distance_needs).
 Image<float> film_coverage(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Returns the fraction of every pixel that films and bubbles cover together, in one channel.
@@ -41,7 +43,8 @@ Image<float> fill_numbers(FrameLayers& layers,
 DistanceNeeds film_distance_needs(const AlbedoOptions& options);
 
 /// Paints films over the colors of bubbles. `colors` has a color for every pixel in its first three
-/// channels. The surroundings of a patch become transparent, as in fill_colors.
+/// channels. The surroundings of a patch become transparent, as in fill_colors. Throws
+/// std::invalid_argument if options.film_color is invalid. Also throws as film_coverage does.
 ColorPixels paint_films(FrameLayers& layers, const AlbedoOptions& options, ColorPixels colors);
 
 }  // namespace foam::texgen

@@ -26,7 +26,8 @@ struct PaintLayer {
 };
 
 /// Returns an image of layers over a ground of one sRGB color. A later layer covers earlier layers.
-/// Around a patch, pixels that no layer covers are transparent.
+/// Around a patch, pixels that no layer covers are transparent. Throws std::invalid_argument if a
+/// color is invalid.
 ColorPixels paint_layers(FrameLayers& layers,
                          const std::string& ground,
                          std::span<const PaintLayer> over);

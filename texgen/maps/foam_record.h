@@ -12,7 +12,7 @@ namespace foam::texgen {
 struct RecordedEvent {
     TopologyEventKind kind = TopologyEventKind::T1;
     int frame = 0;            // first frame that shows the event, counted as FoamRecord describes
-    Vec2 position{0.0, 0.0};  // moved along with the foam if the foam is sheared later
+    Vec2 position{0.0, 0.0};  // foam units; moved along with the foam if it is sheared later
 
     friend bool operator==(const RecordedEvent&, const RecordedEvent&) = default;
 };
@@ -37,7 +37,7 @@ struct BubbleValues {
 struct RecentAverages {
     std::vector<BubbleValues> bubbles{};  // indexed by the bubble's identity;
                                           // BubbleValues::pressure is the average of p / (1 + |p|)
-    double mean_area = 1.0;               // of all bubbles, square foam units
+    double mean_area = 1.0;               // mean area of all bubbles, square foam units
 };
 
 /// The number of frames for which a record keeps an event, including the first frame that shows it.
@@ -53,8 +53,9 @@ struct FoamRecord {
     /// The pressures of all bubbles in the equilibrium at the end of the warm-up
     /// (FramesOptions::warm_up), in increasing order and in units of PressureUnit::Current: divided
     /// by the film tension and multiplied by the square root of the mean area. The map `pressure`
-    /// takes percentiles and ranks from this list for all frames, which prevents flicker. The list
-    /// is empty before this equilibrium, for example in a frame 1 that shows the raw diagram.
+    /// takes percentiles and ranks from this list for all frames, which prevents flicker. (If it
+    /// smooths or flattens pressures, it does not use the list.) The list is empty before this
+    /// equilibrium, for example in a frame 1 that shows the raw diagram.
     std::vector<double> first_pressures{};
     /// The foam time of the birth of each bubble, indexed by the bubble's identity: 0 for a seeded
     /// bubble, otherwise TopologyEvent::time, the start of the substep in which the bubble was
@@ -63,8 +64,9 @@ struct FoamRecord {
     /// time one period before the frame.
     std::vector<double> births{};
     /// The foam time of the last change of each bubble's neighbors, indexed by the bubble's
-    /// identity. If the neighbors have never changed, this is the time of the birth. In loops,
-    /// these times are limited to one period in the same way as `births`.
+    /// identity. If the neighbors have never changed, this is the time of the birth. In the loops
+    /// `breathe`, `shear` and `boil`, these times are limited to one period in the same way as
+    /// `births`.
     std::vector<double> changes{};
     /// The events of the last kRecordedFrames frames, in the order in which they happened. Events
     /// before frame 1 are kept only in the loops `breathe`, `shear` and `boil`, which repeat a

@@ -24,8 +24,9 @@ struct FrameInput {
     const FoamRecord& record;
     const Frame* next = nullptr;  // the frame after `frame`; null if no map needs it
     DistanceNeeds distance{};     // images of the distance field that maps need
-    /// The cross-fade of which `frame` is one of the two foams; null if the frame shows only one
-    /// foam.
+    /// The cross-fade of two foams, of which `frame` is one; null if the frame shows only one foam.
+    /// Precondition: `frame` refers to CrossFade::fading_out or CrossFade::fading_in itself, not to
+    /// a copy.
     const CrossFade* fade = nullptr;
     const FrameOne* first = nullptr;  // frame 1 of the animation; null if it is not known
 };

@@ -18,7 +18,9 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMaxOctaves = 5;
-constexpr double kSmallestFeature = 2.0;  // pixels; smaller octaves, except the first, are left out
+// The smallest size of features in pixels. Octaves with smaller features are left out, except the
+// first octave.
+constexpr double kSmallestFeature = 2.0;
 
 // Returns the centroid of the polygon of a bubble's junctions, in foam units. On a torus, the
 // centroid belongs to that copy of the bubble whose first junction is at its stored position. If

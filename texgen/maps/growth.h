@@ -18,8 +18,8 @@ inline constexpr MapTraits kGrowthMap = {
     .full_key = "growth.full"};
 
 struct GrowthOptions {
-    // The growth rate that the largest code (integer sample) of a PNG stands for; code 0 stands for
-    // -full.
+    // The growth rate that a PNG stores as its largest code (65535), in square foam units per foam
+    // time. Code 0 stands for -full.
     AutoReal full{0.05, true};
 };
 

@@ -27,7 +27,8 @@ enum class SmoothDistance {
     UsedByFilms,  // used if films have the wet profile or a shade (film_distance_needs)
 };
 
-/// The kind of the samples of a map, which is also the alternative of MapImage that the map draws.
+/// The kind of the samples of a map: the alternative of MapImage that the map draws. Exception: the
+/// map `pressure` has the kind Number, but draws ColorPixels if PressureOptions::colormap is set.
 enum class MapKind {
     Color,   // ColorPixels
     Number,  // NumberPixels

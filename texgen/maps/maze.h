@@ -30,7 +30,8 @@ struct MazeOptions {
     // The weight of chance in the choice of openings; the weight of the pressure is 1 - chance.
     double chance = 0.4;
     std::int64_t seed = 1;  // seed of the random choices
-    // The fraction (0 to 1) of the walls between bubbles that are opened to make loops.
+    // After a maze without loops has been built, this fraction (0 to 1) of its walls between
+    // bubbles is opened to make loops.
     double loops = 0.0;
     // The full width of walls, in diameters of a mean bubble of the seeded foam.
     double wall_width = 0.22;
@@ -48,11 +49,13 @@ Keys<MazeOptions> maze_keys();
 /// the walls at its two ends.
 MazeRule maze_rule(const MazeOptions& options);
 
-/// Returns the fraction of every pixel that walls cover, in one channel.
+/// Returns the fraction of every pixel that walls and the circles of lone bubbles cover, in one
+/// channel.
 Image<float> maze_wall_coverage(FrameLayers& layers, const MazeOptions& options);
 
 /// Draws a maze (find_maze): passages, and walls with round ends along the films that are not
-/// open. The surroundings of a patch are transparent.
+/// open. The circles of lone bubbles are drawn as walls, too. The surroundings of a patch are
+/// transparent.
 ColorPixels draw_maze(FrameLayers& layers, const MazeOptions& options);
 
 /// Draws the maze and its solution: a smooth line through the middles of the films that the

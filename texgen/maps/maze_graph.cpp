@@ -84,8 +84,8 @@ struct Wall {
     FilmId film;
     bool is_narrow;  // MazeRule::narrow
     double weight;   // the spanning tree opens films of small weight first, but narrow films last
-    // A random number: a part of the weight. Films that are opened to make loops are opened in the
-    // order of these numbers, but narrow films last.
+    // A random number in [0, 1), which is also a part of the weight. Loops are made by opening
+    // films in the order of these numbers, but narrow films last.
     double number;
 };
 

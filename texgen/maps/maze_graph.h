@@ -37,7 +37,8 @@ struct Maze {
     Indexed<FilmId, std::uint8_t> is_open;  // 1 for open films, 0 for walls
     /// The films that the solution passes, in order. The solution leaves the bubble on the left of
     /// each half-edge and enters the bubble on its right. On a patch the first half-edge has the
-    /// ghost on its left and the last one has the ghost on its right.
+    /// ghost on its left and the last one has the ghost on its right. Empty if there is no
+    /// solution.
     std::vector<HalfEdgeId> solution;
 };
 

@@ -6,9 +6,10 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kPiecesPerCurve = 16;
+constexpr int kPiecesPerCurve = 16;  // straight pieces of the curve between two stations
 
-// Returns the direction from the bubble on the left of a half-edge to the bubble on its right.
+// Returns the unit vector from the bubble on the left of a half-edge to the bubble on its right,
+// perpendicular to the chord of the half-edge's arc.
 Vec2 across(const FilmArc& arc) {
     return -turned_left(arc.chord).normalized();
 }

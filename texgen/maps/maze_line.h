@@ -28,11 +28,11 @@ std::vector<Station> refined(std::span<const Station> stations, int pieces);
 
 /// Returns a smooth line through bubbles as a chain of short straight pieces. `way` lists the films
 /// that the line crosses, as half-edges that it crosses from left to right: the bubble on the right
-/// of each is on the left of the next one. The
-/// line crosses each film in its middle and at a right angle; between two films it is a cubic
-/// curve. On a torus the line begins at the mean of the corners of the first bubble and ends at the
-/// mean of the corners of the last bubble. On a patch it begins in the middle of the first film and
-/// ends in the middle of the last film. `scale` is in pixels per foam unit.
+/// of each is on the left of the next one. The line crosses each film in its middle and at a right
+/// angle; between two films it is a cubic curve. On a torus the line begins at the mean of the
+/// corners of the first bubble and ends at the mean of the corners of the last bubble. On a patch
+/// it begins in the middle of the first film and ends in the middle of the last film. If `way` is
+/// empty, the line has no pieces. `scale` is in pixels per foam unit.
 std::vector<PlacedArc> solution_line(const Frame& frame,
                                      std::span<const HalfEdgeId> way,
                                      double scale);

@@ -44,13 +44,14 @@ Keys<MotionOptions> motion_keys();
 /// Draws the displacement of every point of the foam until the next frame. Junctions have the
 /// motion that junction_motion returns. Along a film the motion is interpolated linearly between
 /// its two junctions, and inside a bubble smoothly between the points of its films. A lone bubble
-/// moves and grows as a circle. The image has two channels: motion to the right, and motion up or
-/// down (options.y). It is 0 around a patch.
+/// moves and grows as a circle; its motion is 0 if it is not a lone bubble in the next frame. The
+/// image has two channels: motion to the right, and motion up or down (options.y). It is 0 around a
+/// patch.
 ///
 /// If the shear of a torus changes, two copies of a bubble that are one period apart in y have
 /// different motions. All copies are drawn with the motion of one of them: the copy whose first
 /// junction (the tail of Network::first) is in the fundamental cell of the torus
-/// (geometry/domain.h). Throws std::invalid_argument if there is no next frame.
+/// (core/geometry/domain.h). Throws std::invalid_argument if there is no next frame.
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options);
 
 /// Returns a text for the metadata of files, such as "y up; the largest code of a PNG is 0.005 of

@@ -11,7 +11,9 @@ namespace foam::texgen {
 
 /// The names of a map's channels in a file of floats or integers, such as an EXR.
 struct ChannelNames {
-    std::string_view layer;  // empty for no layer
+    // The name of the layer, which precedes each name of a channel with a '.', as in "albedo.R".
+    // Empty for no layer.
+    std::string_view layer;
     // The names, separated by spaces, such as "R G B". If the image has one channel more, the
     // additional channel is the opacity and gets the name "A".
     std::string_view channels;

@@ -33,8 +33,8 @@ NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefSource& source,
                             const OcclusionOptions& options);
 
-/// Returns the fraction of the sky that is visible from a relief that exists already. `sky` is made
-/// for the section of this relief.
+/// Returns the image of draw_occlusion for an existing relief. `sky` is the lookup of a VisibleSky
+/// that was constructed from the section and the strength of this relief.
 Image<float> occlusion_of(const Relief& relief, const SkyLookup& sky);
 
 }  // namespace foam::texgen

@@ -43,8 +43,8 @@ inline constexpr std::size_t kLongestFileWord = 64;
 /// letters, digits, '_' or '-'.
 bool is_file_word(std::string_view text);
 
-/// Parses a packing. The text is `NAME=R,G,B` or `NAME=R,G,B,A`, or begins with `NAME:16=` for 16
-/// bits per sample. Each channel is one of these:
+/// Parses a packing. The text is `NAME=R,G,B` or `NAME=R,G,B,A`. It begins with `NAME:16=` for 16
+/// bits per sample; `NAME:8=` means the same as `NAME=`. Each channel is one of these:
 ///
 ///     occlusion     a map with one channel
 ///     1-roughness   1 minus a map with one channel
@@ -53,16 +53,16 @@ bool is_file_word(std::string_view text);
 ///
 /// R, G and B are either all channels of maps of colors, or none of them is; A is never a color.
 /// Colors have 8 bits per sample and cannot be inverted. Maps of integers (MapKind::Id) cannot be
-/// packed. NAME satisfies is_file_word and is not the name of a map, in lower or upper case. Throws
-/// std::invalid_argument for any other text. The message says which part is wrong.
+/// packed. NAME satisfies is_file_word and is not the name of a map, even if their cases differ.
+/// Throws std::invalid_argument for any other text. The message says which part is wrong.
 Packing parse_packing(std::string_view text);
 
 /// Returns the maps of a packing, each once.
 std::vector<const Map*> maps_in(const Packing& packing);
 
-/// Draws a packed image. The image holds colors if packing.is_color is true, and numbers from 0 to
-/// 1 otherwise. Numbers outside the range of their map become numbers outside of 0 to 1. The colors
-/// of a patch are not multiplied by its opacity.
+/// Draws a packed image. If packing.is_color is true, the image holds colors, and the numbers of A
+/// are clamped to 0 to 1. The colors of a patch are not multiplied by its opacity. Otherwise the
+/// image holds numbers, which are outside of 0 to 1 if they are outside the range of their map.
 MapImage draw_packed(const Packing& packing, ShownLayers& shown, const MapOptions& options);
 
 }  // namespace foam::texgen

@@ -14,9 +14,10 @@ namespace foam::texgen {
 /// options.picture_sampling selects. The picture is stretched over the torus, or over the bounding
 /// box of the patch in frame 1. The color of a bubble is the mean of samples in linear light. The
 /// distance between samples is at most a pixel of the picture, or 1/512 of its longer side if that
-/// is more; in large bubbles it may be greater (visit_polygon_samples). It does not depend on the
-/// size of the image. With PictureSampling::FirstFrame, the colors in frame 1 are computed once.
-/// Transparent parts of the picture are white. Throws std::invalid_argument if there is no picture.
+/// is more; in large bubbles it may be greater (visit_polygon_samples). The colors do not depend on
+/// the size of the drawn image. With PictureSampling::FirstFrame, the colors in frame 1 are
+/// computed once. Transparent parts of the picture are white. Throws std::invalid_argument if there
+/// is no picture.
 PerBubble<LinearRgb> picture_colors(const Frame& frame,
                                     const FrameOne& first,
                                     const AlbedoOptions& options);

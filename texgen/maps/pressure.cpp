@@ -153,10 +153,9 @@ Keys<PressureOptions> pressure_keys() {
             kScalings,
             "how pressures become tones. range: by the fixed range low to high. percentile: "
             "linearly between two percentiles of all pressures (pressure.percentile). rank: by the "
-            "rank among all pressures. Both use the pressures at the end of the warm-up "
-            "(frames.warm_up) or, if pressures are smoothed or flattened, those of the frame. "
-            "share: by the share of the "
-            "area of all bubbles in which the pressure is lower",
+            "rank among all pressures. share: by the share of the area of all bubbles in which the "
+            "pressure is lower. percentile and rank use the pressures at the end of the warm-up "
+            "(frames.warm_up) or, if pressures are smoothed or flattened, those of the frame",
             &Options::scaling),
         key("percentile",
             Reals{0.0, 49.0},

@@ -24,7 +24,7 @@ struct ReflectionOptions {
     double window_softness = 0.4;    // width of its soft border, as a fraction of its size
     double window_brightness = 1.0;  // brightness of the first window
     // Factor on the brightness of the sky. Haze halves the brightness at the horizon itself; the
-    // largest brightness, slightly above the horizon, is two thirds of this factor.
+    // largest brightness, slightly above the horizon, is about two thirds of this factor.
     double horizon = 0.0;
 };
 
@@ -40,7 +40,8 @@ Direction direction_of(double azimuth, double elevation);
 class Window {
   public:
     Window() = default;
-    /// `degrees` is the width of the window, `softness` is ReflectionOptions::window_softness.
+    /// `azimuth` and `elevation` give the direction of the window's middle, in degrees. `degrees`
+    /// is the width of the window, and `softness` is ReflectionOptions::window_softness.
     Window(double azimuth, double elevation, double degrees, double softness);
 
     /// Returns the brightness in a direction, from 0 to 1. Loops that call this function can be

@@ -65,7 +65,8 @@ class Relief {
     void for_all_pixels(const Kernel& kernel) const;
 
     /// Return the smooth distance in pixels, and its gradient (DistanceField::smooth_gradient), at
-    /// all pixels.
+    /// all pixels. In a relief of walls, the distance to the nearest wall takes its place. This
+    /// distance is infinite beyond the reach.
     const Image<float>& distance() const { return *smooth_; }
     const Image<float>& gradient() const { return *gradient_; }
     const ReliefSection& section() const { return section_; }

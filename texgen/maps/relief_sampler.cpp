@@ -11,12 +11,12 @@ namespace foam::texgen {
 
 // Within a pixel, the smooth distance is taken as a quadratic function of the position, and the
 // relief is computed from it by the formulas of the section. The second derivatives are differences
-// of the gradients of neighboring pixels: of the differences to the neighbors on both sides, the
-// smaller one is used, or 0 if one of them is positive and the other negative (the minmod limiter;
-// P. L. Roe, "Characteristic-based schemes for the Euler equations", 1986). Differences across a
-// film, where the gradient is reversed, are large and are therefore not used. A relief is locally
-// symmetric about a film, so the slope at a point beyond the nearest film is the mirror image of
-// the slope at the mirror image of the point. The slope of the grain at the center of a pixel is
+// of the gradients of neighboring pixels. Of the differences to the neighbors on both sides, the
+// one of smaller magnitude is used, or 0 if they have opposite signs (the minmod limiter; P. L.
+// Roe, "Characteristic-based schemes for the Euler equations", 1986). Differences across a film,
+// where the gradient is reversed, are large and are therefore not used. A relief is locally
+// symmetric about a film. For a point beyond the nearest film, the slope is therefore computed at
+// the point's mirror image and then mirrored. The slope of the grain at the center of a pixel is
 // used for all points of the pixel.
 
 namespace {

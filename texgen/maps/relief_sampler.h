@@ -24,14 +24,16 @@ class ReliefSampler {
                   const SkyLookup& sky,
                   const PixelNeighbors& neighbors);
 
-    /// Chooses pixels, by their indices.
+    /// Chooses pixels, by their indices (PixelNeighbors).
     void choose(std::span<const std::uint32_t> pixels);
     /// Writes the relief at the same point of each chosen pixel. `offset` is the position of the
-    /// point relative to the center of the pixel, in pixels.
+    /// point relative to the center of the pixel, in pixels. Precondition: the spans of `to` have
+    /// as many elements as there are chosen pixels.
     void write(const Vec2& offset, const ReliefPoints<float>& to) const;
 
   private:
-    /// The surroundings of the centers of the chosen pixels: one number per pixel.
+    /// The numbers from which the relief near the centers of the chosen pixels is computed. Each
+    /// array has one number per pixel.
     struct Pixels {
         std::vector<float> unit;      // Relief::unit
         std::vector<float> distance;  // the smooth distance in pixels

@@ -38,6 +38,7 @@ struct DomeSection {
     double smooth(double distance) const { return distance - 0.5 * distance * distance; }
 };
 
+/// A ridge has the height kHeight * (1 - s²)² at the smooth distance s, up to its foot at s = 1.
 struct RidgeSection {
     static constexpr double kHeight = 0.5;  // at the film
 

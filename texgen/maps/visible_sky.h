@@ -15,8 +15,11 @@ struct SkyLookup {
     const double* table;
     int last;  // index of the last entry
 
-    /// Returns the visible fraction at a distance from the film, in the section's unit. The
-    /// distance may be infinite. Loops that call this function can be vectorized.
+    /// Returns the entry of the table for a distance from the film, in the section's unit: the
+    /// visible fraction of the sky, raised to the exponent of the VisibleSky. The distance may be
+    /// infinite; then the result is 1. Finite distances above ReliefSection::reach count as this
+    /// reach. Loops that call this function can be vectorized. Precondition: the distance is not
+    /// negative.
     double at(double distance) const {
         const double fraction = looked_up(table, last, distance * kSteps);
         return distance < std::numeric_limits<double>::infinity() ? fraction : 1.0;

@@ -8,9 +8,9 @@
 
 namespace foam::texgen {
 
-/// Returns a name as an identifier of OpenUSD and MaterialX: ASCII letters, digits and '_', of
-/// which the first is no digit. Every other byte becomes '_'. A leading digit gets a '_' before it,
-/// and an empty name becomes "_".
+/// Converts a name to an identifier of OpenUSD and MaterialX, which consists of ASCII letters,
+/// digits and '_', and does not begin with a digit. Every other byte becomes '_'. A leading digit
+/// gets a '_' before it, and an empty name becomes "_".
 std::string identifier(std::string_view name);
 
 /// Identifiers that differ from each other.

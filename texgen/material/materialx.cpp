@@ -28,7 +28,7 @@ const char* color_space_of(const SceneImage& image) {
     return space == "sRGB" ? "srgb_texture" : space == "ACEScg" ? "acescg" : "lin_rec709";
 }
 
-// Returns the type of the samples of an image.
+// Returns the type of the samples of an image, as MaterialX names it, such as "color3".
 std::string type_of(const SceneImage& image) {
     const std::size_t channels = image.channels.size();
     return channels == 1 ? "float"
@@ -164,7 +164,8 @@ class MaterialXWriter {
         return color;
     }
 
-    // Connects an input of the surface with a node of the graph.
+    // Connects an input of the surface to a node of the graph. kHeight is not an input of the
+    // surface, but of the displacement.
     void use(std::string_view surface_input, const Node& node) {
         outputs_.push_back({std::string(surface_input), node});
     }

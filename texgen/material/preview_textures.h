@@ -24,7 +24,7 @@ struct PreviewTextures {
 };
 
 /// Reads the images of the first frame, of any format, and converts them. Throws InputError if an
-/// image cannot be read.
+/// image cannot be read or lacks a channel.
 PreviewTextures preview_textures(const SceneMaterial& material);
 
 }  // namespace foam::texgen

@@ -34,14 +34,15 @@ struct Profile {
 /// Loads the profile in the file with the given path, or the shipped profile with the given name;
 /// paths and names are told apart as for presets (is_preset_path). Throws PresetError if no shipped
 /// profile has the name, if the file is missing, unreadable or malformed, or if it sets a key that
-/// changes the foam.
+/// changes the foam or an unknown key of the table [profile]. All other keys and their values are
+/// checked only when they are assigned to a preset (assign).
 Profile load_profile(const std::string& name_or_path);
 
 /// Returns the assignments of a profile for a preset. They are those of the profile, with two
 /// changes:
 ///
-/// - Where the profile names the map albedo, the assignments name the map that has the colors of
-///   the preset (base_color_map).
+/// - Where image.maps, output.pack and output.names of the profile contain the word albedo, the
+///   assignments name the map that has the colors of the preset (base_color_map).
 /// - The map emission is left out of image.maps if nothing in the preset glows (lit.glow is 0).
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
 

@@ -19,8 +19,9 @@ void check_scenes(const Preset& preset);
 /// Writes the scene files of output.scene for a preset, whose bake has just ended, into the folder
 /// of the manifest: {preset}.usda, {preset}.mtlx and {preset}.glb. Existing files are replaced.
 /// Lists the files in the manifest. Returns their paths, in the order of output.scene. Throws
-/// InputError if the manifest or an image cannot be read, and OutputError if a file cannot be
-/// written. Precondition: check_scenes does not throw.
+/// InputError if the manifest or an image cannot be read or if no frame has all images of the
+/// material, and OutputError if a file cannot be written. Precondition: check_scenes does not
+/// throw.
 std::vector<std::filesystem::path> write_scenes(const Preset& preset);
 
 }  // namespace foam::texgen

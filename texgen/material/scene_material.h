@@ -40,7 +40,7 @@ struct SceneChannel {
 };
 
 /// A material as a scene file describes it. Images are given by their indices in `images`. The
-/// members correspond to those of SceneSources.
+/// optional members correspond to the members of SceneSources with the same names.
 struct SceneMaterial {
     std::string id;                     // the name of the preset as an identifier
     std::string preset;                 // the name of the preset
@@ -55,12 +55,15 @@ struct SceneMaterial {
     std::optional<std::size_t> emission;
     std::optional<std::size_t> normal;
     bool is_normal_down = false;
+    // The alpha channel of `base_color` or `lit`. If there is none and the images do not tile, the
+    // channel of SceneSources::opacity.
     std::optional<SceneChannel> opacity;
     std::optional<SceneChannel> roughness;
     std::optional<SceneChannel> metallic;
     std::optional<SceneChannel> occlusion;
     std::optional<SceneChannel> height;
     // The height in meters that the number 1 of the channel `height` represents, for each frame.
+    // Empty if there is no channel `height`.
     std::vector<double> displacements;
 
     /// Returns true if all frames have the same displacement.

@@ -26,10 +26,12 @@ struct SceneSources {
     // The map lit, or a packing of its channels R, G and B, if there is no base color. Its colors
     // contain light already, so the material shows them as they are.
     std::optional<std::size_t> lit;
+    // The map emission, or a packing of its channels R, G and B, if `lit` is not set.
     std::optional<std::size_t> emission;
     // Normals, as a map and not packed. A map whose y is up is preferred.
     std::optional<std::size_t> normal;
     bool is_normal_down = false;  // true if positive y is down in these normals
+    // The maps of these names, or channels of packings that contain them.
     std::optional<SceneSource> roughness;
     std::optional<SceneSource> metallic;
     std::optional<SceneSource> occlusion;

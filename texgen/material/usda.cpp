@@ -95,7 +95,8 @@ class UsdaWriter {
         text_ += ")\n";
     }
 
-    // A mesh of the scheme "bilinear" stays flat, and renderers may divide it to displace it.
+    // A mesh with the subdivision scheme "bilinear" stays flat when a renderer subdivides it, which
+    // displacement requires.
     void write_plane() {
         const double x = kPlaneWidth / 2.0;
         const double y = material_.plane_height / 2.0;

@@ -10,14 +10,15 @@
 
 namespace foam::texgen {
 
-/// Writes an XML document. Values of attributes are escaped. Characters that XML does not allow
-/// are replaced by '?'.
+/// Writes an XML document. Values of attributes are escaped; control characters in them that XML
+/// does not allow are replaced by '?'. Names and comments are written as they are.
 class XmlWriter {
   public:
     using Attributes = std::vector<std::pair<std::string_view, std::string>>;
 
     /// Begins an element, whose content follows until `end`.
     void begin(std::string_view name, const Attributes& attributes);
+    /// Ends the innermost element that has not been ended. Precondition: there is one.
     void end();
     /// Writes an element without content.
     void element(std::string_view name, const Attributes& attributes);

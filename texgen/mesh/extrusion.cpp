@@ -107,7 +107,8 @@ class Levels {
     Mesh take() { return std::move(mesh_); }
 
   private:
-    // Returns the index in the mesh of a point of the plane at a height.
+    // The points of the mesh at one height. A call returns the index in the mesh of a point of the
+    // plane at this height; the first call with a point adds it to the mesh.
     class Level {
       public:
         Level(Levels& owner, double height)

@@ -18,7 +18,7 @@ struct Extrusion {
     // every edge of the walls, so the plate should have few corners.
     bool reaches_border = false;
     double base_height = 0.0;  // of the plate, from z = 0; 0 if there is no plate
-    double wall_height = 0.0;  // above the plate
+    double wall_height = 0.0;  // above the plate, or above z = 0 if there is no plate
 };
 
 /// The number of triangles of an extrusion is at most this number times the number of corners of

@@ -19,11 +19,13 @@ using Ring = std::vector<Vec2>;
 /// precision. If points were rounded only after the triangulation, thin triangles could turn over.
 class PrintGrid {
   public:
-    /// `extent` is the largest absolute value of a coordinate. The step of the grid is a power of
-    /// two and at most extent / 2^21.
+    /// `extent` is the largest absolute value of a coordinate. The step of the grid is the largest
+    /// power of two below extent / 2^21, but at least 2^-40.
     explicit PrintGrid(double extent);
 
+    /// Returns the position of the grid that is nearest to a point.
     Vec2 operator()(const Vec2& point) const;
+    /// Returns the distance between adjacent positions.
     double step() const { return step_; }
 
   private:
@@ -36,6 +38,7 @@ class PointTable {
     explicit PointTable(const PrintGrid& grid) : grid_(grid) {}
 
     /// Returns the index of the point of the grid that is nearest to `point`.
+    /// If the table does not contain this point yet, appends it.
     std::uint32_t index_of(const Vec2& point);
     const Vec2& operator[](std::uint32_t index) const { return points_[index]; }
     std::size_t size() const { return points_.size(); }

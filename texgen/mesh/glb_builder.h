@@ -37,7 +37,8 @@ class GlbBuilder {
     /// Sets the only mesh of the file. `primitive` is its only primitive.
     void set_mesh(std::string_view name, Json primitive);
 
-    /// Returns the content of the file. May be called only once.
+    /// Returns the content of the file. Call this function last. Precondition: the file is smaller
+    /// than 4 GiB, because GLB stores its size in 32 bits.
     Bytes file();
 
   private:

@@ -10,7 +10,7 @@
 namespace foam::texgen {
 
 /// A mesh whose points have normals. A point of the original mesh is several points here if the
-/// surface has a crease there.
+/// corners of triangles at this point have different normals, for example at a crease.
 struct MeshWithNormals {
     std::vector<Point3> positions;
     std::vector<Point3> normals;  // of length 1

@@ -16,13 +16,14 @@ namespace {
 constexpr double kMaxPieces = 64.0;
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
-// The center form of an elliptical arc: center + turned(radii * (cos angle, sin angle)).
+// The center parameterization of an elliptical arc. The point at an angle is
+// center + turned(radii * (cos angle, sin angle), rotation).
 struct CenteredArc {
     Vec2 center;
     Vec2 radii;
     double rotation;
     double first;  // the angle at the start
-    double sweep;  // the angle of the arc, negative against the direction of increasing angles
+    double sweep;  // the angle at the end minus `first`
 };
 
 Vec2 turned(const Vec2& v, double angle) {
@@ -34,7 +35,8 @@ double angle_of(const Vec2& v) {
     return ieee::atan2(v.y(), v.x());
 }
 
-// Returns the angle of the arc between two directions, with the sign that the arc asks for.
+// Returns the angle from the direction `first` to the direction `last`: from 0 to 2 pi if
+// `is_positive`, otherwise from -2 pi to 0.
 double sweep_between(double first, double last, bool is_positive) {
     const double sweep = last - first;
     if (is_positive) {

@@ -56,7 +56,7 @@ class ContourTracer {
         return is_inside ? static_cast<double>(grid_.pixel(x, y)[0]) : 0.0;
     }
 
-    // The side to the right of a point, and the side above it.
+    // Return the side from a point to the next point on its right, and to the next point above it.
     SideId side_right(int x, int y) const {
         return 2 * (static_cast<SideId>(y + 1) * columns_ + static_cast<SideId>(x + 1));
     }

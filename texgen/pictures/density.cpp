@@ -92,8 +92,8 @@ Tone radial(bool is_torus) {
     };
 }
 
-// Noise that is periodic across the rectangle: random values at the points of a lattice, which
-// quintic polynomials interpolate.
+// Value noise that is periodic across the rectangle: random values at the points of a lattice,
+// which quintic polynomials interpolate.
 class LatticeNoise {
   public:
     LatticeNoise(int columns, int rows, Random& random)
@@ -200,10 +200,10 @@ Keys<DensityOptions> density_keys() {
     return {
         key("density",
             DensitySources{},
-            "where the seeded bubbles are small: where a picture is dark, in the middle "
-            "(gradient: of the height; radial: of both sides), or in places of a noise; even "
-            "means everywhere the same size. With a density, area_ratio is the ratio of areas "
-            "at one place",
+            "where the seeded bubbles are small: where a picture is dark; gradient: in the middle "
+            "of the height of a torus, at the bottom of a patch; radial: in the middle; noise: in "
+            "random places; even: they have the same mean size everywhere. With other values than "
+            "even, area_ratio is the ratio of areas at one place",
             &Options::source)
             .with_files(is_picture_name),
         key("density_ratio",
@@ -213,7 +213,8 @@ Keys<DensityOptions> density_keys() {
             .unused_with("foam.density", {"even"}),
         key("density_invert",
             kSwitch,
-            "on: bubbles are small where a picture is light, or at the edges of a built-in density",
+            "on: bubbles are large where they would otherwise be small, and small where they would "
+            "be large",
             &Options::is_inverted)
             .unused_with("foam.density", {"even"}),
         key("density_edges",

@@ -22,7 +22,8 @@ struct DensitySource {
 /// The treatment of the edges of a picture on a torus, where each edge meets the opposite one.
 enum class PictureEdges {
     Keep,    // the picture as it is
-    Mirror,  // the picture, and mirror images of it beside and above it, each half as large
+    Mirror,  // the picture, and mirror images of it beside and above it, each of half the width
+             // and height
     Blend,   // opposite edges are adjusted to their mean; the adjustment fades out inward
 };
 
@@ -45,12 +46,13 @@ struct DensityDomain {
     double aspect = 1.0;  // width / height
 };
 
-/// Returns the field of bubble areas of a density, or nullopt if the source is "even".
-/// The darkness of every place is first stretched to the range from 0 to 1. The area a then follows
-/// from 1 / sqrt(a), which is linear in the darkness. Lines of a constant width along the films
-/// cover a part of each place that is proportional to 1 / sqrt(a), so that a foam of dark films on
-/// a light ground has the tones of the picture. The darkness is 1 - luminance_of the color on
-/// white.
+/// Returns the field of bubble areas of a density, or nullopt if the source is "even". The darkness
+/// of a picture is 1 - luminance_of the color on white. The darkness of every place is first
+/// stretched to the range from 0 to 1. The area a then follows from 1 / sqrt(a), which is linear in
+/// the darkness: a is 1 at the darkest place and `options.ratio` at the lightest one, or the
+/// reverse if `options.is_inverted` is true. Lines of a constant width along the films cover a part
+/// of each place that is proportional to 1 / sqrt(a), so that a foam of dark films on a light
+/// ground has the tones of the picture.
 std::optional<AreaField> area_field_of(const DensityOptions& options, const DensityDomain& domain);
 
 /// Returns remarks on the picture of a density: that it is stretched by more than 2 % in one

@@ -23,8 +23,8 @@ struct Side {
     Vec2 high;
     int winding;  // 1 if the ring goes up along the side, otherwise -1
     std::size_t shape;
-    int first_row;  // of samples
-    int last_row;   // after the last one
+    int first_row;  // the first row of samples that the side crosses
+    int last_row;   // one past the last such row
 
     double x_at(double y) const {
         return low.x() + (high.x() - low.x()) * ((y - low.y()) / (high.y() - low.y()));

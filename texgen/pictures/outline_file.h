@@ -27,9 +27,11 @@ bool is_outline_name(std::string_view text);
 /// has too little memory.
 FileOutline read_outline_file(const std::string& path);
 
-/// Returns the outline of the document of an SVG. The shapes are drawn as a picture of about
-/// `grid_points` pixels, whose outline is traced. Throws InputError as read_svg_shapes does, and if
-/// there is no filled shape or the shapes are too large; the message does not name the file.
+/// Returns the outline in the document of an SVG: one element per connected part, the largest
+/// first, with y pointing up. The shapes are drawn as a picture of about `grid_points` pixels,
+/// whose outline is traced. The unit of the result is a pixel of this picture. Throws InputError as
+/// read_svg_shapes does, and if there is no filled shape, if coordinates are too large, or if there
+/// are too many long lines and curves; the message does not name the file.
 std::vector<foam::Outline> outlines_of_svg(std::string_view document,
                                            double grid_points = kOutlineGridPoints);
 

@@ -13,9 +13,9 @@
 #include <tuple>
 #include <utility>
 
-// Pixels are first collected in bins: cubes of the sRGB color space with 32 bins per channel. The
-// clusters are then clusters of at most 32768 bins, each with the weight and the mean color of its
-// pixels.
+// Pixels are first collected in bins: cubes of the sRGB color space with 32 bins per channel, at
+// most 32768 in all. k-means then clusters the bins instead of the pixels. Each bin has the total
+// weight and the mean color of its pixels.
 
 namespace foam::texgen {
 
@@ -26,7 +26,7 @@ namespace {
 constexpr double kMaxPixels = 1'000'000.0;
 constexpr int kBitsOfBin = 5;  // per channel
 constexpr int kMaxRounds = 300;
-constexpr double kConverged = 1e-6;  // smallest shift of a center, in Oklab
+constexpr double kConverged = 1e-6;  // k-means ends if no center moves by more, in Oklab
 
 struct Bin {
     Oklab color;  // the mean color

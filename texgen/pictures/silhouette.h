@@ -9,11 +9,11 @@
 
 namespace foam::texgen {
 
-/// Returns the silhouette of a picture as outlines (traced_outlines). If a pixel has an opacity
-/// below one half, the silhouette is the opaque part, otherwise it is the dark part: the pixels
-/// whose lightness, the sRGB encoding of its luminance, is at most one half. Of large pictures,
-/// squares of pixels are averaged first. The result is empty if no part of the picture is opaque or
-/// dark.
+/// Returns the silhouette of a picture as outlines (traced_outlines). If any pixel has an opacity
+/// below one half, the silhouette is the opaque part: the pixels with an opacity of at least one
+/// half. Otherwise it is the dark part: the pixels whose lightness, the sRGB encoding of their
+/// luminance, is at most one half. If the picture has more than kOutlineGridPoints pixels, squares
+/// of pixels are averaged first. The result is empty if no part of the picture is opaque or dark.
 std::vector<foam::Outline> silhouette(const SourcePicture& picture);
 
 }  // namespace foam::texgen

@@ -14,7 +14,8 @@ namespace foam::texgen {
 /// A picture from which a preset takes the sizes or colors of bubbles, or an outline.
 struct SourcePicture {
     /// Four channels: red, green and blue as linear light with the primaries of sRGB, from 0 to
-    /// 65535 (white), and opacity. Colors are straight: they are not multiplied by the opacity.
+    /// 65535 (white), and opacity, from 0 to 65535 (opaque). Colors are straight: they are not
+    /// multiplied by the opacity.
     Image<std::uint16_t> pixels;
 
     int width() const { return pixels.width(); }

@@ -25,7 +25,7 @@ namespace {
 using Node = pugi::xml_node;
 
 constexpr int kMaxDepth = 64;
-// The limits bound the time that a document with nested uses can take.
+// These limits bound the time that a document with nested <use> elements can take.
 constexpr std::size_t kMaxCurves = 100'000;
 constexpr int kMaxElements = 200'000;
 
@@ -95,7 +95,8 @@ std::optional<double> pixels_per(std::string_view unit) {
     return found == kUnits.end() ? std::nullopt : std::optional(found->second);
 }
 
-// Returns a length in pixels, or nullopt if the element has no such attribute.
+// Returns a length in pixels, or nullopt if the attribute is missing or is "auto". Throws
+// InputError for other texts.
 std::optional<double> length_or_none(const Node& node, const char* name) {
     const pugi::xml_attribute attribute = node.attribute(name);
     if (attribute.empty() || std::string_view(attribute.value()) == "auto") {
@@ -126,8 +127,8 @@ BezierPath ellipse(const Vec2& center, const Vec2& radii) {
     return {path};
 }
 
-// Returns a rectangle whose corners may be round. If only one radius is given, it is that of both
-// directions; radii are at most half of the size.
+// Returns a rectangle whose corners may be round. If only one radius is given, it is used in both
+// directions. Radii are limited to half of the size.
 BezierPath rectangle(const Node& node) {
     const Vec2 low(length(node, "x"), length(node, "y"));
     const Vec2 size(length(node, "width"), length(node, "height"));

@@ -10,8 +10,9 @@ namespace foam::texgen {
 /// Tones from 0 (light) to 1 (dark), with one channel.
 using ToneGrid = Image<double>;
 
-/// Returns the darkness of a picture: 1 - luminance_of its colors on white. Light is averaged over
-/// the pixels of each cell, if the picture has more than `most_cells` columns or rows.
+/// Returns the darkness of a picture: 1 - luminance_of its colors on white. The grid has a cell for
+/// each pixel. If the picture has more than `most_cells` columns or rows, the grid has only this
+/// many cells along its longer side, and a cell has the mean darkness of its pixels.
 ToneGrid darkness_of(const SourcePicture& picture, int most_cells);
 
 /// Stretches the tones to the range from 0 to 1. Equal tones become 0.

@@ -91,7 +91,8 @@ std::vector<Polygon> polygons_of(const std::vector<SignedRing>& rings) {
     return polygons;
 }
 
-// Simplifies a polygon as far as it does not cross itself.
+// Returns the simplified polygon. If it is not valid, for example because it crosses itself, tries
+// smaller tolerances, and finally returns the polygon itself.
 Polygon simplified(const Polygon& polygon) {
     for (double tolerance = kTolerance; tolerance > kTolerance / 100.0; tolerance /= 4.0) {
         Polygon simple;

@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// The largest number of points of a grid from which an outline is traced: a square grid then has
-/// 1448 points along its side.
+/// The approximate largest number of points of a grid from which an outline is traced. A square
+/// grid then has about 1448 points along its side.
 inline constexpr double kOutlineGridPoints = 2097152.0;
 
 /// Returns the region in which the numbers of a grid (contours.h) are at least `level`, as

@@ -11,9 +11,10 @@
 
 namespace foam::texgen {
 
-/// The error of an invalid preset, and of other invalid TOML files: profiles, job files, and
-/// tolerances for `compare`. Its message is one line. For a value that is not allowed, it contains
-/// the location, the key, the value and the allowed values.
+/// The error of an invalid preset, of other invalid TOML files (profiles, job files, and tolerances
+/// for `compare`), and of arguments of the command line that name presets or set their keys. Its
+/// message is one line. For a value that is not allowed, it contains the location, the key, the
+/// value and the allowed values.
 class PresetError : public std::runtime_error {
     using runtime_error::runtime_error;
 };
@@ -27,7 +28,8 @@ struct Assignment {
 
 /// Returns the assignments of a TOML document in the order of the document. A table also gives an
 /// assignment, whose value is a Value::Table. The key of the second table [[event]] is event[2].
-/// Locations begin with `source`. Throws PresetError for malformed TOML.
+/// Locations are `source`, a colon and the line. Throws PresetError for malformed TOML, and for
+/// keys of more than 32 parts.
 std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source);
 
 /// Parses a value from the command line. A text that is not a TOML value becomes a string, so that

@@ -49,7 +49,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kSpaces) + 1 - first);
 }
 
-/// Returns the number that a whole text represents.
+/// Returns the number that the whole text represents, or nullopt if it is not a number.
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
     Number number{};
@@ -58,7 +58,9 @@ std::optional<Number> number_in(std::string_view text) {
                                                                     : std::nullopt;
 }
 
-/// Parses LOW..HIGH or LOW..HIGH:COUNT. Returns nullopt if the text has no "..".
+/// Parses LOW..HIGH or LOW..HIGH:COUNT. Returns nullopt if the text has no "..", or if a quote or
+/// an opening bracket precedes it. Throws std::invalid_argument if a text with ".." has another
+/// form.
 std::optional<NumberRange> range_in(std::string_view text) {
     const std::size_t dots = text.find("..");
     if (dots == std::string_view::npos || text.find_first_of("\"'[{") < dots) {

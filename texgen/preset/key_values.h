@@ -25,13 +25,14 @@ struct KeyValues {
     std::vector<std::variant<Value, NumberRange>> values;  // at least one
 };
 
-/// The largest number of values of a key.
+/// The largest count of a range, the largest number of values of a sweep, and the largest number of
+/// combinations of several sweeps.
 inline constexpr int kMostValues = 400;
 
 /// Parses KEY=VALUES. VALUES are separated by commas; commas within brackets or quotes do not
-/// separate. LOW..HIGH is a range of numbers, and LOW..HIGH:COUNT a range with a count from 2 to
-/// kMostValues. Throws std::invalid_argument if the text has another form. Does not check whether
-/// the key exists and allows the values.
+/// separate. Spaces around a value are ignored. LOW..HIGH is a range of numbers, and
+/// LOW..HIGH:COUNT a range with a count from 2 to kMostValues. Throws std::invalid_argument if the
+/// text has another form. Does not check whether the key exists and allows the values.
 KeyValues parse_key_values(std::string_view text);
 
 /// Returns a number as a value: an integer if it is whole and has at most twelve digits, a real

@@ -30,7 +30,7 @@ struct Document {
     std::string name;    // the name of the preset
     std::string source;  // the name of the document in error messages
     std::string toml;
-    std::filesystem::path folder;  // paths in `extends` are relative to this folder
+    std::filesystem::path folder;  // relative paths in the text are relative to this folder
 };
 
 Document read_document(const std::string& path) {

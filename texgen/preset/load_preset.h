@@ -26,8 +26,9 @@ bool is_preset_path(std::string_view name_or_path);
 /// presets extend each other in a circle.
 Preset load_preset(const std::string& name_or_path);
 
-/// A preset, and the assignments of its own document. The assignment to `extends` and those of the
-/// presets that it extends are left out.
+/// A preset, and the assignments of its own document, without the assignment to `extends` and
+/// without the assignments of extended presets. Relative paths of files in the assignments are
+/// relative to the working folder, not to the folder of the preset.
 struct LoadedPreset {
     Preset preset;
     std::vector<Assignment> assignments;

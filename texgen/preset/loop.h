@@ -60,6 +60,7 @@ struct LoopOptions {
     }
 };
 
+/// Returns the keys of the table `loop` of a preset, without the prefix "loop.".
 Keys<LoopOptions> loop_keys();
 
 }  // namespace foam::texgen

@@ -182,8 +182,8 @@ Keys<OutputOptions> measurement_keys() {
         key("measurements",
             WordListsOrNone(kMeasurements),
             "what manifest.json also lists for each frame: the shapes of all bubbles (bubbles), "
-            "all T1s, T2s and births (events), the shear modulus, which takes about as long as "
-            "a time step",
+            "all T1s, T2s and births (events), and the shear modulus (shear_modulus), which takes "
+            "about as long as a time step",
             &OutputOptions::measurements)};
 }
 

@@ -66,11 +66,13 @@ struct OutputOptions {
     int exr_level = 2;
     SampleType exr_numbers = SampleType::Float;  // Float or Half; colors are always Half
     ExrLayout exr_layout = ExrLayout::Rows;
-    Primaries primaries = Primaries::Srgb;                        // of the colors in EXR files
-    BlockCompression block_compression = BlockCompression::Auto;  // of DDS and KTX2 files
-    bool mip_levels = true;                                       // of DDS and KTX2 files
+    Primaries primaries = Primaries::Srgb;  // of the colors in EXR files
+    // These two apply to frames in DDS and KTX2 files, but not to array textures (SheetKind).
+    BlockCompression block_compression = BlockCompression::Auto;
+    bool mip_levels = true;
 };
 
+/// Returns the keys of the table `output` of a preset, without the prefix "output.".
 Keys<OutputOptions> output_keys();
 
 }  // namespace foam::texgen

@@ -21,7 +21,8 @@ namespace foam::texgen {
 /// Numbers are written as short as possible: "0.1", "2". Texts become parts of file names
 /// (file_name_part). Throws std::invalid_argument, with the placeholder in the message, if there is
 /// no such placeholder, if the key is itself a pattern of file names, or if the value is unset, a
-/// list, "auto" in place of a number, a text of which file_name_part keeps nothing, or a long text.
+/// list, "auto" in place of a number, or a text of which file_name_part keeps nothing or more than
+/// 64 bytes.
 std::string placeholder_text(const Preset& preset, std::string_view name);
 
 /// Returns a text in which placeholders in braces, except {map}, have been replaced

@@ -19,13 +19,13 @@ void assign(Preset& preset, std::span<const Assignment> assignments);
 
 /// Returns the preset of a TOML document. Keys that the document does not set keep their defaults.
 /// `name` becomes Preset::name. `source` is the name of the document in error messages. Throws
-/// PresetError for malformed TOML or an invalid preset.
+/// PresetError for malformed TOML or an invalid preset. `extends` is an unknown key here; see
+/// load_preset.
 Preset parse_preset(std::string_view toml, const std::string& name, const std::string& source);
 
 /// Returns the preset as TOML: every key of its tables, even if the key has its default value, and
-/// the events. Of albedo.colors and the keys of the table albedo.colors, it contains only those
-/// that were set last. parse_preset restores an equal preset from the text, except for
-/// Preset::name.
+/// the events. albedo.colors is either a list or a table; the text contains only the one that was
+/// set last. parse_preset restores an equal preset from the text, except for Preset::name.
 std::string to_toml(const Preset& preset);
 
 /// Returns the names of all tables, in the order of preset_keys. The last one is "event".

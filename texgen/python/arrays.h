@@ -13,7 +13,7 @@
 
 namespace foam::texgen {
 
-/// Returns an array that shows a vector and cannot be written. `owner` keeps the vector alive.
+/// Returns a read-only structured array that is a view of a vector. `owner` keeps the vector alive.
 template <class Record>
 pybind11::array view_of(const std::vector<Record>& records, const pybind11::handle& owner) {
     pybind11::array_t<Record> array({records.size()},

@@ -21,9 +21,9 @@ void bind_foam(pybind11::module_& module);
 void bind_texture(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 
-/// Ends a function that takes long if the user has pressed Ctrl-C: calls the handlers of signals of
-/// Python, and throws the exception that they raise. Precondition: this thread does not hold the
-/// GIL.
+/// Lets Ctrl-C end a long computation, which must call this function now and then: calls Python's
+/// signal handlers, and throws the exception that they raise. Precondition: this thread does not
+/// hold the GIL.
 inline void throw_if_interrupted() {
     const pybind11::gil_scoped_acquire python;
     if (PyErr_CheckSignals() != 0) {

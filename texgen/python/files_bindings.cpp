@@ -88,10 +88,10 @@ void write_png_file(const std::filesystem::path& file, const py::array& array) {
 }  // namespace
 
 void bind_files(py::module_& module) {
-    py::class_<Progress>(module, "Progress", "How far a bake is.")
-        .def_readonly("phase", &Progress::phase)
-        .def_readonly("done", &Progress::done)
-        .def_readonly("total", &Progress::total, "0 if unknown.")
+    py::class_<Progress>(module, "Progress", "The progress of a bake.")
+        .def_readonly("phase", &Progress::phase, "A word such as \"frames\".")
+        .def_readonly("done", &Progress::done, "Number of units that are done.")
+        .def_readonly("total", &Progress::total, "Number of all units; 0 if unknown.")
         .def_readonly("frame", &Progress::frame, "The frame that was done last, or 0.")
         .def("__str__", [](const Progress& self) {
             return py::str("{} {}/{}").format(self.phase, self.done, self.total);
@@ -101,31 +101,34 @@ void bind_files(py::module_& module) {
         .def_readonly("same_shape",
                       &Difference::same_shape,
                       "False if size or channels differ; nothing is compared then.")
-        .def_readonly("map", &Difference::map)
-        .def_readonly("layer", &Difference::layer)
-        .def_readonly("largest", &Difference::largest)
-        .def_readonly("mean", &Difference::mean)
-        .def_readonly("rms", &Difference::rms)
-        .def_readonly("channel", &Difference::channel)
-        .def_readonly("x", &Difference::x)
-        .def_readonly("y", &Difference::y)
+        .def_readonly("map", &Difference::map, "Name of the map; empty if unknown.")
+        .def_readonly("layer", &Difference::layer, "Name of the layer; empty without layers.")
+        .def_readonly("largest", &Difference::largest, "Largest difference of two samples.")
+        .def_readonly("mean", &Difference::mean, "Mean difference of all samples.")
+        .def_readonly("rms", &Difference::rms, "Root mean square of the differences.")
+        .def_readonly("channel", &Difference::channel, "Channel of the largest difference.")
+        .def_readonly("x", &Difference::x, "Column of the largest difference.")
+        .def_readonly("y", &Difference::y, "Row of the largest difference, from the top.")
         .def_readonly("reasons", &Difference::reasons, "The limits that are exceeded, in words.")
         .def("__bool__", [](const Difference& self) { return self.is_within; })
         .def("__repr__", [](const Difference& self) {
             return py::str("Difference(is_within={}, same_shape={}, largest={:.3g}, rms={:.3g})")
                 .format(self.is_within, self.same_shape, self.largest, self.rms);
         });
-    module.def("bake",
-               &bake,
-               "Writes the images of a preset, as `foamtex bake` does, and returns their names. "
-               "`progress` is called with a Progress now and then.",
-               py::arg("preset"),
-               py::arg("out"),
-               py::kw_only(),
-               py::arg("frames") = py::none(),
-               py::arg("threads") = 0,
-               py::arg("resume") = false,
-               py::arg("progress") = py::none());
+    module.def(
+        "bake",
+        &bake,
+        "Writes the images of a preset, as `foamtex bake` does, and returns their names. "
+        "`out` is a folder or a pattern of file names. `frames` are numbers such as \"1-48\"; "
+        "by default all. `resume` keeps frames that an earlier bake of the same preset has "
+        "written. `progress` is called with a Progress now and then.",
+        py::arg("preset"),
+        py::arg("out"),
+        py::kw_only(),
+        py::arg("frames") = py::none(),
+        py::arg("threads") = 0,
+        py::arg("resume") = false,
+        py::arg("progress") = py::none());
     module.def(
         "compare",
         [](const std::filesystem::path& a,
@@ -137,9 +140,11 @@ void bind_files(py::module_& module) {
            const std::optional<std::filesystem::path>& picture) {
             return compare(a, b, {sample, rms, angle, allowed_percent}, picture);
         },
-        "Compares two image files and returns a Difference per layer. `picture` is the name of a "
-        "PNG "
-        "of the differences.",
+        "Compares two image files and returns a Difference per layer. `sample` limits the "
+        "difference of any sample, `rms` the root mean square of the differences, and `angle` the "
+        "angle between normals, in degrees; without limits, samples may differ by 1e-6. "
+        "`allowed_percent` is the percentage of pixels that may exceed `sample` or `angle`. "
+        "`picture` is the file name of a PNG of the differences, which is written if it is given.",
         py::arg("a"),
         py::arg("b"),
         py::kw_only(),

@@ -167,7 +167,7 @@ void bind_actions(FoamClass& foam) {
             [](SharedFoam& self) {
                 return self.use([](const foamtex::Foam& one) { return one.state(); });
             },
-            "The whole state as JSON. A foam made from it evolves as this foam does, bit for bit.")
+            "The state as JSON, without events. A foam made from it evolves with the same bits.")
         .def(
             "copy",
             [](SharedFoam& self) {
@@ -201,7 +201,7 @@ void bind_actions(FoamClass& foam) {
             "neighbors (T1). `areas` maps identities of bubbles to target areas at the end of the "
             "step; `strain` is simple shear along x; each of `pushes` is (center, radius, by), "
             "where `by` is the displacement of the center. Raises EquilibriumError if it finds no "
-            "equilibrium; the foam then has the last one that was reached, maybe within the step. "
+            "equilibrium; the foam is then in the last equilibrium that the step reached. "
             "After Ctrl-C, the foam is unchanged.",
             py::arg("time"),
             py::kw_only(),
@@ -256,7 +256,7 @@ void bind_values(FoamClass& foam) {
                 return self.use([&](const auto& one) { return one.shear_modulus(threads); });
             },
             "Derivative of the shear stress of a torus in equilibrium with respect to strain, "
-            "without T1s; None for a patch.",
+            "without T1s. None for a patch, for errors above 1e-3, or if Newton's method fails.",
             py::kw_only(),
             py::arg("threads") = 0)
         .def(

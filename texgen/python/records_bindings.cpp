@@ -11,8 +11,8 @@ namespace {
 
 namespace py = pybind11;
 
-// Registers a Python exception class for the C++ exception type ErrorKind. `bases` is its base
-// class, or a tuple of them.
+// Registers a Python exception class for the C++ exception type ErrorKind. `bases` is the base
+// class of the new class, or a tuple of base classes.
 template <class ErrorKind>
 py::object bind_error(py::module_& module,
                       const char* name,

@@ -19,7 +19,7 @@ class SharedFoam {
   public:
     explicit SharedFoam(foamtex::Foam foam) : foam_(std::move(foam)) {}
 
-    /// Returns work(foam), where the foam is constant.
+    /// Returns work(foam). The work cannot change the foam.
     template <class Work>
     auto use(const Work& work) {
         const pybind11::gil_scoped_release others_may_run;
@@ -52,8 +52,8 @@ class SharedFoam {
     std::shared_ptr<const foamtex::FoamRecords> records_;  // null, or of the present state
 };
 
-/// Returns one of the tables of a foam as an array that cannot be written and keeps the table
-/// alive.
+/// Returns the bubbles, the films or the junctions of a foam, which `member` selects, as a
+/// read-only array that keeps them alive.
 template <auto member>
 pybind11::array table_of(SharedFoam& foam) {
     using Records = std::shared_ptr<const foamtex::FoamRecords>;

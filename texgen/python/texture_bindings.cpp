@@ -185,7 +185,7 @@ void bind_texture(py::module_& module) {
              "numbers in the unit of the map; of a map of colors, linear light from 0 to 1, "
              "multiplied by the opacity if there is one. uint8 or uint16: integers as in a PNG of "
              "this depth; with the depth of the map's own PNG, the samples that `foamtex bake` "
-             "writes. Colors have only uint8.",
+             "writes. Maps of colors do not allow uint16.",
              py::arg("name"),
              py::arg("dtype") = py::dtype::of<float>(),
              py::kw_only(),

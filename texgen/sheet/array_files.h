@@ -12,23 +12,25 @@
 
 namespace foam::texgen {
 
-/// An array texture whose file has been staged.
+/// An array texture whose file has been staged (StagedFile), and its pixel format.
 struct StagedArray {
     StagedFile file;
     PixelFormat format = PixelFormat::Rgba8;
 };
 
-/// Reads the frames of a map and stages a file of an array texture, which has a layer with all mip
-/// levels for each frame (GpuTexture). The suffix of `path` is that of a TextureFormat. Frames that
-/// are textures themselves are copied without any change.
-/// Frames of codes, such as PNGs, are encoded as texture_of does, several frames at once on
-/// all threads. The memory contains the whole array, the encoded file and one frame per thread.
-/// `progress` counts each frame; the last frame counts when the file has been written.
+/// Reads the frames of a map and stages a file of an array texture, which has one layer per frame
+/// (GpuTexture). `path` ends in the suffix of a TextureFormat. Frames that are textures themselves
+/// are copied without any change, with their mip levels. Frames of codes, such as PNGs, are encoded
+/// with all mip levels (texture_of). Several frames are encoded at once, on all threads. The memory
+/// contains the whole array, the encoded file and one frame per thread. `progress` counts each
+/// frame; the last frame counts when the file has been staged.
 ///
 /// `animation` is stored in the file if the file format supports this.
 ///
-/// Throws InputError if a file cannot be read, if its size or its format differs from that of the
-/// first frame, or if its samples are not codes. Throws OutputError if the array cannot be written.
+/// Throws InputError if a file cannot be read, if its size, its pixel format or its number of mip
+/// levels differs from that of the first frame, or if its samples are not codes (integers of 8 or
+/// 16 bits). Throws OutputError if the array cannot be written. Precondition: the sequence has at
+/// least one file.
 StagedArray stage_array(const MapSequence& sequence,
                         const TextureAnimation& animation,
                         const std::filesystem::path& path,

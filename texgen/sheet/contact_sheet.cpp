@@ -34,7 +34,7 @@ void copy(const Image<std::uint8_t>& from, ImageView<std::uint8_t> to, int left,
     }
 }
 
-// A line below a thumbnail: a part of a label. Its width is that of the text and the colors.
+// A line of a label below a thumbnail: a text, and colors that are drawn after the text.
 struct Line {
     std::string text;
     std::vector<Srgb8> colors;

@@ -76,7 +76,8 @@ std::string replaced(std::string text, std::string_view word, std::string_view r
     return text;
 }
 
-// Returns the file name of every sheet without suffix, in which {map} stands for the map.
+// Returns the pattern of the file names of all sheets: a name without suffix, which contains {map}
+// in place of the name of a map.
 std::string names_of(const BakedSet& set, const FlipbookOptions& options) {
     const std::string kind = is_array(options) ? "array" : options.strip ? "strip" : "sheet";
     return replaced(options.names.empty() ? "{preset}_" + kind + "_{map}" : options.names,
@@ -108,7 +109,8 @@ std::string json_name_of(const std::string& names) {
     return replaced(replaced(names, "_{map}", ""), "{map}", "sheets") + ".json";
 }
 
-// Returns the path of every sheet without suffix, in which {map} stands for the map.
+// Returns the pattern of the paths of all sheets: a path without suffix, which contains {map} in
+// place of the name of a map.
 std::string sheet_pattern(const Preset& preset) {
     const std::string& pattern = preset.output.sheet_pattern;
     try {
@@ -119,7 +121,8 @@ std::string sheet_pattern(const Preset& preset) {
     }
 }
 
-// Returns the files that the sheets or arrays of a preset need, or nullptr if its files will do.
+// Returns the formats of files from which the sheets or arrays of a preset can be made, or nullptr
+// if the files that the preset writes have such a format.
 // Arrays need integers, which EXR files contain only for ids. Lossy files cannot become sheets,
 // because they would be compressed twice.
 const char* files_needed(const Preset& preset) {

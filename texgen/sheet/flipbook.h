@@ -27,7 +27,7 @@ struct FlipbookOptions {
     /// texture.
     bool strip = false;
     /// The suffix of the files of array textures (TextureFormat), which are written instead of
-    /// sheets: each frame is a layer with all mip levels. Layers can repeat as tiles, which frames
+    /// sheets: each frame is a layer with its mip levels. Layers can repeat as tiles, which frames
     /// in a sheet cannot. An array has no columns and no gutters. Empty for sheets.
     std::string array_suffix = {};
     /// The names of the files without suffix, in which {preset} and {map} are replaced. Empty for
@@ -48,12 +48,12 @@ struct Flipbook {
 };
 
 /// Writes a flipbook of a baked set into the folder `to`. The folder is created if needed. Each map
-/// becomes an image {preset}_sheet_{map} or {preset}_strip_{map} in the format of the set's files,
-/// or an array {preset}_array_{map} with the suffix options.array_suffix. {preset}_sheet.json (or
-/// _strip, _array) describes these images (flipbook_json.h), and the images of other maps that it
-/// already lists, if they belong to an earlier flipbook of the same frames and layout
-/// (keep_earlier_sheets). `folder` is the folder of the manifest. `on_progress` receives the phase
-/// Sheets. If an exception is thrown before the last sheet is complete, there is no new file.
+/// becomes a sheet or a strip in the format of the set's files, or an array texture with the suffix
+/// options.array_suffix. A JSON file describes these images (flipbook_json.h). If an earlier
+/// flipbook of the same frames and layout has written the JSON file, the images of other maps that
+/// it lists stay listed (keep_earlier_sheets). FlipbookOptions::names explains the file names.
+/// `folder` is the folder of the manifest. `on_progress` receives the phase Sheets. If an exception
+/// is thrown before all sheets and the JSON file are complete, there is no new file.
 /// Throws std::invalid_argument if a strip or an array has a gutter or several columns, and if a
 /// sheet would be compressed with a loss (ImageFormat::is_lossy). Also throws the exceptions of
 /// map_sequence, check_layout, stage_sheet, stage_array and keep_earlier_sheets, and OutputError if

@@ -12,11 +12,12 @@
 
 namespace foam::texgen {
 
-/// The image of a sheet, and the frames in it.
+/// The image of a sheet or an array texture, and the frames in it.
 struct SheetImage {
     std::string file;  // file name, relative to the folder of the JSON file
     MapSequence sequence;
-    std::string pixel_format = {};  // of an array texture: the name of its PixelFormat
+    // The name of the PixelFormat of an array texture; empty for a sheet.
+    std::string pixel_format = {};
 };
 
 /// Returns a JSON description of the sheets, for programs that play them. `frames` are the numbers

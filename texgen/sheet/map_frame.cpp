@@ -14,8 +14,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Removes the channel groups outside of a layer of an EXR. Removes the prefix of the layer, such as
-// "albedo.", from the names of the other channels.
+// Keeps only the channel groups in one layer of an EXR. Removes the prefix of the layer, such as
+// "albedo.", from the names of their channels.
 void keep_layer(std::vector<ChannelGroup>& groups, const std::string& prefix) {
     std::erase_if(groups, [&](const ChannelGroup& group) {
         return !group.names.front().starts_with(prefix);

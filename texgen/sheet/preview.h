@@ -38,11 +38,12 @@ struct PreviewOptions {
 };
 
 /// Throws std::invalid_argument if a preview of the kind Tiling is wanted (options.kinds), but
-/// `tiles` is false. `tiles` tells whether the first frame tiles; `frame` is its number.
+/// `tiles` is false. `tiles` tells whether the first frame tiles; `frame` is its number, and
+/// `preset` the name of its preset, both for the message.
 void check_tiling(const PreviewOptions& options, bool tiles, int frame, const std::string& preset);
 
-/// Throws std::invalid_argument if a map whose samples have the given kind (MapSamples::kind)
-/// cannot be shown as a picture.
+/// Throws std::invalid_argument if a map cannot be shown as a picture. `kind` is the kind of its
+/// samples (MapSamples::kind); only "id" cannot be shown.
 void check_shown_map(const std::string& map, std::string_view kind);
 
 /// Writes previews of a baked set into the folder `to`, and returns their paths:

@@ -55,8 +55,8 @@ DisplayFrame shown_codes(const Image<Sample>& image, bool is_light) {
                        is_light};
     const auto from = image.samples();
     const auto step = static_cast<std::size_t>(image.channels());
-    // The step from one color of a pixel to the next: 0 for gray, whose only sample is used for all
-    // three colors.
+    // The step from one color of a pixel to the next: 0 for gray, whose first sample is used for
+    // all three colors.
     const std::size_t next = step >= DisplayFrame::kColors ? 1 : 0;
     float* to = frame.pixels.samples().data();
     for (std::size_t k = 0; k < from.size(); k += step) {

@@ -11,9 +11,9 @@
 
 namespace foam::texgen {
 
-/// Reads the frames of a map, joins them to one image of the same format, and stages this image:
-/// writes its content without giving it its name (StagedFile), so that the caller can publish all
-/// sheets at once. `path` ends in the suffix of this format.
+/// Reads the frames of a map, joins them into one image of the same format, and stages this image.
+/// A staged file (StagedFile) has its content, but not yet its name, so that the caller can publish
+/// all sheets at once. `path` ends in the suffix of the format.
 /// Samples are copied without any change. The metadata are copied from the first frame, but the
 /// sheet is marked as not periodic. If the metadata contain texts, a text with the layout is added.
 /// Samples in cells without a frame are 0. The gutter is the border around each frame. If a frame
@@ -21,7 +21,7 @@ namespace foam::texgen {
 /// the pixels at the edge of the frame. The sheet contains only this map, and its channel names
 /// have no layer. While the sheet is composed, the memory contains the whole sheet and one frame;
 /// while it is written, the whole sheet and the encoded file. `progress` counts each frame; the
-/// last frame counts when the sheet has been written. Precondition: the sequence has layout.frames
+/// last frame counts when the sheet has been staged. Precondition: the sequence has layout.frames
 /// files.
 ///
 /// Throws InputError if a file cannot be read or lacks the layer of the map, if its size differs

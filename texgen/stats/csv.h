@@ -36,11 +36,13 @@ std::string events_csv(const RunRecord& run);
 
 /// Returns a table of the bubbles in the last frame of the run with one row per bubble:
 /// frame,identity,x,y,sides,area,target_area,pressure,perimeter,elongation,orientation
+/// If the run has no frames, the table has no rows.
 std::string bubbles_csv(const RunRecord& run);
 
 /// Returns a table of the mazes with one row per frame:
 /// frame,time,bubbles,solution,dead_ends,branches
-/// The result is empty if the preset of the run has no map of a maze.
+/// Returns an empty text if the preset of the run has no map of a maze, or if the run has no
+/// frames.
 std::string maze_csv(const RunRecord& run);
 
 }  // namespace foam::texgen

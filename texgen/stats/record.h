@@ -21,7 +21,8 @@ struct FrameRecord {
     int frame = 0;      // number of the frame
     double time = 0.0;  // foam time
     FoamStatistics foam;
-    std::vector<SidesGrowth> growth;       // empty in the first record
+    // Empty in the first record, and if no time has passed since the preceding record.
+    std::vector<SidesGrowth> growth;
     FrameEffort effort;                    // T1s, T2s, errors, wall time, events, strain and stress
     std::optional<MazeStatistics> maze{};  // only if the preset has a map of a maze
     // The shear modulus of the frame (core/dynamics/shear_modulus.h); nullopt if it has none.

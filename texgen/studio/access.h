@@ -18,27 +18,30 @@ namespace foam::texgen {
 /// - `Host` must be the address of the studio. A name that an attacker lets point to this machine
 ///   (DNS rebinding) is rejected.
 /// - Requests below /api/ need a cookie with a secret of 128 random bits. The page gets the cookie
-///   in exchange for a token, which is also 128 random bits and can be used once.
+///   from /api/session in exchange for a token, which is also 128 random bits and can be used once.
 ///   `SameSite=Strict` keeps browsers from sending the cookie for other sites.
-/// - Requests with a body must be JSON (`Content-Type`) and come from the page of the studio
-///   (`Origin` and `Sec-Fetch-Site`), which the pages of other sites cannot forge.
+/// - POST requests must be JSON (`Content-Type`) and come from the page of the studio (`Origin` and
+///   `Sec-Fetch-Site`), which the pages of other sites cannot forge.
+/// - A GET request whose `Sec-Fetch-Site` names another site is rejected, except for the page "/".
 class Access {
   public:
-    /// Draws the token and the secret from the random numbers of the system. Throws
-    /// std::runtime_error if it has none.
+    /// Draws the token and the secret from the random numbers of the system. `port` is the port of
+    /// the server. Throws std::runtime_error if the system gives no random numbers.
     explicit Access(int port);
 
     /// Returns the token for the address of the page.
     const std::string& token() const { return token_; }
 
-    /// Returns the response to a request that does not come from the page of the studio; nullopt if
-    /// the request may be answered. Does not check the cookie.
+    /// Returns the error response to a request that does not come from the page of the studio, or
+    /// has a wrong method or content type; nullopt if the request may be answered. Does not check
+    /// the cookie.
     std::optional<HttpResponse> rejection(const HttpRequest& request) const;
 
     /// Returns true if a request has the cookie.
     bool has_cookie(const HttpRequest& request) const;
 
-    /// Exchanges the token for the cookie. Returns nullopt if the token is wrong or used up.
+    /// Exchanges the token for the cookie: returns a response that sets the cookie. Returns nullopt
+    /// if the token is wrong or was used before.
     std::optional<HttpResponse> exchange(std::string_view token);
 
   private:

@@ -32,17 +32,18 @@ class BakeJobs {
     /// parse_frame_range.
     Json start(const BakeRequest& request);
 
-    /// Returns the answer to /api/bake/status. Throws std::invalid_argument if there is no bake
-    /// with this number.
+    /// Returns the answer to /api/bake/status. Throws std::invalid_argument if `bake` is not the
+    /// number of the last bake that was started.
     Json status(int bake);
 
-    /// Stops a bake after its current step. Images that are complete stay. Throws as `status` does.
+    /// Stops a bake at its next progress report. Images that are complete stay. Throws as `status`
+    /// does.
     void cancel(int bake);
 
     /// Returns true if a bake runs.
     bool is_running();
 
-    /// Stops the bake that runs.
+    /// Stops the running bake, if there is one, and waits until it has ended.
     void stop();
 
   private:

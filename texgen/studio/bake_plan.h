@@ -17,13 +17,14 @@ namespace foam::texgen {
 /// A bake that a page asks for.
 struct BakeRequest {
     PageSettings settings;
-    std::string folder;                       // below the folder of the studio
-    std::optional<std::string> frames = {};   // a range; all frames if missing
-    std::string format = "png";               // the suffix of the images without the dot
-    std::optional<std::string> profile = {};  // of an engine; replaces maps and format
-    std::vector<std::string> maps = {};       // those of the preset if empty
-    std::optional<std::array<int, 2>> size = {};
-    bool resume = false;
+    std::string folder;                      // a path relative to the folder of the studio
+    std::optional<std::string> frames = {};  // a range (parse_frame_range); all frames if missing
+    std::string format = "png";              // the suffix of the images without the dot
+    // The name of a shipped profile. If it is given, `maps` and `format` have no effect.
+    std::optional<std::string> profile = {};
+    std::vector<std::string> maps = {};           // if empty, the maps of the preset
+    std::optional<std::array<int, 2>> size = {};  // width and height; the preset's size if missing
+    bool resume = false;  // true if images of an earlier, stopped bake are kept (Resume)
 };
 
 /// Reads the members of a request. Throws InputError if one is malformed.

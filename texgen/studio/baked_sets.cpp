@@ -136,7 +136,7 @@ Json numbers_at(const Picture& picture, const MapSamples& samples, double x, dou
     return all;
 }
 
-/// Returns the color of a pixel, as on a screen.
+/// Returns the color of a pixel as "#rrggbb" (sRGB).
 std::string color_at(const DisplayFrame& frame, double x, double y) {
     const int column = pixel_at(x, frame.pixels.width());
     const int row = frame.pixels.height() - 1 - pixel_at(y, frame.pixels.height());

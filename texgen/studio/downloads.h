@@ -32,8 +32,9 @@ HttpResponse drawing_download(const Preset& preset,
                               int frame,
                               FrameStore& store);
 
-/// Returns all frames of a map as an animated PNG. `side` is the longer side of the pictures, in
-/// pixels; without it they have the size of the preset. Throws the exceptions of bake.
+/// Returns all frames of a map as an animated PNG. `side` is the largest width and height of the
+/// pictures, in pixels (reduced_image); without it they have the size of the preset. Throws the
+/// exceptions of bake.
 HttpResponse loop_download(Preset preset,
                            const std::string& map,
                            std::optional<int> side,

@@ -15,28 +15,28 @@
 
 namespace foam::texgen {
 
-/// The simulation of one foam in a FrameStore, whose mutex protects all members. Frames are
-/// assembled from the kept states whenever they are drawn, because the camera, which decides how a
-/// state is shown, may change without a new simulation.
+/// The simulation of one foam in a FrameStore. The mutex of the store protects all members. Frames
+/// are assembled from the kept states whenever they are drawn, because the camera, which decides
+/// how a state is shown, may change without a new simulation.
 struct FrameRun {
     Preset preset;
-    std::string simulation;             // simulation_hash
-    int frames = 0;                     // number of frames that are kept
-    std::vector<int> states = {};       // numbers of their states, in increasing order
-    std::vector<int> last_states = {};  // of each frame, the largest number of its states
-    std::map<int, SimulatedFrame> kept = {};
-    std::set<std::string> pages = {};  // that want this run
+    std::string simulation;             // simulation_hash(preset)
+    int frames = 0;                     // frames 1 to this number will be kept
+    std::vector<int> states = {};       // numbers of the states they need, in increasing order
+    std::vector<int> last_states = {};  // for each frame, the last state that it needs
+    std::map<int, SimulatedFrame> kept = {};  // the states computed so far, by number
+    std::set<std::string> pages = {};         // the pages that want this run
     RunProgress progress = {};
-    std::optional<RunOutcome> outcome = {};
-    std::string failure = {};
-    bool is_dropped = false;  // true if the simulation is to be stopped
+    std::optional<RunOutcome> outcome = {};  // nullopt before the end, and after an exception
+    std::string failure = {};                // the reason of a failure, otherwise empty
+    bool is_dropped = false;                 // true if the simulation is to be stopped
 
     bool is_finished() const { return outcome || !failure.empty(); }
 
     // Returns true if all states of a frame are kept. States are kept in increasing order.
     bool has_states(int frame) const;
 
-    // Returns the number of the first frames whose states are all kept.
+    // Returns the largest number n for which all states of frames 1 to n are kept.
     int complete_frames() const;
 
     // Returns the kept states that a frame needs. Precondition: all of them are kept.
@@ -45,14 +45,15 @@ struct FrameRun {
                                              NextFrames next_frames) const;
 };
 
-/// Assembles frames from kept states. Precondition: `kept` has all states of the frames.
+/// Assembles the frames with the given numbers from kept states, and passes them to `visit`. The
+/// camera and the loop are those of `shown`. Precondition: `kept` has all states of the frames.
 void assemble(const std::map<int, SimulatedFrame>& kept,
               const Preset& shown,
               const std::vector<int>& numbers,
               NextFrames next_frames,
               const FrameVisitor& visit);
 
-/// Returns the numbers of the states that frames need.
+/// Returns the numbers of the states that frames need, in increasing order.
 std::vector<int> states_of(const Preset& preset,
                            const std::vector<int>& frames,
                            NextFrames next_frames);

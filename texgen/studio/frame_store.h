@@ -22,8 +22,8 @@ namespace foam::texgen {
 
 struct FrameRun;
 
-/// Reports that a page no longer waits for a frame, because it has asked for another foam or the
-/// studio ends.
+/// Reports that a frame will not be simulated, because the page has asked for another foam, because
+/// a foam that was wanted later needs the memory, or because the studio ends.
 class FrameReplaced : public std::runtime_error {
     using runtime_error::runtime_error;
 };
@@ -33,38 +33,40 @@ class SimulationFailed : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
-/// How far the simulation of a preset is.
+/// The progress of the simulation of a preset.
 struct SimulationState {
     enum class Status { Running, Complete, Failed };
 
     Status status = Status::Running;
-    int done = 0;          // number of the first frames that are all kept
-    int total = 0;         // number of frames that will be kept
-    RunProgress progress;  // of the phase in work
-    std::optional<double> closing_error = {};
-    std::string message = {};  // the reason of a failure
+    int done = 0;                              // frames 1 to this number can be drawn
+    int total = 0;                             // frames 1 to this number will be kept
+    RunProgress progress;                      // the latest report of the simulation
+    std::optional<double> closing_error = {};  // RunOutcome::closing_error, if complete
+    std::string message = {};                  // the reason of a failure
 };
 
 /// Simulates presets in the background, one at a time, and keeps the states of their foams, so that
-/// any frame can be drawn at once, with any colors. Each page of the studio wants one foam; the
+/// any frame can be drawn immediately, with any colors. Each page of the studio wants one foam; the
 /// foam that was wanted last is simulated first, and a simulation that no page wants any more is
-/// stopped. Foams that are complete are kept as long as memory allows. Thread-safe.
+/// stopped. The foams that were wanted last are kept, at most eight and as many as memory allows.
+/// Thread-safe.
 class FrameStore {
   public:
-    /// Keeps states of at most `bytes` bytes, approximately. Of a long animation of a large foam,
-    /// only the first frames may be kept.
+    /// Keeps states of at most `bytes` bytes, approximately; drafts are not counted. Of a long
+    /// animation of a large foam, only the first frames may be kept.
     explicit FrameStore(std::size_t bytes);
     ~FrameStore();
     FrameStore(const FrameStore&) = delete;
     FrameStore& operator=(const FrameStore&) = delete;
 
-    /// Makes the foam of a preset the one that a page wants, and returns how far it is.
+    /// Makes the foam of a preset the one that a page wants, and returns the progress of its
+    /// simulation. `page` is the word that the page has chosen (README.md).
     SimulationState want(const Preset& preset, const std::string& page);
 
-    /// Does what `want` does, waits until a frame can be drawn, and returns it, and the frame after
-    /// it if `next_frames` asks for it. The options of the image, the camera and the loop are those
-    /// of the given preset. Throws FrameReplaced, and SimulationFailed if the foam has no
-    /// equilibrium, the loop does not close, or the frame is not kept.
+    /// Does what `want` does, waits until a frame can be drawn, and returns it. The result includes
+    /// the frame after it if `next_frames` asks for it. The options of the image, the camera and
+    /// the loop are those of the given preset. Throws FrameReplaced, and SimulationFailed if the
+    /// foam has no equilibrium, the loop does not close, or the frame is not kept.
     SimulatedFrame frame(const Preset& preset,
                          int number,
                          NextFrames next_frames,
@@ -74,10 +76,12 @@ class FrameStore {
     /// and the loop, which can take much longer. Throws SimulationFailed.
     SimulatedFrame draft(const Preset& preset);
 
-    /// Returns a source of the kept frames of a preset; empty unless all of them are kept.
+    /// Returns a source of the kept frames of a preset, which reports no progress. Returns an empty
+    /// function unless all frames are kept.
     FrameSource source(const Preset& preset);
 
-    /// Stops all simulations. All functions that wait, now or later, throw FrameReplaced.
+    /// Stops all simulations except drafts. Calls of `frame`, running or later, throw
+    /// FrameReplaced.
     void stop();
 
   private:

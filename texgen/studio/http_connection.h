@@ -2,13 +2,14 @@
 
 #pragma once
 
-// This header includes Boost.Beast, which takes long to compile. Only http_server.cpp includes it.
+// Only http_server.cpp includes this header, because Boost.Beast takes long to compile.
 
 #include "texgen/studio/access.h"
 #include "texgen/studio/http_limits.h"
 #include "texgen/studio/http_message.h"
 
-// Boost.Asio 1.74 uses std::exchange without including its header.
+// Boost.Asio 1.74 uses std::exchange without including <utility>. http_message.h, above, includes
+// it.
 #include <boost/asio.hpp>
 #include <boost/beast.hpp>
 
@@ -38,6 +39,7 @@ inline std::string single(const http::fields& fields, std::string_view name) {
     return fields.count(key) == 1 ? std::string(fields[key]) : std::string();
 }
 
+/// Returns a request of Boost.Beast as an HttpRequest.
 inline HttpRequest plain(http::request<http::string_body>&& request) {
     return {.method = std::string(request.method_string()),
             .target = std::string(request.target()),
@@ -197,7 +199,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     std::optional<http::request_parser<http::string_body>> parser_;
     std::optional<http::response<http::string_body>> message_;
     HttpConnectionOwner& owner_;
-    bool is_idle_ = true;  // true if nobody misses the connection when it is closed
+    bool is_idle_ = true;  // true while no request is in work and no response is being written
 };
 
 }  // namespace foam::texgen

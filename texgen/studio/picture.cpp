@@ -40,7 +40,7 @@ constexpr double kMargin = 1.01;  // as for fitted ranges
 constexpr std::size_t kLargestRanges = 1000;
 
 /// Changes the range of an image so that it holds all numbers, as fit_automatic_ranges does for all
-/// frames. `value` is the number of the option that has given the present range.
+/// frames. `value` is the present value of the option that sets the range.
 void fit_to_picture(NumberPixels& numbers, double value) {
     const NumberExtent extent = extent_of(numbers);
     const double largest =

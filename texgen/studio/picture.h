@@ -19,9 +19,9 @@ namespace foam::texgen {
 /// The largest width and height of a picture that a page can ask for, in pixels.
 inline constexpr int kLargestPicture = 2048;
 
-/// How long a page is willing to wait for a picture.
+/// The quality of a picture, which determines how long a page waits for it.
 enum class PictureQuality {
-    Draft,  // frame 1 before the warm-up and the loop (FrameStore::draft)
+    Draft,  // frame 1 without the warm-up, the events and the loop (FrameStore::draft)
     Full,   // the frame itself; an automatic range is fitted to this picture, until the range of
             // all frames is known
     Exact,  // as Full, but a range is fitted to all frames, as in a bake, if all of them are kept
@@ -29,16 +29,16 @@ enum class PictureQuality {
 
 /// A picture that a page asks for.
 struct PictureRequest {
-    std::string page;
+    std::string page;  // the word that the page has chosen (README.md)
     int frame = 1;
     std::string map;
-    int side = kLargestPicture;  // wanted length of the longer side, pixels
+    int side = kLargestPicture;  // largest width and height in pixels (reduced_image)
     PictureQuality quality = PictureQuality::Full;
     bool floats = false;  // floats in the unit of the map instead of codes of 8 bits
 };
 
-/// Draws the pictures of the pages. Keeps what the maps of recent frames share, such as distances
-/// to films, so that another look of the same frame is drawn quickly. Thread-safe.
+/// Draws the pictures of the pages. Keeps the data that the maps of recent frames share, such as
+/// distances to films, so that the same frame is drawn quickly with other colors. Thread-safe.
 class Painter {
   public:
     /// Keeps a reference to the store.

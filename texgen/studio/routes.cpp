@@ -78,7 +78,7 @@ Json simulation_json(const SimulationState& state) {
             {"message", state.message}};
 }
 
-/// One function per path.
+/// Answers POST requests, with one function per path (kRoutes).
 class StudioRoutes {
   public:
     StudioRoutes(const StudioFolder& folder, FrameStore& store, Painter& painter, BakeJobs& bakes)

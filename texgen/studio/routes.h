@@ -22,9 +22,9 @@ struct StudioParts {
 };
 
 /// Returns the answer to a POST request whose access has been checked; nullopt if `target` is not
-/// the path of such a request (README.md). Throws the exceptions of the functions that do the work;
-/// InputError if the body is JSON, but not what the request needs. A body that is not JSON gives an
-/// error response.
+/// the path of such a request (README.md). Returns an error response if the body is not JSON.
+/// Throws InputError if a member of the body is missing or malformed. Also throws the exceptions of
+/// the functions that do the work.
 std::optional<HttpResponse> answer_post(const std::string& target,
                                         const std::string& body,
                                         const StudioParts& parts);

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// The number of channels of rgba_from_top.
+/// The number of channels that rgba_from_top returns.
 inline constexpr int kRgba = 4;
 
 /// The size of a map's image.
@@ -20,6 +20,7 @@ struct MapSize {
     int channels = 0;
 };
 
+/// Returns the size of a map's image.
 MapSize size_of(const MapImage& image);
 
 /// Returns a sample of a map as a number in its unit; light and opacity are from 0 to 1. Row 0 is
@@ -27,7 +28,7 @@ MapSize size_of(const MapImage& image);
 float number_of(const MapImage& image, int x, int y, int channel);
 
 /// Returns codes of 1 (gray), 3 or 4 channels as red, green, blue and opacity, row by row from the
-/// top.
+/// top. The opacity is 255 if there is no fourth channel.
 std::string rgba_from_top(const Image<std::uint8_t>& codes);
 
 /// Returns all samples of a map as numbers in its unit (32-bit floats), row by row from the top.

@@ -18,9 +18,9 @@ namespace foam::texgen {
 /// The largest number of bubbles that the studio simulates while a page is open.
 inline constexpr int kLargestLiveFoam = 20'000;
 
-/// What a page shows: a preset, and the changes that the page makes to it.
+/// The settings of a page: a preset, and the changes that the page makes to it.
 struct PageSettings {
-    std::string preset;                 // a shipped preset, or a .toml file in the folder
+    std::string preset;                 // a shipped preset, or a path below the folder
     std::vector<std::string> set = {};  // the arguments KEY=VALUE of options --set
     // A TOML text with tables [[event]] that replace all events of the preset.
     std::optional<std::string> events = {};
@@ -45,7 +45,8 @@ PageSettings read_settings(const JsonValue& request);
 /// A preset with the settings of a page.
 struct PagePreset {
     Preset preset;
-    std::vector<Assignment> assignments;  // the changes to the preset
+    // The changes to the preset. Paths of files are relative to the folder of the studio.
+    std::vector<Assignment> assignments;
 };
 
 /// Loads the preset of a page and stores its changes in it. Throws SettingsRejected if a value is

@@ -15,7 +15,7 @@ namespace foam::texgen {
 /// The options of random_variations.
 struct RandomDraw {
     int count = 12;
-    std::uint64_t seed = 1;            // of the random numbers that choose the values
+    std::uint64_t seed = 1;            // seed of the random numbers that choose the values
     std::set<std::string> fixed = {};  // keys that do not vary
 };
 

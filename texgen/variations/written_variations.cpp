@@ -20,7 +20,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns the path of a file as a preset file in a folder names it.
+/// Returns the path of a file relative to a folder, or its absolute path if it has no relative
+/// path.
 std::string path_from(const std::filesystem::path& folder, const std::string& file) {
     const std::filesystem::path path = std::filesystem::absolute(file);
     const std::filesystem::path relative = path.lexically_normal().lexically_relative(

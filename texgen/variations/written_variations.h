@@ -21,7 +21,7 @@ struct VariationSet {
     std::string preset;                   // a name or a path
     std::vector<Assignment> assignments;  // the same for all variations, such as those of --set
     std::vector<Variation> variations;
-    int columns = 0;  // of the sheet, see ContactSheetLayout
+    int columns = 0;  // columns of the sheet (ContactSheetLayout)
 };
 
 /// A variation after its picture has been drawn.
@@ -42,8 +42,9 @@ struct WrittenVariations {
 };
 
 /// Writes the sheet of the pictures, and a preset file for each variation whose run is complete.
-/// Then removes the files in `earlier` that were not replaced. Precondition: there are as many
-/// pictures as variations, and each variation has an assignment. Throws OutputError.
+/// Then removes the files in `earlier` that were not replaced; a file that cannot be removed stays.
+/// Precondition: there are as many pictures as variations, and each variation has an assignment.
+/// Throws OutputError if a file cannot be written.
 WrittenVariations write_variations(const VariationSet& set,
                                    const std::vector<DrawnVariation>& drawn,
                                    const VariationFiles& names,

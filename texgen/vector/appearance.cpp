@@ -75,7 +75,7 @@ namespace {
 void require_width(double width, const char* key, const char* remedy) {
     if (!(width > 0.0)) {
         throw std::invalid_argument(
-            fmt::format("walls need a width, but {} is 0; set {}", key, remedy));
+            fmt::format("outlines and walls need a width, but {} is 0; set {}", key, remedy));
     }
 }
 

@@ -13,34 +13,41 @@
 
 namespace foam::texgen {
 
-/// Returns what a drawing shows, given the maps of a preset (image.maps): options.content, unless
-/// it is VectorContent::Auto. Does not return VectorContent::Auto.
+/// Returns the content of a drawing: options.content, unless it is VectorContent::Auto. For Auto,
+/// returns Maze, MazeSolution or Contour if that is the first map of the preset (image.maps),
+/// otherwise Foam. Precondition: `maps` is not empty.
 VectorContent shown_content(const VectorOptions& options, const std::vector<std::string>& maps);
 
 /// Returns the word for the content in file names, such as "foam".
 std::string_view name_of(VectorContent content);
 
-/// Throws std::invalid_argument if walls are drawn as outlines, but have no width.
+/// Throws std::invalid_argument if VectorOptions::walls is Outlines and check_wall_width throws, or
+/// if the content is MazeSolution and the solution has no width. Does nothing if walls are drawn as
+/// lines, whose width may be 0. Precondition: `content` is not Auto.
 void check_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 
-/// Throws std::invalid_argument if lines have no width. Does not check the solution of a maze.
+/// Throws std::invalid_argument if the lines of the content (films, walls or contours) have no
+/// width: neither VectorOptions::wall_width nor the width in the options of the map is above 0.
+/// Does not check the solution of a maze. Precondition: `content` is not Auto.
 void check_wall_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 
 /// The appearance of the map that a drawing shows: its lines, their color and their width.
 struct Appearance {
-    std::string layer;  // name of the layer of the lines
-    std::string kind;   // class of the lines
-    std::string line_color;
-    double map_width = 0.0;    // width of the lines in the map, in pixels
-    std::string ground_color;  // empty if bubbles have colors
-    FilmFilter has_line;       // may refer to the layers
+    std::string layer;         // name of the layer of the lines (Layer::name)
+    std::string kind;          // class of the lines (Shape::kind)
+    std::string line_color;    // sRGB, "#rrggbb"
+    double map_width = 0.0;    // full width of the lines in the map, in pixels
+    std::string ground_color;  // color under the lines; empty if bubbles have their own colors
+    FilmFilter has_line;       // returns true if the film is a line; may refer to the layers
 };
 
-/// Returns the appearance of the map. Throws std::invalid_argument if the grid of the layers does
-/// not fit the domain.
+/// Returns the appearance of the content. The result may refer to `layers`, which must outlive it.
+/// Throws std::invalid_argument if the grid of the layers does not fit the domain, and for contours
+/// as contour_films does.
 Appearance appearance_of(FrameLayers& layers, VectorContent content, const MapOptions& maps);
 
-/// Returns the full width of lines and walls in millimeters.
+/// Returns the full width of lines and walls in millimeters: VectorOptions::wall_width or, if that
+/// is 0, the width of the lines in the map.
 double drawn_width(const Appearance& look, const Page& page, const VectorOptions& options);
 
 }  // namespace foam::texgen

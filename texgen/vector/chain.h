@@ -28,6 +28,7 @@ inline DrawnArc reversed(const DrawnArc& arc) {
 /// it begins.
 struct Chain {
     Vec2 tail{0.0, 0.0};  // start of the first arc, in millimeters
+    // An arc that begins where the arc before it ends.
     struct Step {
         Vec2 head{0.0, 0.0};
         double half_angle = 0.0;
@@ -75,7 +76,7 @@ struct NetArc {
 };
 
 /// Joins the arcs of a net into chains, in which every arc occurs once. One open chain ends at each
-/// node that an odd number of arcs share, and none at the other nodes. The result depends only on
+/// node at which an odd number of arcs end, and none at the other nodes. The result depends only on
 /// the arcs and their order.
 std::vector<Chain> joined(std::span<const NetArc> arcs);
 

@@ -26,9 +26,10 @@ namespace foam::texgen {
 namespace {
 
 // The lines of a drawing. On a torus whose tile cuts them, `near` contains whole copies of all
-// lines that touch the tile when they are drawn with their width, and `beyond` the parts outside of
-// the tile of these copies. Otherwise `near` equals `lines`, and `beyond` is empty. films_work
-// fills only the members that are drawn: `near` for outlines, `lines` and `beyond` for lines.
+// lines that touch the tile when they are drawn with their width, and `beyond` contains the parts
+// of these copies outside of the tile. Otherwise `near` equals `lines`, and `beyond` is empty.
+// films_work fills only the members that are drawn: `near` if walls are drawn as outlines, `lines`
+// and `beyond` if they are drawn as lines.
 struct LineWork {
     std::string layer;  // name of the layer
     std::string kind;   // class of the shapes
@@ -116,7 +117,7 @@ std::uint64_t copy_number(LatticeOffset by) {
 // the line of the map maze_solution by less than a hundredth of its width.
 constexpr int kPiecesPerStation = 4;
 
-// Adds the parts of an arc of the solution, which connects two nodes, to `work`.
+// Adds an arc of the solution to `work`. The arc connects the nodes `node` and node + 1.
 void add_solution_arc(const DrawnArc& arc, std::uint64_t node, const Page& page, LineWork& work) {
     constexpr std::uint64_t kUnique = std::uint64_t{1} << 32;  // above the numbers of other nodes
     if (page.domain.is_plane()) {

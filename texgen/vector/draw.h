@@ -11,14 +11,23 @@
 
 namespace foam::texgen {
 
-/// Returns the sRGB colors of all bubbles in the map albedo, as "#rrggbb".
+/// Returns the sRGB colors of all bubbles in the map albedo, as "#rrggbb". Throws as cell_colors
+/// does.
 PerBubble<std::string> bubble_colors(const FrameLayers& layers, const AlbedoOptions& options);
 
-/// Draws a frame. The layers are, from bottom to top, "bubbles" (one shape per bubble) or
-/// "passages" (one shape; Drawing::background replaces it if bubbles are cut), "films", "walls" or
-/// "contours", and "solution". Below a layer of lines that are cut is the layer of their parts
-/// beyond the tile, such as "films_beyond". Throws std::invalid_argument if the grid does not fit
-/// the domain, or if a color is invalid, and as check_width does.
+/// Draws a frame. The drawing has these layers, from bottom to top:
+///
+///     "bubbles"                        only for Foam: one shape per bubble
+///     "passages"                       not for Foam: all bubbles as one shape; if bubbles are cut,
+///                                      Drawing::background replaces this layer
+///     "films", "walls" or "contours"   the lines of the content
+///     "solution"                       only for MazeSolution
+///
+/// Below a layer of lines that are cut is the layer of their parts beyond the tile, such as
+/// "films_beyond". Lines without a width and walls drawn as outlines have no such layer. The title
+/// and the description stay empty. Throws std::invalid_argument if the grid does not fit the
+/// domain. Also throws as bubble_colors, contour_films, check_width and wall_outlines do.
+/// Precondition: `content` is not Auto.
 Drawing draw(FrameLayers& layers,
              VectorContent content,
              const MapOptions& maps,

@@ -18,8 +18,9 @@ struct Style {
     double stroke_width = 0.0;  // millimeters
 };
 
-/// A part of a drawing. If the shape is filled, its inside is the region
-/// around which its closed chains wind (the rule "nonzero"), so that clockwise chains are holes.
+/// A part of a drawing. If the shape is filled, its inside is the region in which the winding
+/// number of its closed chains is not zero (the fill rule "nonzero" of SVG). A clockwise chain
+/// inside of a counter-clockwise chain is therefore a hole.
 struct Shape {
     std::string kind;  // class of the shape, such as "bubble"
     std::string id{};  // unique in the drawing; may be empty

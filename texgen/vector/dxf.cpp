@@ -17,7 +17,8 @@ namespace foam::texgen {
 
 namespace {
 
-// ANSI codes of colors: 7 is black on white or white on black.
+// Codes of the AutoCAD Color Index (ACI). Color 7 is black on a white background, and white on a
+// black one.
 constexpr int kBlackOrWhite = 7;
 constexpr int kRed = 1;
 constexpr int kGrey = 8;
@@ -47,7 +48,7 @@ class DxfWriter {
         real(20, position.y());
     }
 
-    /// Writes the start of an item: its type, a new handle, its owner and its classes.
+    /// Writes the start of an item: its type, a new handle, and the handle of its owner.
     void item(std::string_view type, std::string_view owner) {
         group(0, type);
         group(5, fmt::format("{:X}", next_handle_++));
@@ -58,7 +59,8 @@ class DxfWriter {
         group(2, name);
     }
     void end_section() { group(0, "ENDSEC"); }
-    /// Writes the start of a table. Returns its handle, which owns the entries.
+    /// Writes the start of a table. Returns the handle of the table, which is the owner of its
+    /// entries.
     std::string table(std::string_view name, int entries) {
         group(0, "TABLE");
         group(2, name);

@@ -50,7 +50,8 @@ Chain FoamLayout::whole_bubble(BubbleId bubble) const {
     return chain_of(arcs, true);
 }
 
-// Returns the offset of the copy of a bubble that is drawn whole, relative to whole_bubble.
+// Returns the lattice offset from whole_bubble to the copy of the bubble that is drawn whole: the
+// copy whose centroid is in the tile.
 LatticeOffset FoamLayout::place_of(BubbleId bubble) const {
     return -page_.domain.cell_of(centroid(whole_bubble(bubble)));
 }
@@ -109,7 +110,7 @@ std::vector<NetArc> FoamLayout::cut_lines(const FilmFilter& is_chosen) const {
     return lines;
 }
 
-// Returns the films of all bubbles that are drawn whole, each once per place.
+// Returns the films of all bubbles that are drawn whole. No film occurs twice at the same position.
 std::vector<NetArc> FoamLayout::whole_lines(const FilmFilter& is_chosen) const {
     Nodes nodes;
     std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, bool> drawn;

@@ -19,9 +19,10 @@ using FilmFilter = std::function<bool(FilmId)>;
 /// Places the bubbles and the films of a frame on a page. Borrows the frame.
 ///
 /// On a torus with VectorWrap::Cut, bubbles and films are cut at the border of the tile, and each
-/// part is drawn once. With VectorWrap::Whole, each bubble is drawn once, at the place at which its
-/// centroid is in the tile. Each film beside a drawn bubble is drawn; a film between two
-/// bubbles that are on opposite sides of the tile is drawn on both sides.
+/// part is drawn once. With VectorWrap::Whole, each bubble is drawn once, at the position at which
+/// its centroid is in the tile. Each film beside a drawn bubble is drawn. A film between two
+/// bubbles that are on opposite sides of the tile is drawn on both sides. In the plane, nothing is
+/// cut.
 class FoamLayout {
   public:
     FoamLayout(const Frame& frame, const Page& page, VectorWrap wrap);
@@ -33,19 +34,21 @@ class FoamLayout {
     /// bubble is cut.
     PerBubble<std::vector<Chain>> bubbles() const;
 
-    /// Returns the arcs of the chosen films and of all lone bubbles. Arcs share a node if they meet
-    /// in a junction.
+    /// Returns the arcs of the chosen films and of all lone bubbles, or the parts of these arcs in
+    /// the tile if films are cut. Arcs share a node if they meet in a junction.
     std::vector<NetArc> lines(const FilmFilter& is_chosen) const;
 
-    /// Returns whole arcs of the chosen films, including all copies that come within `reach` of the
-    /// tile. If nothing is cut, returns `lines`.
+    /// Returns the whole arcs of all copies of the chosen films that come within `reach`
+    /// millimeters of the tile (copies_near_tile). If nothing is cut, returns the result of
+    /// `lines`.
     std::vector<NetArc> lines_near_tile(const FilmFilter& is_chosen, double reach) const;
 
-    /// Returns the parts of lines_near_tile outside of the tile that come within `reach` of it.
-    /// Empty if nothing is cut.
+    /// Returns the parts of the arcs of lines_near_tile that are outside of the tile and come
+    /// within `reach` millimeters of it (parts_beyond_tile). The result is empty if nothing is cut.
     std::vector<DrawnArc> lines_beyond_tile(const FilmFilter& is_chosen, double reach) const;
 
-    /// Returns the positions of all junctions.
+    /// Returns the positions of all junctions on the page, each once. On a torus they are in the
+    /// tile, even if bubbles are drawn whole.
     std::vector<Vec2> junctions() const;
 
   private:

@@ -12,21 +12,21 @@
 
 namespace foam::texgen {
 
-/// A format of files that describe a frame by its arcs or as a
-/// mesh instead of pixels. README.md explains how to
-/// add a format.
+/// A format of files that describe a frame by its arcs or as a mesh instead of pixels. A frame has
+/// one or more parts, each of which is one file. README.md explains how to add a format.
 struct VectorFormat {
     std::string_view name;    // name in messages, such as "SVG"
     std::string_view suffix;  // end of its file names, such as ".svg"
     std::string_view unit;    // unit of lengths
 
-    /// Returns the names of the files of a frame. A name takes the place of {map} in file names.
+    /// Returns the names of the parts of a frame. The name of a part takes the place of {map} in
+    /// the name of its file.
     std::vector<std::string> (*parts)(const VectorSettings& settings) = nullptr;
     /// Throws std::invalid_argument if no frame can be written with these settings.
     void (*check)(const VectorSettings& settings) = nullptr;
-    /// Returns the content of the file with one of these names. Throws std::invalid_argument if the
-    /// frame or the options cannot be drawn, and std::bad_alloc if the machine has too little
-    /// memory.
+    /// Returns the content of the file of a part. Throws std::invalid_argument if the frame cannot
+    /// be drawn with these options, std::bad_alloc if the machine has too little memory, and
+    /// std::runtime_error for other errors of a library (to_pdf).
     std::string (*encode)(const VectorSource& source, std::string_view part) = nullptr;
     /// Estimates a mesh (estimated_mesh); nullptr for drawings and tables.
     MeshEstimate (*estimate)(const VectorSettings& settings, int bubbles) = nullptr;
@@ -35,13 +35,15 @@ struct VectorFormat {
 /// Returns all formats.
 std::span<const VectorFormat> vector_formats();
 
-/// Returns the format whose suffix is the end of the file name, or nullptr if there is none.
+/// Returns the format whose suffix is the end of the file name, in letters of either case, or
+/// nullptr if there is none.
 const VectorFormat* find_vector_format(std::string_view file_name);
 
 /// Returns the suffixes of all formats, such as ".svg or .dxf", for messages.
 std::string vector_suffixes();
 
-/// Returns a description of a part of a frame in a few words, such as "films as arcs".
+/// Returns a description of the part with the given name in a few words, such as "a table of all
+/// films". Returns an empty text for an unknown name.
 std::string_view meaning_of_part(std::string_view part);
 
 }  // namespace foam::texgen

@@ -30,14 +30,15 @@ double millions(std::size_t count) {
     return static_cast<double>(count) * 1e-6;
 }
 
-// Walls of a maze are those of its drawing; its solution is not a wall.
+// Returns the content whose lines are the walls of a mesh. The solution of a maze is not a wall, so
+// that a mesh of MazeSolution is a mesh of Maze.
 VectorContent wall_content(const VectorSettings& settings) {
     const VectorContent content = shown_content(settings.drawing, settings.map_names);
     return content == VectorContent::MazeSolution ? VectorContent::Maze : content;
 }
 
-// The positions of the columns or the rows of a slab, and the columns or rows of the image that
-// they show.
+// The positions of the columns or the rows of a slab, in millimeters, and the columns or rows of
+// the image that they show.
 struct Samples {
     std::vector<float> positions;
     std::vector<int> pixels;
@@ -60,7 +61,8 @@ Samples samples_along(int count, double pixel, bool repeats) {
     return samples;
 }
 
-// Returns the height of row 0 at a position between the centers of its pixels.
+// Returns the height of row 0 at `x` pixels to the right of the center of its first pixel. The row
+// repeats on both sides. Heights between the centers of pixels are interpolated.
 double height_between(const Image<float>& heights, double x) {
     const double left = std::floor(x);
     const auto at = [&](double column) {
@@ -70,7 +72,8 @@ double height_between(const Image<float>& heights, double x) {
     return at(left) + (x - left) * (at(left + 1.0) - at(left));
 }
 
-// Returns the heights in pixels at the points of the slab, row by row.
+// Returns the heights in pixels at the points of the slab, row by row. `shear`, in pixels, is the
+// displacement of the last row, which repeats the first one.
 std::vector<float> heights_at(const Samples& columns,
                               const Samples& rows,
                               const Image<float>& heights,

@@ -7,7 +7,8 @@
 
 namespace foam::texgen {
 
-/// Returns what a mesh shows. Does not return MeshKind::Auto.
+/// Returns the kind of a mesh: MeshOptions::kind or, for MeshKind::Auto, Relief if drawings show
+/// the foam (shown_content), otherwise Walls.
 MeshKind shown_kind(const VectorSettings& settings);
 
 /// Throws std::invalid_argument if a mesh is not possible: a relief without a base or with more
@@ -22,11 +23,14 @@ void check_mesh(const VectorSettings& settings);
 /// drawing.) If the torus is sheared, the repetition of the first row is displaced by the shear. In
 /// a view of the plane, the outermost heights continue to the border.
 ///
-/// Walls have the outlines of the drawing. On a torus whose tile cuts them, the plate is the tile.
-/// Otherwise, the plate has the outline of all films, half a wall width away from the walls.
+/// Walls have the outlines of a drawing with VectorWalls::Outlines. On a torus whose tile cuts
+/// them, the plate is the tile. Otherwise, the plate has the outline of all films and extends half
+/// a wall width beyond the walls. If MeshOptions::base_mm is 0, there is no plate.
 ///
-/// Throws std::invalid_argument as check_mesh, page_of and wall_outlines do, if there
-/// are no walls, if walls touch in a point, and if they have more than kMaxTriangles triangles.
+/// Throws as check_mesh, page_of, appearance_of and wall_outlines do. Also throws
+/// std::invalid_argument if there are no walls, if walls touch each other in a point, or if they
+/// have more than kMaxTriangles triangles. Throws std::bad_alloc if the machine has too little
+/// memory.
 Mesh frame_mesh(const VectorSource& source);
 
 }  // namespace foam::texgen

@@ -15,8 +15,8 @@ namespace {
 // Bytes per triangle. Measured with one frame of sea_foam (loop.kind=none, one thread): a relief of
 // 512 and 1024 pixels, and walls of 1000 and 4000 bubbles with tolerances of 0.02 and 0.001 mm.
 struct BytesPerTriangle {
-    double file;
-    double memory;
+    double file;    // size of the file
+    double memory;  // peak memory
 };
 
 BytesPerTriangle bytes_per_triangle(MeshKind kind, bool is_glb) {
@@ -27,8 +27,9 @@ BytesPerTriangle bytes_per_triangle(MeshKind kind, bool is_glb) {
     return is_glb ? BytesPerTriangle{36.0, 200.0} : BytesPerTriangle{kStlTriangle, 150.0};
 }
 
-// Walls have about six arcs per bubble on both sides. The number of parts of an arc of the length d
-// grows as sqrt(d / tolerance). Both numbers are from the same measurement.
+// Walls have about six arcs per bubble: both sides of three films. An arc of the length d has a
+// number of parts that grows as sqrt(d / tolerance). Both constants are from the measurement
+// described at BytesPerTriangle.
 double wall_triangles(const VectorSettings& settings, int bubbles) {
     constexpr double kOfCorners = 24.0;
     constexpr double kOfArcs = 3.1;

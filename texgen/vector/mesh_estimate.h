@@ -13,7 +13,8 @@ struct MeshEstimate {
 };
 
 /// Estimates a mesh before its frame is known. The numbers are usually right within a factor of
-/// 1.5. `is_glb` selects GLB instead of STL.
+/// 1.5. `bubbles` is the number of bubbles of the foam, which is at least 1. `is_glb` selects GLB
+/// instead of STL.
 MeshEstimate estimated_mesh(const VectorSettings& settings, int bubbles, bool is_glb);
 
 }  // namespace foam::texgen

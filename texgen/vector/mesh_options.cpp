@@ -14,7 +14,8 @@ Keys<MeshOptions> mesh_keys() {
     return {key("kind",
                 kKinds,
                 "what STL and GLB files show: the relief of the map height on a slab, or the lines "
-                "of vector.content as walls; auto shows walls if they are of a maze or of contours",
+                "of vector.content as walls; auto shows walls if these lines are of a maze or of "
+                "contours, else the relief",
                 &Options::kind)
                 .used_with("output.pattern", meshes),
             key("base_mm",

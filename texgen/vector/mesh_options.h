@@ -13,7 +13,7 @@ enum class MeshKind {
     Walls,   // films, walls or contours of a constant height
 };
 
-/// The options of meshes: STL and GLB files. Their width is that of drawings
+/// The options of meshes: STL and GLB files. Meshes have the same width as drawings
 /// (VectorOptions::width_mm). Lengths are in millimeters.
 struct MeshOptions {
     MeshKind kind = MeshKind::Auto;
@@ -28,6 +28,7 @@ struct MeshOptions {
     double tolerance_mm = 0.02;
 };
 
+/// Returns the keys of the table `mesh` of a preset, without the prefix "mesh.".
 Keys<MeshOptions> mesh_keys();
 
 }  // namespace foam::texgen

@@ -97,7 +97,7 @@ void draw_shape(cairo_t* cairo, const Shape& shape, const Style& style) {
 }
 
 void draw_layers(cairo_t* cairo, const Drawing& drawing) {
-    // Millimeters, and y up from the lower left corner.
+    // Use the coordinates of the drawing: millimeters, with y up.
     cairo_scale(cairo, kPointsPerMillimeter, -kPointsPerMillimeter);
     const Box box = drawing.shown();
     cairo_translate(cairo, -box.low.x(), -box.high.y());

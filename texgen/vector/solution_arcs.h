@@ -10,8 +10,8 @@
 namespace foam::texgen {
 
 /// Returns a smooth curve through stations as arcs, two between successive stations (a biarc: K. M.
-/// Bolton, "Biarc curves", 1975). The curve has the direction of each station there. On a torus,
-/// the curve may leave the tile.
+/// Bolton, "Biarc curves", 1975). At each station, the curve has the direction of the station. On a
+/// torus, the curve may leave the tile.
 std::vector<DrawnArc> smooth_arcs(const std::vector<Station>& stations, const Page& page);
 
 }  // namespace foam::texgen

@@ -16,15 +16,17 @@ namespace foam::texgen {
 namespace {
 
 // The command A gives an arc by its ends and its radius. If an arc turns by almost 180 degrees,
-// rounding the radius changes its area noticeably, so arcs with a larger half angle are written as
-// two arcs. This half angle, 85 degrees, is above the largest half angle of an inner film (E1).
+// rounding the radius changes its area noticeably, so arcs with a half angle above this limit are
+// written as two arcs. The limit, 85 degrees, is above the largest half angle of an inner film, 80
+// degrees (E3 in core/README.md).
 constexpr double kLargestHalfAngle = 85.0 / 180.0 * std::numbers::pi;
 // Arcs with a smaller half angle are written as lines. Their area differs from the area of a line
 // by less than 1e-10 times the square of the chord.
 constexpr double kSmallestHalfAngle = 1e-10;
 constexpr double kJunctionRadius = 0.2;  // millimeters
 
-// Returns a text for XML, which allows no control characters and no invalid UTF-8.
+// Escapes a text for XML. Control characters become spaces and invalid UTF-8 is replaced, because
+// XML allows neither of them.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : valid_utf8(text)) {

@@ -17,7 +17,7 @@ inline DrawnArc moved_by(const DrawnArc& arc, const Vec2& by) {
 /// A periodic copy of an arc on a torus.
 struct ArcCopy {
     DrawnArc arc;
-    LatticeOffset by;  // translation of the copy
+    LatticeOffset by;  // translation from the original arc to the copy
 };
 
 /// Returns the periodic copies of an arc that come within `reach` millimeters of the tile. Copies

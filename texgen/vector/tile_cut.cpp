@@ -18,7 +18,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Cuts closer to an end of an arc than this fraction of its parameter range are left out.
+// Cuts closer to an end of an arc than this fraction of `reach` (ParameterArc) are left out. Points
+// closer to a border of the tile than this fraction of its width or height are moved onto it.
 constexpr double kEndTolerance = 1e-12;
 
 constexpr int kX = 0;
@@ -40,6 +41,7 @@ class ParameterArc {
         middle_ = arc.tail + 0.5 * chord - sagitta_ * turned_left(direction_);
     }
 
+    // Returns the parameter of the head. The parameter of the tail is -reach.
     double reach() const { return reach_; }
     double sagitta() const { return std::abs(sagitta_); }
 
@@ -118,8 +120,8 @@ std::vector<Cut> cuts_between(const ParameterArc& arc,
     return cuts;
 }
 
-// Moves a point from a cell into the tile. A coordinate that is within rounding of a border becomes
-// exactly the coordinate of the border.
+// Moves a point from a cell into the tile. A coordinate that differs from a border only by rounding
+// errors becomes exactly the coordinate of the border.
 Vec2 moved(const Vec2& point, LatticeOffset cell, const Domain& torus) {
     Vec2 inside = point - torus.translation(cell);
     const Vec2 size(torus.width, torus.height);

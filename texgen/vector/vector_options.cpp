@@ -37,7 +37,7 @@ Keys<VectorOptions> vector_keys() {
         key("walls",
             kWalls,
             "how films, walls and contours are drawn: lines are center lines, joined into "
-            "chains; outlines are the closed outlines of walls of a width",
+            "chains; outlines are the closed outlines of walls of the width vector.wall_width",
             &Options::walls)
             .used_with("output.pattern", drawings),
         key("wall_width",

@@ -18,16 +18,17 @@ struct VectorSettings {
     const VectorOptions& drawing;
     const MeshOptions& mesh;
     std::vector<std::string> map_names;  // image.maps of the preset
-    int width = 0;                       // of the images of the preset, in pixels
-    int height = 0;
+    int width = 0;                       // width of the images of the preset, in pixels
+    int height = 0;                      // their height, in pixels
 };
 
-/// The content of a vector file: a part of a frame, and the options. Borrows the frame.
+/// A frame, the options on which its vector files depend, and the texts in these files. Borrows the
+/// layers.
 struct VectorSource {
     FrameLayers& layers;
     VectorSettings settings;
-    std::string title;
-    std::string description;
+    std::string title;        // title of a drawing, or name of a mesh
+    std::string description;  // written to SVG files; may be empty
 };
 
 }  // namespace foam::texgen

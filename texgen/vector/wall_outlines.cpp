@@ -132,7 +132,7 @@ Chain reversed_loop(std::span<const ArcLoops::Side> loop, double scale) {
 // The insets of loops, as closed chains in the opposite direction.
 struct Insets {
     std::vector<Chain> chains;
-    int unclosed = 0;  // number of loops that are missing
+    int unclosed = 0;  // number of loops that are missing because they do not close
 };
 
 // A box that contains the arcs of a loop, or of all loops of a component.
@@ -165,9 +165,8 @@ double area_of(const LineLoop& loop) {
     return area;
 }
 
-// Divides loops into groups whose insets do not depend on each other. The loop around a part of the
-// plane is a group of its own, if no other component can be inside of it. All other loops are one
-// group.
+// Divides loops into groups whose insets do not depend on each other. A counter-clockwise loop is a
+// group of its own if no other component can be inside of it. All other loops are one group.
 std::vector<ArcLoops> groups_of(const std::vector<LineLoop>& loops) {
     std::map<std::size_t, LoopBox> boxes;
     for (const LineLoop& loop : loops) {

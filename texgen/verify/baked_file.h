@@ -12,16 +12,17 @@
 
 namespace foam::texgen {
 
+/// The picture in a file; null if the file is unreadable or its pixels have another hash.
 using DecodedFile = std::shared_ptr<const Picture>;
 
-/// Returns the picture in a file if its pixels have the hash in the manifest. Otherwise adds a
-/// problem and returns null. `folder` is the folder of the manifest.
+/// Returns the picture in a file if its pixels have the hash in the manifest. Otherwise adds a line
+/// to `problems` and returns null. `folder` is the folder of the manifest.
 DecodedFile read_baked(const ManifestFile& file,
                        const std::filesystem::path& folder,
                        std::vector<std::string>& problems);
 
-/// Returns true if a vector file has the content whose hash is in the manifest. Otherwise adds a
-/// problem.
+/// Returns true if the content of a vector file has the hash in the manifest. Otherwise adds a line
+/// to `problems` and returns false. `folder` is the folder of the manifest.
 bool is_same_vector(const ManifestFile& file,
                     const std::filesystem::path& folder,
                     std::vector<std::string>& problems);

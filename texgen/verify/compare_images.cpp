@@ -47,8 +47,8 @@ bool is_map_of_colors(std::string_view map) {
 }
 
 // Converts the colors of a picture to other primaries. `map` is the map of a picture without
-// layers; if it is empty, the picture may be one of colors. The name of a layer is the name of its
-// map.
+// layers. If `map` is empty, the channels R, G and B of such a picture count as colors. The name of
+// a layer is the name of its map.
 void change_primaries(Picture& picture, std::string_view map, Primaries to) {
     const Primaries from = picture.metadata.primaries;
     for (const PictureChannel& channel : channels_of(picture)) {

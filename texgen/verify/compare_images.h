@@ -33,7 +33,7 @@ struct ComparedImage {
     ImagePair pair;       // `map` below is used instead of pair.map
     std::string map{};    // empty if it is not known
     std::string layer{};  // empty if the images have no layers
-    /// Failure if one of the images is missing; Unreadable if one could not be read.
+    /// Failure if ImagePair::presence is not Both; Unreadable if an image could not be read.
     Verdict verdict = Verdict::Same;
     Comparison found{};   // has its defaults unless both images were read and have the same layout
     std::string error{};  // why an image is unreadable, with its name

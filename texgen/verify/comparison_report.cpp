@@ -70,7 +70,7 @@ std::string differences_of(const Comparison& found) {
     return text;
 }
 
-// Returns the members of the JSON object of a comparison that concern pixels.
+// Returns the members of the JSON object of an image that come from the comparison of its pixels.
 Json numbers_of(const Comparison& found) {
     return {{"largest", number_or_null(found.largest)},
             {"mean", number_or_null(found.mean)},

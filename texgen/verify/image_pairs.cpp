@@ -67,7 +67,8 @@ void check_exists(const std::string& name, const std::string& a, const std::stri
     }
 }
 
-// Returns the common kind of A and B. Throws if their kinds differ.
+// Returns the common kind of A and B. If their kinds differ, throws InputError if one of them does
+// not exist (check_exists), otherwise std::invalid_argument.
 Kind common_kind(const std::string& a, const std::string& b) {
     const Kind kind = kind_of(a);
     const Kind other = kind_of(b);

@@ -42,8 +42,9 @@ struct ImagePair {
 /// Throws std::invalid_argument if a pattern or `frames` is malformed, if several frames would
 /// share a file, or if `a` and `b` are of different kinds. However, throws InputError if they are
 /// of different kinds and one of them is not a pattern and does not exist. Also throws InputError
-/// if a manifest is unreadable, or if neither A nor B contains an image. An image file that does
-/// not exist is not an error here.
+/// if a manifest is unreadable, or if neither A nor B contains an image, and
+/// std::filesystem::filesystem_error if a folder cannot be read. An image file that does not exist
+/// is not an error here.
 std::vector<ImagePair> image_pairs(const std::string& a,
                                    const std::string& b,
                                    const std::optional<std::string>& frames);

@@ -31,7 +31,7 @@ bool is_warning_key(const KeyInfo& key);
 /// Returns true if the key applies only to pictures of normals.
 bool is_angle_key(const KeyInfo& key);
 
-/// Returns the option of the command line for a key: "--fail-rms" for fail_rms.
+/// Returns the name of the option of the command line for a key: "--fail-rms" for fail_rms.
 std::string option_name(const KeyInfo& key);
 
 /// Returns an argument of the command line as a value: an integer if the whole text is an integer,

@@ -55,8 +55,8 @@ struct VerifiedMap {
 struct VerifiedSet {
     BakedSet set;
     int files_same = 0;  // number of files that have the hash in the manifest
-    // One line for each bad file (an image or a scene file), one for each group of maps that lack
-    // the same frames, and one for each seam whose ratio is above its limit.
+    // One line for each bad file (an image, a vector file or a scene file), one for each group of
+    // maps that lack the same frames, and one for each seam whose ratio is above its limit.
     std::vector<std::string> problems;
     std::vector<VerifiedMap> maps;  // maps of which at least one file has the recorded pixels
 
@@ -72,8 +72,8 @@ struct VerifyOptions {
 
 /// The result of checking a folder.
 struct Verification {
-    std::filesystem::path folder;
-    std::vector<VerifiedSet> sets;
+    std::filesystem::path folder;   // folder of the manifest
+    std::vector<VerifiedSet> sets;  // the sets that were checked
     // Names (name_of) of the selected sets (VerifyOptions::choice) that were not checked, since a
     // newer set of the same preset is selected, too.
     std::vector<std::string> unchecked = {};
@@ -83,12 +83,13 @@ struct Verification {
 };
 
 /// Checks the images of a folder against its manifest. Every file must exist, and its pixels must
-/// have the hash in the manifest. The content of every vector file and scene file must have its
-/// hash, too. The ratios of the seams (Seam::ratio) of frames that tile and of loops must not
-/// exceed their limits. A loop is checked only if its period is at least kShortestLoop frames and
-/// all frames from 1 to its period have the recorded pixels; later frames are ignored. `path` is
-/// the folder or the manifest in it. Throws InputError if the manifest has sets, but the choice
-/// selects none; all other problems are part of the result. `on_progress` receives the phase Files.
+/// have the hash in the manifest. The content of every vector file and scene file must have the
+/// hash in the manifest, too. The ratios of the seams (Seam::ratio) of frames that tile and of
+/// loops must not exceed their limits. A loop is checked only if its period is at least
+/// kShortestLoop frames and all frames from 1 to its period have the recorded pixels; later frames
+/// are ignored. `path` is the folder or the manifest in it. Throws InputError if the manifest has
+/// sets, but the choice selects none; all other problems are part of the result. `on_progress`
+/// receives the phase Files.
 Verification verify(const Manifest& manifest,
                     const std::filesystem::path& path,
                     const VerifyOptions& options,

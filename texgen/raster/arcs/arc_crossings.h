@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// Returns x rounded to the nearest integer; ties are rounded up. Precondition: |x| < 2^30.
+/// Returns x rounded to the nearest integer; ties are rounded up. Precondition: |x| <= 2^30 - 1.
 inline std::int32_t rounded(double x) {
     constexpr std::int32_t kBias = 1 << 30;  // makes the sum positive, so that truncation is floor
     return static_cast<std::int32_t>(x + (kBias + 0.5)) - kBias;

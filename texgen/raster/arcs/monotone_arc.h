@@ -45,8 +45,8 @@ inline std::uint32_t arc_side(BubbleId bubble) {
 }
 
 /// A rising arc that is monotone in x and in y, between two bubbles or between a bubble and a film.
-/// Coordinates are in subpixels, on a torus those of the unshifted grid. The arc may be outside of
-/// the image.
+/// Coordinates are in subpixels; on a torus, they refer to the unshifted grid. The arc may be
+/// outside of the image.
 struct MonotoneArc {
     SubpixelPoint low;
     SubpixelPoint high;
@@ -94,7 +94,8 @@ void append_piece(SubpixelPoint tail,
                   std::vector<MonotoneArc>& to);
 
 /// Returns twice the area within a closed chain of arcs around one bubble, in square subpixels.
-/// `bubble` is the arc_side() of this bubble. The result is negative if the chain is clockwise.
+/// `bubble` is the arc_side() of this bubble. The result is negative if the chain, traversed with
+/// the bubble on its left, is clockwise.
 double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
 
 /// The recommended number of bubbles per task of make_arcs.

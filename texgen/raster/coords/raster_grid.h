@@ -10,8 +10,8 @@
 
 namespace foam::texgen {
 
-/// The part of the plane that an image shows. Its width and height in foam units are those of the
-/// image in pixels, divided by pixels_per_unit.
+/// The part of the plane that an image shows. Its width and height in foam units are the width and
+/// height of the image in pixels, divided by pixels_per_unit.
 struct View {
     Vec2 center{0.0, 0.0};  // the point in the middle of the image, in foam units
     double pixels_per_unit = 1.0;
@@ -83,7 +83,7 @@ inline Vec2 pixel_in_view(const RasterGrid& grid, const Vec2& position) {
 }
 
 /// Returns the shear of a torus in subpixels: the displacement, to the right, of each row of copies
-/// of the torus relative to the row below it.
+/// of the torus relative to the row below it. Precondition: the domain is a torus.
 std::int32_t shear_in_subpixels(const RasterGrid& grid, const Domain& domain);
 
 }  // namespace foam::texgen

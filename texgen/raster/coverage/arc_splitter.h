@@ -60,7 +60,7 @@ class ArcSplitter {
 
   private:
     // An arc whose upper end is on the left of its lower end is mirrored in x, so that all arcs go
-    // to the right. `low`, `high`, `leftmost` and `rightmost` are not mirrored.
+    // to the right. `low`, `high`, `leftmost`, `rightmost` and `half_curvature` are not mirrored.
     struct Arc {
         SubpixelPoint low;
         SubpixelPoint high;
@@ -71,7 +71,7 @@ class ArcSplitter {
         std::int32_t border = 0;  // x of the first border between columns that the arc crosses
         std::int32_t leftmost = 0;
         std::int32_t rightmost = -1;
-        float half_curvature = 0.0F;
+        float half_curvature = 0.0F;  // per subpixel; positive if the arc turns left
         std::size_t first_part = 0;
         std::size_t parts = 0;
     };
@@ -97,7 +97,7 @@ class ArcSplitter {
     // borders between rows that the arc crosses before border k; it is 0 if the arc crosses no
     // border between rows between the borders k - 1 and k.
     std::vector<std::int32_t> rows_crossed_;
-    // The start of each part of each arc, and the end of the last part of each arc. The x of a
+    // The start of each part of each arc, and the end of the last part of each arc. The points of a
     // mirrored arc are mirrored.
     std::vector<std::int32_t> point_x_;
     std::vector<std::int32_t> point_y_;

@@ -57,17 +57,18 @@ enum class RowKind { Ring, Line };
 /// part of the arc (ArcSplitter::Part), this is the area between the part and the right border of
 /// the pixel. In each pixel further right, it is the height of the part times the width of a pixel.
 /// The band stores the parts of each row in a list. When the row is taken, its parts are added to
-/// cells, one per pixel: a cell is the difference between the sum of its pixel and that of the
+/// cells, one per pixel: a cell is the difference between the sum of its pixel and the sum of the
 /// pixel before it. A part adds the area on its right to the cell of its pixel, and the rest of its
 /// full contribution to the next cell. A running sum along the row converts cells to sums of
 /// pixels.
 ///
 /// On a torus, an arc outside of the image is added at its wrapped column. The sums would be right
 /// if all arcs of an outline were in the same period, because their signed heights then cancel in
-/// every row. Wrapping an arc from k periods further right adds k times its full contribution
-/// (height times pixel width times change of values) too much to every pixel of its rows. This
-/// amount is subtracted at the start of each of these rows. In the plane, an arc to the left of the
-/// image adds its full contribution to all pixels of its rows; an arc to the right adds nothing.
+/// every row. If an arc is k periods to the right of the image, adding it at its wrapped column
+/// adds k times its full contribution (height times pixel width times change of values) too much to
+/// every pixel of its rows. This amount is subtracted at the start of each of these rows. In the
+/// plane, an arc to the left of the image adds its full contribution to all pixels of its rows; an
+/// arc to the right adds nothing.
 template <std::size_t Channels>
 class Coverage {
   public:
@@ -76,9 +77,10 @@ class Coverage {
     /// The change of values from the left of an arc to its right.
     struct Step {
         Sums across{};  // value on the right minus value on the left
-        // Corrects the starts of rows for an arc whose unwrapped outlines are beyond the border of
-        // the torus, with a k for each side (ArcSides): the value on the right times right_periods
-        // minus the value on the left times left_periods.
+        // The correction at the start of rows for an arc that is some periods further right in the
+        // unwrapped outline of one of its bubbles (ArcSides): the value on the right times
+        // right_periods, minus the value on the left times left_periods. Each part of the arc
+        // subtracts it, times ArcSplitter::Part::twice_area, from the start of its row.
         Sums period_correction{};
         bool wraps = false;  // if false, `period_correction` is 0
     };

@@ -15,7 +15,8 @@ namespace foam::texgen {
 static_assert(std::endian::native == std::endian::little,
               "the first sample of a pixel is in the lowest bits of a word");
 
-/// The 16-bit samples of a pixel in one word, the first sample in the lowest bits.
+/// The 16-bit samples of a pixel. std::bit_cast converts them to one word of 64 bits, with the
+/// first sample in the lowest bits. Unused samples are 0.
 using PackedPixel = std::array<std::uint16_t, 4>;
 
 /// Converts the sums of a pixel to the means of the values (mean_of).
@@ -74,9 +75,10 @@ template <std::size_t PixelBytes>
     }
 }
 
-/// Writes the pixels [begin, end) of a row. A pixel consists of the lowest PixelBytes (2, 4, 6 or
-/// 8) bytes of `pixel`, which are written from the lowest to the highest. The other bytes of
-/// `pixel` must be 0. Writes whole blocks, up to kBlockBytes beyond the end of the span. If the
+/// Writes the pixels [begin, end) of a row. `row` points to the first pixel of the row. A pixel
+/// consists of the lowest PixelBytes (2, 4, 6 or 8) bytes of `pixel`, which are written from the
+/// lowest to the highest. The other bytes of `pixel` must be 0. Writes whole blocks, up to
+/// kBlockBytes beyond the end of the span. Precondition: there is memory for these bytes. If the
 /// spans of a row are written from left to right, each span overwrites the bytes that the span
 /// before it wrote beyond its end. Most spans are shorter than a block.
 template <std::size_t PixelBytes>

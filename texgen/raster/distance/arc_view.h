@@ -11,10 +11,10 @@
 
 namespace foam::texgen {
 
-/// Computes the functions of arcs (ArcFunctions and FilmFunctions), each by its value, slope and
-/// curvature at one point. PixelBatch uses them to compute the distances between the arcs and the
-/// pixels near this point. Also computes lower bounds of the distances between the arcs and the
-/// point itself. Positions and distances are in pixels.
+/// Computes the functions of arcs (ArcFunctions and FilmFunctions). Each function is stored as its
+/// value, gradient and curvature at one point. PixelBatch uses the functions to compute the
+/// distances between the arcs and the pixels near this point. Also computes lower bounds of the
+/// distances between the arcs and the point itself. Positions and distances are in pixels.
 class ArcView {
   public:
     /// Computes the functions and bounds of all arcs at a point. The other members refer to this
@@ -44,9 +44,10 @@ class ArcView {
     };
     // The results for eight arcs.
     struct alignas(64) Block {
-        FloatLanes twice_value, slope_x, slope_y, curvature;               // ArcFunctions::across
-        FloatLanes tail, tail_x, tail_y, head, head_x, head_y;             // past_tail, before_head
-        FloatLanes twice_along, along_x, along_y, along_curvature, chord;  // FilmFunctions::along
+        FloatLanes twice_value, slope_x, slope_y, curvature;        // ArcFunctions::across
+        FloatLanes tail, tail_x, tail_y, head, head_x, head_y;      // past_tail, before_head
+        FloatLanes twice_along, along_x, along_y, along_curvature;  // FilmFunctions::along
+        FloatLanes chord;                                           // FilmFunctions::chord
         Lanes lower_bound;  // a lower bound of the distance of the point from the arc
         Lanes facing;       // the distance, or infinity if the point does not face the arc
     };

@@ -13,7 +13,8 @@ namespace foam::texgen {
 
 /// Returns the regions of a frame in the plane that may be visible on a grid with a view: first the
 /// surroundings of the foam, then the bubbles, then the lone bubbles, each in the order of their
-/// indices. The boxes of the regions are clipped to the image.
+/// indices. The boxes of the regions are clipped to the image. Throws std::invalid_argument if the
+/// grid is too large or empty, or if it does not fit the domain (pixels_per_unit).
 std::vector<Region> patch_regions(const Frame& frame, const RasterGrid& grid, int threads);
 
 /// Appends the inner points of a chain of straight edges that approximates an arc. `tail` is the

@@ -86,6 +86,8 @@ class PixelBatch {
     /// Precondition: measure() has computed gradients.
     void measure_smooth(std::span<const FilmFunctions> films);
 
+    /// Return the results of measure() and measure_smooth(), one value per pixel. Span::first is
+    /// the index of the first pixel of a span. Elements after the last pixel are meaningless.
     const Values& distance() const { return distance_; }
     const Values& gradient_x() const { return gradient_x_; }
     const Values& gradient_y() const { return gradient_y_; }

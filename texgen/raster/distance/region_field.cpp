@@ -152,8 +152,8 @@ void RegionField::measure_distances(Arcs arcs, double reach) {
 
 // Measures the smooth distances of the batch. For the region of the ghost
 // (RegionKind::Surroundings), no films are passed to the batch, so that the smooth distances of its
-// pixels equal their distances. For a circle, only one of its two arcs is passed, since its
-// function `across` is 0 on the whole circle.
+// pixels equal their distances. For a circle, only one of its two arcs is passed, because the
+// function `across` of either arc is 0 on the whole circle.
 void RegionField::measure_smooth(double reach) {
     const bool is_circle = region_->kind == RegionKind::Circle;
     Arcs films = region_->boundary.films();

@@ -29,6 +29,8 @@ class TorusRegions {
         Vec2 tail{0.0, 0.0};     // the same point without rounding, in pixels
     };
 
+    /// Throws std::invalid_argument if the grid is too large or empty, or if it does not fit the
+    /// domain (pixels_per_unit).
     TorusRegions(const Frame& frame, const RasterGrid& grid, int threads);
 
     /// Returns the starts of the bubbles that begin in the pixel rows [first, first + rows).

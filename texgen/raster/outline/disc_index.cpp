@@ -22,7 +22,7 @@ using TreePoint = bg::model::point<double, 2, bg::cs::cartesian>;
 using TreeBox = bg::model::box<TreePoint>;
 using TreeEntry = std::pair<TreeBox, std::size_t>;
 
-// Returns a box around a disc. It is enlarged by more than rounding errors.
+// Returns a box around a disc, with a margin that is larger than the rounding errors.
 TreeBox box_around(const Disc& disc) {
     constexpr double kRounding = 1e-12;
     const double reach =

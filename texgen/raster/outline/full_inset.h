@@ -12,10 +12,11 @@ namespace foam::texgen {
 
 /// The smallest length of a piece of an offset, in pixels: the difference of the parameters
 /// (OffsetArc) of its ends. InsetTracer (inset.h) drops shorter pieces; FullInset (below) returns
-/// null for a loop with such a piece. The test of distances is not reliable for a short piece. The
-/// middle of the piece is close to the offset that cuts the piece. If this middle is too near to
-/// the side of that offset, it may be too near by less than the tolerance of the test (1e-7
-/// pixels), so that the test does not detect it.
+/// null for a loop with such a piece. The reason is the test by which InsetTracer decides whether
+/// to keep a piece: the middle of the piece must have the required distance from all other sides,
+/// with a tolerance of 1e-7 pixels. The middle of a short piece is close to the offset that cuts
+/// the piece. If the middle is too near to the side of that offset, its distance may fall short by
+/// less than the tolerance, so that the test does not detect it.
 inline constexpr double kShortestPiece = 1e-6;
 
 /// Finds the inset of a loop (inset.h) if its boundary provably consists of one piece of the offset

@@ -19,9 +19,9 @@ namespace foam::texgen {
 /// crossings with all other offsets. A piece between two cuts belongs to the boundary of the inset
 /// if and only if its middle has at least the given distance from all other sides. FullInset
 /// (full_inset.h) finds the insets of most loops faster; where it finds one, its result has the
-/// same bits as the result of this class. Buffers are reused between regions. Takes time in
-/// proportion to n log n for n sides, if only a bounded number of them is near each side, and n²
-/// otherwise.
+/// same bits as the result of this class. Buffers are reused between regions. For n sides, takes
+/// time in proportion to n log n if only a bounded number of sides is near each side, and at most
+/// n³ otherwise.
 class InsetTracer {
   public:
     /// Returns the boundary loops of the inset of a region. Both the region and the inset are on

@@ -64,12 +64,12 @@ class PatchArcs {
         }
     }
 
-    // Appends the inset of each loop by itself. The loops of the ghost bubble include the rims of
-    // rafts. If rafts overlap, the boundary of the inset of all loops does not close. If a raft
-    // overlaps itself, the inset of its rim alone does not close either. A loop of the ghost bubble
-    // whose own inset does not close is appended without an inset; as a result, the outer halves of
-    // its films are missing. Such a loop of any other bubble is left out. `region` is `boundaries`
-    // relative to the tail of its first side.
+    // Appends the inset of each loop by itself. The loops of the ghost bubble include the rims
+    // (outer boundaries) of rafts. If rafts overlap, the boundary of the inset of all loops does
+    // not close. If a raft overlaps itself, the boundary of the inset of its rim alone does not
+    // close either. A loop of the ghost bubble whose own inset does not close is appended without
+    // an inset; as a result, the outer halves of its films are missing. Such a loop of any other
+    // bubble is left out. `region` is `boundaries` relative to the tail of its first side.
     void append_each(const ArcLoops& boundaries,
                      const ArcLoops& region,
                      BubbleId bubble,
@@ -92,8 +92,8 @@ class PatchArcs {
         }
     }
 
-    // Appends the arcs of a loop, moved by `anchor`, unless it cannot be visible, or is the
-    // clockwise or empty loop of an invalid bubble.
+    // Appends the arcs of a loop, moved by `anchor`. Leaves out a loop that cannot be visible, and
+    // the clockwise or empty loop of an invalid bubble.
     void append_loop(std::span<const ArcLoops::Side> sides,
                      const Vec2& anchor,
                      BubbleId bubble,

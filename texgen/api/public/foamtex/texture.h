@@ -36,8 +36,8 @@ FOAMTEX_EXPORT std::string key_schema();
 struct MapInfo {
     std::string name;      ///< such as "height"
     std::string meaning;   ///< in a few words
-    std::string unit;      ///< of the numbers
-    std::string channels;  ///< such as "R G B"
+    std::string unit;      ///< unit or range of the samples in words, such as "0 to 1"
+    std::string channels;  ///< names of the channels, such as "R G B"
 };
 
 /// Returns all maps.
@@ -62,7 +62,8 @@ class FOAMTEX_EXPORT Preset {
     /// Loads a shipped preset, such as "sea_foam", or a preset file, whose path ends in .toml or
     /// contains a '/'. Then sets keys as `foamtex bake --set` does: `values` maps a key, such as
     /// "foam.bubbles", to its value as TOML, in which words need no quotes. Throws ArgumentError
-    /// for an unknown preset or key, or for a value that is not allowed.
+    /// for an unknown preset or key, for a preset file that is unreadable or invalid, or for a
+    /// value that is not allowed.
     explicit Preset(const std::string& name_or_path,
                     const std::map<std::string, std::string>& values = {});
 
@@ -92,14 +93,16 @@ class FOAMTEX_EXPORT Preset {
 
     /// Returns the seeded foam: a raw Voronoi diagram (Foam::torus, Foam::disk). The animation
     /// starts from it, unless the program stores a start of the loop, as for some shipped presets.
+    /// Throws ArgumentError if no valid foam can be seeded.
     Foam seeded_foam() const;
 
-    /// Fits the automatic ranges of maps, such as height.full = "auto", to the whole animation, as
-    /// `foamtex bake` does. Only integer samples (Frame::draw) need this. Throws EquilibriumError
-    /// if the animation fails. `threads`: 0 for all threads of the machine.
+    /// Fits automatic ranges, such as height.full = "auto", to the whole animation, as
+    /// `foamtex bake` does. Fits the ranges of the maps in image.maps and output.pack. Only integer
+    /// samples (Frame::draw) need this. Throws EquilibriumError if the animation fails. Throws
+    /// ArgumentError if no valid foam can be seeded. `threads`: 0 for all threads of the machine.
     void fit_ranges(int threads = 0);
 
-    struct State;  ///< of the library
+    struct State;  ///< internal to the library
 
     /// Returns the state, for other classes of the library.
     const State& state() const { return *state_; }
@@ -136,8 +139,8 @@ class FOAMTEX_EXPORT Frame {
     /// Draws a map into a caller's buffer: the rows from top to bottom, with interleaved channels.
     /// Numbers are in the unit of the map; colors are linear light from 0 to 1, multiplied by the
     /// opacity if there is one. Throws ArgumentError for an unknown map, if the size of the buffer
-    /// is not that of shape(map), or if the map needs the next frame but is not one of the preset's
-    /// own maps (Preset::maps). `threads`: 0 for all threads of the machine.
+    /// is not that of shape(map), or if the map needs the next frame, as "motion" and "growth" do,
+    /// but no map in image.maps or output.pack does. `threads`: 0 for all threads of the machine.
     void draw(const std::string& map, std::span<float> samples, int threads = 1) const;
 
     /// Draws a map as integers of 8 bits. If PNGs of the map have 8 bits, the integers are exactly
@@ -149,7 +152,7 @@ class FOAMTEX_EXPORT Frame {
     /// for a map of colors.
     void draw(const std::string& map, std::span<std::uint16_t> samples, int threads = 1) const;
 
-    struct State;  ///< of the library
+    struct State;  ///< internal to the library
 
     /// Makes a frame; only the library can.
     explicit Frame(std::shared_ptr<const State> state) : state_(std::move(state)) {}
@@ -166,7 +169,8 @@ class FOAMTEX_EXPORT Simulation {
   public:
     /// Starts the simulation. `frames` are the numbers of the frames that are wanted, such as
     /// "1-48" or "1-10x3,20" (the notation of `foamtex bake --frames`); all frames if it is empty.
-    /// Throws ArgumentError. `threads`: 0 for all threads of the machine; no result depends on it.
+    /// Throws ArgumentError if `frames` or `threads` is not allowed. `threads`: 0 for all threads
+    /// of the machine; no result depends on it.
     explicit Simulation(const Preset& preset, const std::string& frames = {}, int threads = 0);
     Simulation(Simulation&& other) noexcept;             ///< Moves.
     Simulation& operator=(Simulation&& other) noexcept;  ///< Moves.
@@ -175,8 +179,9 @@ class FOAMTEX_EXPORT Simulation {
 
     /// Waits for the next frame and returns it; nothing after the last one. Frames come in
     /// increasing order, except in a loop of the kind pingpong. Throws EquilibriumError if the foam
-    /// finds no equilibrium or the loop does not close. While it waits, calls `poll` ten times per
-    /// second, if there is one; an exception of `poll` ends the wait.
+    /// finds no equilibrium or the loop does not close, and ArgumentError if no valid foam can be
+    /// seeded. While it waits, calls `poll` ten times per second, if there is one; an exception of
+    /// `poll` ends the wait.
     std::optional<Frame> next(const std::function<void()>& poll = {});
 
   private:
@@ -197,14 +202,19 @@ struct BakeSettings {
     std::string frames{};  ///< such as "1-48"; empty for the whole animation
     int threads = 0;       ///< 0: all threads of the machine
     bool resume = false;   ///< keeps frames that an earlier bake of the same preset has written
-    /// Called now and then, by one thread at a time; an exception ends the bake.
+    /// Called now and then, by one thread at a time. An exception ends the bake;
+    /// std::invalid_argument and std::system_error arrive as ArgumentError and OutputError.
     std::function<void(const Progress&)> on_progress{};
 };
 
 /// Writes the images of a preset, and what else `foamtex bake` writes: the manifest, sheets and
-/// scene files. `out` is a folder, or a pattern of file names such as "out/{map}.####.exr". Returns
-/// the names of all images. Throws ArgumentError, OutputError, and EquilibriumError if the
-/// animation fails; the frames before the failure have been written then.
+/// scene files. `out` is a folder, or a pattern of file names such as "out/{map}.####.exr". It is a
+/// pattern if it has an extension or contains `{`, `#`, `@` or `%`, unless it is an existing
+/// folder. In a folder, files have the names of the preset's own pattern (output.pattern), without
+/// its folders. Returns the names of all images. Throws ArgumentError if an argument is not
+/// allowed, InputError if an existing manifest is unreadable, OutputError if a file cannot be
+/// written, and EquilibriumError if the animation fails; the frames before the failure have been
+/// written then.
 FOAMTEX_EXPORT std::vector<std::string> bake(const Preset& preset,
                                              const std::string& out,
                                              const BakeSettings& settings = {});
@@ -231,13 +241,15 @@ struct Difference {
     std::string channel{};   ///< of the largest difference; empty if all samples are equal
     int x = 0;               ///< column of the largest difference
     int y = 0;               ///< row of the largest difference, from the top
-    std::vector<std::string> reasons{};  ///< the limits that are exceeded, in words
+    /// The limits that are exceeded, in words; if same_shape is false, a sentence that says so.
+    std::vector<std::string> reasons{};
 };
 
-/// Compares two image files, such as a golden image and a new one. If `picture` is not empty,
-/// writes a PNG of the differences with this name, unless the images differ in size or channels.
-/// Throws ArgumentError if a limit is not allowed, InputError if an image is unreadable, and
-/// OutputError.
+/// Compares two image files, such as a golden image and a new one. Returns one element per layer,
+/// or a single element if the images have no layers or differ in size or channels. If `picture` is
+/// not empty, writes a PNG of the differences with this name, unless the images differ in size or
+/// channels. Throws ArgumentError if a limit is not allowed, InputError if an image is unreadable,
+/// and OutputError if the PNG cannot be written.
 FOAMTEX_EXPORT std::vector<Difference> compare(const std::string& a,
                                                const std::string& b,
                                                const Limits& limits = {},
