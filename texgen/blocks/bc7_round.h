@@ -70,8 +70,9 @@ FOAM_INLINE typename Simd::Floats code_of(const typename Simd::Floats& value,
 }
 
 /// Rounds both endpoints of a channel to values of the format with given lowest bits: of the values
-/// below and above each of them, the pair with the smallest squared error. Returns this error,
-/// apart from a constant. Precondition: the line has the smallest squared error of all lines.
+/// below and above each of them, the pair with the smallest squared error. If the error does not
+/// depend on an endpoint, its nearest value is used. Returns the error, apart from a constant.
+/// Precondition: the line has the smallest squared error of all lines.
 template <class Format, class Simd>
 FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
                                                 const LineOf<Simd, Format::kChannels>& line,
@@ -83,11 +84,13 @@ FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
     Array<Array<Floats, 2>, 2> values;
     Array<Array<Floats, 2>, 2> differences;
     for (std::size_t end = 0; end < 2; ++end) {
-        const Ints below =
-            Simd::whole(code_of<Format, Simd>(line[end][c], lowest[end], Format::kLargestCode - 1));
-        for (int above = 0; above < 2; ++above) {
-            const auto k = static_cast<std::size_t>(above);
-            values[end][k] = value_of<Format, Simd>(below + Ints(above), lowest[end]);
+        const Floats code =
+            code_of<Format, Simd>(line[end][c], lowest[end], Format::kLargestCode - 0.5F);
+        const Ints below = Simd::whole(code);
+        const Ints nearest = Simd::whole(code + Floats(0.5F));
+        const Array<Ints, 2> codes = {nearest, below + below + Ints(1) - nearest};
+        for (std::size_t k = 0; k < 2; ++k) {
+            values[end][k] = value_of<Format, Simd>(codes[k], lowest[end]);
             differences[end][k] = values[end][k] - line[end][c];
         }
     }

@@ -74,6 +74,33 @@ TEST(Bc7Encode, OpaqueBlocksStayOpaque) {
     }
 }
 
+// Red takes only values that mode 5 stores exactly with indices of its own, so alpha takes its
+// place beside green and blue. These first have the same endpoints, so that all indices are 0 and
+// the second endpoint does not count.
+TEST(Bc7Encode, AlphaStays255IfOneEndpointDoesNotCount) {
+    const TexelBlock block = {{{255, 143, 193, 255},
+                               {0, 143, 194, 255},
+                               {255, 141, 193, 255},
+                               {255, 143, 193, 255},
+                               {255, 143, 194, 255},
+                               {85, 142, 193, 255},
+                               {255, 143, 193, 255},
+                               {0, 142, 194, 255},
+                               {0, 142, 194, 255},
+                               {85, 142, 192, 255},
+                               {170, 142, 194, 255},
+                               {0, 143, 193, 255},
+                               {0, 142, 192, 255},
+                               {255, 142, 194, 255},
+                               {0, 143, 192, 255},
+                               {0, 143, 193, 255}}};
+    const Bc7Block bytes = encoded(block);
+    EXPECT_EQ(bytes[0] & 0x3f, 1 << 5);
+    for (const std::array<std::uint8_t, 4>& texel : decode_bc7(bytes)) {
+        EXPECT_EQ(texel[3], 255);
+    }
+}
+
 // A vertical edge between two gradients of different hues is a partition of the modes 1 and 3. One
 // line between two colors would be far from most of these colors.
 TEST(Bc7Encode, TwoGradientsUseTwoSubsets) {
