@@ -237,9 +237,9 @@ PixelFormat pixel_format_of(const Picture& picture, const GpuEncoding& encoding)
     const ChannelGroup& group = picture.groups.front();
     const int channels = group.channels();
     if (group.type == SampleType::Uint16) {
-        return channels == 1                 ? PixelFormat::R16
-               : encoding.used_channels == 2 ? PixelFormat::Rg16
-                                             : PixelFormat::Rgba16;
+        return channels == 1                                  ? PixelFormat::R16
+               : channels == 3 && encoding.used_channels == 2 ? PixelFormat::Rg16
+                                                              : PixelFormat::Rgba16;
     }
     const bool color = picture.metadata.color;
     const bool has_whole_blocks =

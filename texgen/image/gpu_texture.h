@@ -30,8 +30,8 @@ struct GpuEncoding {
     bool mip_levels = true;  // if false, only the full size is stored
     TexelMeaning meaning = TexelMeaning::Numbers;
     /// The number of channels that contain data. Pictures of two channels are stored with a third
-    /// channel of zeros, which a texture does not need. 0 if all channels contain data. Must not be
-    /// 2 for a picture of four channels of 16 bits.
+    /// channel of zeros, which a texture does not need. 0 if all channels contain data. All
+    /// channels of a picture of four channels are stored.
     int used_channels = 0;
     /// The number of threads that compress, as for thread_count (core/parallel/parallel_for.h). The
     /// bytes do not depend on it.

@@ -49,6 +49,8 @@ TEST(GpuTexture, TheFormatFollowsFromThePicture) {
     EXPECT_EQ(pixel_format_of(ramp<std::uint16_t>(4, 4, 3), {}), PixelFormat::Rgba16);
     EXPECT_EQ(pixel_format_of(ramp<std::uint16_t>(4, 4, 3), {.used_channels = 2}),
               PixelFormat::Rg16);
+    EXPECT_EQ(pixel_format_of(ramp<std::uint16_t>(4, 4, 4), {.used_channels = 2}),
+              PixelFormat::Rgba16);
 }
 
 TEST(GpuTexture, HasAllLevels) {
