@@ -141,6 +141,8 @@ GpuTexture decode_dds(std::span<const std::byte> content) {
     const std::uint32_t alpha = reader.number();
     const std::uint32_t levels = std::max(header[6], 1U);
     check_texture_size("DDS", header[3], header[2], levels, layers);
+    require_texture_memory(
+        reader.remaining(), static_cast<int>(header[3]), static_cast<int>(header[2]));
     GpuTexture texture{.format = *format,
                        .width = static_cast<int>(header[3]),
                        .height = static_cast<int>(header[2]),

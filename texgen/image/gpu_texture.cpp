@@ -6,6 +6,7 @@
 #include "texgen/blocks/bc4.h"
 #include "texgen/blocks/bc7.h"
 #include "texgen/image/byte_reader.h"
+#include "texgen/image/texture_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -277,6 +278,10 @@ GpuTexture texture_of(const Picture& picture, const GpuEncoding& encoding) {
 
 Picture picture_of(const GpuTexture& texture) {
     const PixelFormatFacts& facts = facts_of(texture.format);
+    const auto pixel_bytes = static_cast<std::uint64_t>(picture_channels(texture) * facts.bits / 8);
+    const auto row_bytes = pixel_bytes * static_cast<std::uint64_t>(texture.width);
+    require_texture_memory(
+        row_bytes * static_cast<std::uint64_t>(texture.height), texture.width, texture.height);
     Picture picture;
     picture.metadata.color = facts.is_srgb;
     picture.metadata.text = texture.text;

@@ -84,7 +84,8 @@ GpuTexture texture_of(const Picture& picture, const GpuEncoding& encoding);
 /// Returns the full size of the first layer of a texture as a picture. For a format of one channel
 /// it has one channel, and for a format of two channels it has three. For a format of four channels
 /// it has four, or three if the texture has no alpha (`opaque`). The third channel of Rg16 is 0.
-/// The channels of Bc5 are x, y and z of a unit vector, of which the texture stores x and y.
+/// The channels of Bc5 are x, y and z of a unit vector, of which the texture stores x and y. Throws
+/// OutOfMemory if the machine has too little memory for the picture.
 Picture picture_of(const GpuTexture& texture);
 
 }  // namespace foam::texgen

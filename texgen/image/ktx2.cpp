@@ -216,6 +216,7 @@ void read_level(std::span<const std::byte> packed,
     const unsigned long long claimed = ZSTD_getFrameContentSize(packed.data(), packed.size());
     check_ktx2(claimed == uncompressed && uncompressed / kLargestRatio <= packed.size(),
                "a mip level is not compressed as the index says");
+    require_texture_memory(2 * uncompressed, texture.width, texture.height);  // with the copies
     const Bytes bytes = decompressed(packed, static_cast<std::size_t>(uncompressed));
     for (std::size_t k = 0; k < texture.layers.size(); ++k) {
         const auto part = std::span(bytes).subspan(k * image, image);

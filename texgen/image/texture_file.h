@@ -15,7 +15,8 @@ namespace foam::texgen {
 struct TextureFormat {
     std::string_view suffix;  // end of its file names, such as ".dds"
     Bytes (*encode)(const GpuTexture& texture) = nullptr;
-    /// Throws InputError for a malformed file.
+    /// Throws InputError for a malformed file, and OutOfMemory if the machine has too little memory
+    /// for the texture.
     GpuTexture (*decode)(std::span<const std::byte> content) = nullptr;
 };
 

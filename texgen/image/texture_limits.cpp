@@ -4,6 +4,7 @@
 
 #include "core/files/file_io.h"
 #include "core/files/input_limits.h"
+#include "texgen/image/memory.h"
 #include "texgen/image/pixel_format.h"
 
 #include <fmt/core.h>
@@ -39,6 +40,10 @@ void check_texture_size(std::string_view format,
                                      layers,
                                      kMostLayers));
     }
+}
+
+void require_texture_memory(std::uint64_t bytes, int width, int height) {
+    require_memory(bytes, fmt::format("a texture of {} x {} pixels", width, height));
 }
 
 }  // namespace foam::texgen

@@ -20,4 +20,8 @@ void check_texture_size(std::string_view format,
                         std::uint32_t levels,
                         std::uint32_t layers);
 
+/// Throws OutOfMemory if the machine has too little memory for `bytes` bytes of a texture. Width
+/// and height are those of the texture for the message.
+void require_texture_memory(std::uint64_t bytes, int width, int height);
+
 }  // namespace foam::texgen

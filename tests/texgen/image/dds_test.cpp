@@ -2,7 +2,10 @@
 
 #include "texgen/image/dds.h"
 
+#include "tests/support/limited_address_space.h"
+#include "tests/support/sanitizers.h"
 #include "texgen/image/byte_reader.h"
+#include "texgen/image/memory.h"
 
 #include <gtest/gtest.h>
 
@@ -120,6 +123,21 @@ TEST(Dds, RejectsInvalidHeaders) {
                 << error.what();
         }
     }
+}
+
+// The images of 32 MiB are not copied if only 16 MiB of memory are left.
+TEST(Dds, ImagesBeyondTheMemoryAreRejected) {
+    if (foam::test::kMayHaveSanitizers) {
+        GTEST_SKIP() << "sanitizers need a large address space";
+    }
+    const std::size_t size = std::size_t{8192} * 4096;
+    const Bytes bytes = encode_dds({.format = PixelFormat::R8,
+                                    .width = 8192,
+                                    .height = 4096,
+                                    .layers = {{Bytes(size)}},
+                                    .text = {}});
+    const foam::test::LimitedAddressSpace limited(size / 2);
+    EXPECT_THROW(decode_dds(bytes), OutOfMemory);
 }
 
 }  // namespace

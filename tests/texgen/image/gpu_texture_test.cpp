@@ -2,7 +2,10 @@
 
 #include "texgen/image/gpu_texture.h"
 
+#include "tests/support/limited_address_space.h"
+#include "tests/support/sanitizers.h"
 #include "tests/texgen/pictures.h"
+#include "texgen/image/memory.h"
 
 #include <gtest/gtest.h>
 
@@ -114,6 +117,21 @@ TEST(GpuTexture, DoesNotDependOnThreads) {
     const Picture picture = ramp<std::uint8_t>(64, 64, 3, true);
     EXPECT_EQ(texture_of(picture, {.threads = 1}).layers,
               texture_of(picture, {.threads = 3}).layers);
+}
+
+// The blocks of 8192 x 4096 texels in BC4 have 16 MiB, and the picture has twice as many bytes.
+TEST(GpuTexture, APictureBeyondTheMemoryIsRejected) {
+    if (foam::test::kMayHaveSanitizers) {
+        GTEST_SKIP() << "sanitizers need a large address space";
+    }
+    const std::size_t size = image_bytes(PixelFormat::Bc4, 8192, 4096);
+    const GpuTexture texture{.format = PixelFormat::Bc4,
+                             .width = 8192,
+                             .height = 4096,
+                             .layers = {{Bytes(size)}},
+                             .text = {}};
+    const foam::test::LimitedAddressSpace limited(size);
+    EXPECT_THROW(picture_of(texture), OutOfMemory);
 }
 
 TEST(GpuTexture, RejectsOtherPictures) {

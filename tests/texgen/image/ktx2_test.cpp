@@ -2,7 +2,10 @@
 
 #include "texgen/image/ktx2.h"
 
+#include "tests/support/limited_address_space.h"
+#include "tests/support/sanitizers.h"
 #include "texgen/image/byte_reader.h"
+#include "texgen/image/memory.h"
 
 #include <gtest/gtest.h>
 
@@ -191,6 +194,21 @@ TEST(Ktx2, ALevelOfEqualBytesIsRead) {
     const Bytes bytes = encode_ktx2(texture);
     EXPECT_LT(bytes.size(), 8000U);
     EXPECT_EQ(decode_ktx2(bytes).layers, texture.layers);
+}
+
+// A level of 32 MiB is not decompressed if only 16 MiB of memory are left.
+TEST(Ktx2, ALevelBeyondTheMemoryIsRejected) {
+    if (foam::test::kMayHaveSanitizers) {
+        GTEST_SKIP() << "sanitizers need a large address space";
+    }
+    const std::size_t size = std::size_t{8192} * 4096;
+    const Bytes bytes = encode_ktx2({.format = PixelFormat::R8,
+                                     .width = 8192,
+                                     .height = 4096,
+                                     .layers = {{Bytes(size)}},
+                                     .text = {}});
+    const foam::test::LimitedAddressSpace limited(size / 2);
+    EXPECT_THROW(decode_ktx2(bytes), OutOfMemory);
 }
 
 }  // namespace

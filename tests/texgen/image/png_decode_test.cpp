@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "tests/support/limited_address_space.h"
 #include "tests/support/sample_foams.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
@@ -10,7 +11,6 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstring>
@@ -92,17 +92,13 @@ TEST(PngDecode, AChunkLongerThanTheFileIsNotAllocated) {
     put(std::span(text), 0x7fffff00U);
     std::memcpy(&text[4], "tEXt", 4);
     stream.insert(stream.begin() + 33, text.begin(), text.end());
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
-    const rlimit smaller{rlim_t{1} << 30U, before.rlim_max};
-    ASSERT_EQ(setrlimit(RLIMIT_AS, &smaller), 0);
+    const foam::test::LimitedAddressSpace limited(rlim_t{1} << 30U);
     std::string message;
     try {
         decode_png(stream);
     } catch (const InputError& error) {
         message = error.what();
     }
-    setrlimit(RLIMIT_AS, &before);
     EXPECT_EQ(message, "malformed PNG: unexpected end of the data");
 }
 
