@@ -41,10 +41,13 @@ GpuTexture texture_in(const MapFile& file, const ManifestMap& map) {
         return format->decode(read_file(file.path, kImageInput));
     }
     const Picture picture = read_map_frame(file, map.name);
-    if (!picture.groups.front().has_codes()) {
-        throw InputError(fmt::format(
-            "'{}' stores floating-point numbers, but an array needs integers; bake PNG files",
-            file.path.string()));
+    const ChannelGroup& group = picture.groups.front();
+    if (!group.has_codes()) {
+        throw InputError(
+            fmt::format("'{}' stores samples of the type {}, but an array needs integers of 8 or "
+                        "16 bits; bake PNG files",
+                        file.path.string(),
+                        name_of(group.type)));
     }
     return texture_of(picture, encoding_of(map));
 }

@@ -123,8 +123,8 @@ std::string sheet_pattern(const Preset& preset) {
 
 // Returns the formats of files from which the sheets or arrays of a preset can be made, or nullptr
 // if the files that the preset writes have such a format.
-// Arrays need integers, which EXR files contain only for ids. Lossy files cannot become sheets,
-// because they would be compressed twice.
+// Arrays need integers of 8 or 16 bits, which EXR files do not contain. Lossy files cannot become
+// sheets, because they would be compressed twice.
 const char* files_needed(const Preset& preset) {
     const FilePattern pattern(preset);
     if (pattern.is_vector()) {
@@ -133,11 +133,7 @@ const char* files_needed(const Preset& preset) {
     if (array_suffix_of(preset.output.sheets).empty()) {
         return pattern.format().is_lossy ? "PNG or EXR files" : nullptr;
     }
-    const bool are_ids = std::ranges::all_of(drawn_images(preset), [](const DrawnImage& image) {
-        return image.traits().kind == MapKind::Id;
-    });
-    return pattern.format().samples == FormatSamples::Numbers && !are_ids ? "PNG or DDS files"
-                                                                          : nullptr;
+    return pattern.format().samples == FormatSamples::Numbers ? "PNG or DDS files" : nullptr;
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -80,9 +81,17 @@ TEST(ArrayFiles, TheJsonDescribesLayers) {
 
 TEST(ArrayFiles, NumbersAreRejected) {
     const TemporaryFolder folder;
-    const BakedSet set = baked(small_loop(folder.path(), ".exr"), {"height"});
-    EXPECT_THROW(write_flipbook(set, folder.path(), {.array_suffix = ".dds"}, folder.path()),
-                 InputError);
+    const BakedSet set = baked(small_loop(folder.path(), ".exr"), {"height", "id"});
+    for (const auto& [map, type] : {std::pair("height", "float"), std::pair("id", "uint32")}) {
+        try {
+            write_flipbook(
+                set, folder.path(), {.maps = {map}, .array_suffix = ".dds"}, folder.path());
+            ADD_FAILURE() << map;
+        } catch (const InputError& error) {
+            const std::string reason = "samples of the type " + std::string(type);
+            EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+        }
+    }
 }
 
 TEST(ArrayFiles, AnArrayHasNoGutter) {
