@@ -32,27 +32,30 @@ int rows_per_part(const PngRows& rows, Compression compression) {
 
 }  // namespace
 
-PngData::PngData(const PngRows& rows, const PngEncoding& encoding)
-    : rows_(rows), encoding_(encoding), rows_per_part_(rows_per_part(rows, encoding.compression)) {
+PngData::PngData(const PngRows& rows, const PngEncoding& encoding, std::size_t most_bytes)
+    : rows_(rows),
+      encoding_(encoding),
+      most_bytes_(most_bytes),
+      rows_per_part_(rows_per_part(rows, encoding.compression)) {
     const int count = (rows.height() + rows_per_part_ - 1) / rows_per_part_;
     const int batch_size = std::min(thread_count(encoding.threads), count);
-    chunks_.resize(static_cast<std::size_t>(batch_size));
-    parts_.resize(chunks_.size());
+    parts_.resize(static_cast<std::size_t>(batch_size));
 }
 
 std::span<const PngData::Chunk> PngData::next_chunks() {
     std::size_t count = 0;
-    while (count < chunks_.size() && first_row(count) < rows_.height()) {
+    while (count < parts_.size() && first_row(count) < rows_.height()) {
         ++count;
     }
     parallel_for(count, 1, encoding_.threads, [this](std::size_t k, std::size_t) {
         compress(parts_[k], first_row(k), first_row(k + 1));
     });
+    chunks_.clear();
     for (std::size_t k = 0; k < count; ++k) {
-        chunks_[k] = chunk_of(parts_[k], first_row(k) == 0, first_row(k + 1) == rows_.height());
+        add_chunks(parts_[k], first_row(k) == 0, first_row(k + 1) == rows_.height());
     }
     next_row_ = first_row(count);
-    return std::span(chunks_).first(count);
+    return chunks_;
 }
 
 int PngData::first_row(std::size_t part) const {
@@ -69,12 +72,17 @@ void PngData::compress(PngPart& part, int first, int last) const {
     part.deflated = part.deflater.deflate(encoding_.compression, filtered, last == rows_.height());
 }
 
-PngData::Chunk PngData::chunk_of(const PngPart& part, bool first, bool last) {
+void PngData::add_chunks(const PngPart& part, bool first, bool last) {
     adler32_ = joined_adler32(adler32_, part.adler32, part.size);
     check_ = big_endian(adler32_);
-    return {std::span(kZlibHeader).first(first ? kZlibHeader.size() : 0),
-            part.deflated,
-            std::span(check_).first(last ? check_.size() : 0)};
+    std::span<const std::byte> rest = part.deflated;
+    chunks_.push_back({std::span(kZlibHeader).first(first ? kZlibHeader.size() : 0), rest, {}});
+    while (rest.size() > most_bytes_) {
+        chunks_.back().middle = rest.first(most_bytes_);
+        rest = rest.subspan(most_bytes_);
+        chunks_.push_back({{}, rest, {}});
+    }
+    chunks_.back().end = std::span(check_).first(last ? check_.size() : 0);
 }
 
 }  // namespace foam::texgen

@@ -27,6 +27,10 @@ struct PngPart {
 /// on the number of threads.
 class PngData {
   public:
+    /// The largest number of bytes of compressed rows in a chunk. A chunk of PNG may have at most
+    /// 2^31 - 1 bytes.
+    static constexpr std::size_t kMostRowBytes = std::size_t{1} << 30;
+
     /// The content of an IDAT chunk in three consecutive pieces.
     struct Chunk {
         std::span<const std::byte> begin;   // zlib header; empty except in the first chunk
@@ -34,14 +38,18 @@ class PngData {
         std::span<const std::byte> end;     // zlib checksum; empty except in the last chunk
     };
 
-    /// Refers to both arguments, which must outlive this object.
-    PngData(const PngRows& rows, const PngEncoding& encoding);
+    /// Refers to the rows and the encoding, which must outlive this object. A chunk has at most
+    /// `most_bytes` bytes of compressed rows.
+    PngData(const PngRows& rows,
+            const PngEncoding& encoding,
+            std::size_t most_bytes = kMostRowBytes);
 
     /// Returns true if next_chunks has returned all chunks of the stream.
     bool complete() const { return next_row_ == rows_.height(); }
 
-    /// Compresses the next parts, at most one per thread, and returns one chunk per part. Returns
-    /// no chunk if the stream is complete. The chunks are valid until the next call.
+    /// Compresses the next parts, at most one per thread, and returns their chunks: one per part,
+    /// or more if the part is too large for a chunk. Returns no chunk if the stream is complete.
+    /// The chunks are valid until the next call.
     std::span<const Chunk> next_chunks();
 
   private:
@@ -49,15 +57,16 @@ class PngData {
     int first_row(std::size_t part) const;
     // Filters and compresses the rows first, first + 1, ..., last - 1.
     void compress(PngPart& part, int first, int last) const;
-    // Returns the chunk of a compressed part and adds the part to the checksum. Must be called for
+    // Adds the chunks of a compressed part, and adds the part to the checksum. Must be called for
     // the parts in the order of the rows. `first` and `last` are true for the first and the last
     // part of the picture.
-    Chunk chunk_of(const PngPart& part, bool first, bool last);
+    void add_chunks(const PngPart& part, bool first, bool last);
 
     const PngRows& rows_;
     const PngEncoding& encoding_;
+    std::size_t most_bytes_;
     std::vector<PngPart> parts_;  // the parts that one call of next_chunks compresses
-    std::vector<Chunk> chunks_;
+    std::vector<Chunk> chunks_;   // their chunks
     int rows_per_part_;
     int next_row_ = 0;
     std::uint32_t adler32_ = 1;         // checksum of all rows that have been compressed

@@ -4,6 +4,7 @@
 
 #include "tests/support/sample_foams.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/texgen/image/numbered.h"
 #include "tests/texgen/image/png_chunks.h"
 #include "tests/texgen/pictures.h"
 #include "texgen/image/png.h"
@@ -36,6 +37,35 @@ TEST(PngData, TheBytesDoNotDependOnTheNumberOfThreads) {
     for (const int threads : {0, 2, 3, 7}) {
         EXPECT_EQ(encode_png(image.view(), {}, {.threads = threads}), one) << threads;
     }
+}
+
+// Without compression, the picture is one part. Its stream has the same bytes in chunks of any
+// size.
+TEST(PngData, APartIsDividedIntoChunks) {
+    const Image<std::uint8_t> image = numbered_codes(30, 20, 3);
+    const PngRows rows(image.view());
+    const PngEncoding encoding{.compression = Compression::None};
+    const auto stream_of = [&](std::size_t most_bytes, std::size_t chunks) {
+        PngData data(rows, encoding, most_bytes);
+        Bytes stream;
+        const auto found = data.next_chunks();
+        EXPECT_EQ(found.size(), chunks);
+        for (const PngData::Chunk& chunk : found) {
+            EXPECT_LE(chunk.middle.size(), most_bytes);
+            for (const auto& piece : {chunk.begin, chunk.middle, chunk.end}) {
+                stream.insert(stream.end(), piece.begin(), piece.end());
+            }
+        }
+        EXPECT_TRUE(data.complete());
+        return stream;
+    };
+    // 20 rows of 91 bytes, and 5 bytes of the header of a stored block
+    const std::size_t size = 20 * 91 + 5;
+    const Bytes whole = stream_of(size, 1);
+    EXPECT_EQ(whole.size(), 2 + size + 4);
+    EXPECT_EQ(stream_of(size - 1, 2), whole);
+    EXPECT_EQ(stream_of(609, 3), whole);
+    EXPECT_EQ(stream_of(100, 19), whole);
 }
 
 /// Returns two images of flat cells, drawn as in a bake: one without films and one with films.
