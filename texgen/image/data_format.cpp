@@ -18,6 +18,7 @@ constexpr std::uint32_t kModelBc7 = 134;
 constexpr std::uint32_t kPrimariesBt709 = 1;
 constexpr std::uint32_t kTransferLinear = 1;
 constexpr std::uint32_t kTransferSrgb = 2;
+constexpr std::uint32_t kAlphaIsPremultiplied = 1;  // a flag
 constexpr std::uint32_t kAlphaChannel = 15;
 constexpr std::uint32_t kLinearSample = 0x10;  // qualifier of alpha in an sRGB format
 
@@ -87,6 +88,15 @@ Bytes data_format_descriptor(PixelFormat format) {
     append_number(bytes, std::uint32_t{0});
     bytes.insert(bytes.end(), samples.begin(), samples.end());
     return bytes;
+}
+
+void check_straight_alpha(std::span<const std::byte> descriptor) {
+    ByteReader reader(descriptor);
+    reader.take(12);                                     // sizes, type and version
+    const std::uint32_t flags = reader.number() >> 24U;  // after model, primaries and transfer
+    if ((flags & kAlphaIsPremultiplied) != 0) {
+        throw InputError("the KTX2 has premultiplied alpha, which foamtex does not read");
+    }
 }
 
 }  // namespace foam::texgen

@@ -36,7 +36,11 @@ constexpr std::uint32_t kHasMipLevels = 0x400008;
 
 constexpr std::uint32_t kTwoDimensional = 3;
 constexpr std::uint32_t kCube = 0x4;
+
+// The bits of the last number of the second header that contain the alpha mode, and its values.
+constexpr std::uint32_t kAlphaMode = 0x7;
 constexpr std::uint32_t kStraightAlpha = 1;
+constexpr std::uint32_t kPremultipliedAlpha = 2;
 constexpr std::uint32_t kOpaque = 3;
 
 void check_dds(bool holds, const char* reason) {
@@ -138,7 +142,10 @@ GpuTexture decode_dds(std::span<const std::byte> content) {
     check_dds(reader.number() == kTwoDimensional, "the texture is not two-dimensional");
     check_dds((reader.number() & kCube) == 0, "the texture is a cube");
     const std::uint32_t layers = reader.number();
-    const std::uint32_t alpha = reader.number();
+    const std::uint32_t alpha = reader.number() & kAlphaMode;
+    if (alpha == kPremultipliedAlpha) {
+        throw InputError("the DDS has premultiplied alpha, which foamtex does not read");
+    }
     const std::uint32_t levels = std::max(header[6], 1U);
     check_texture_size("DDS", header[3], header[2], levels, layers);
     require_texture_memory(

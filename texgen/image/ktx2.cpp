@@ -274,7 +274,9 @@ GpuTexture decode_ktx2(std::span<const std::byte> content) {
     const std::uint32_t levels = reader.number();
     check_texture_size("KTX2", width, height, levels, std::max(layers, 1U));
     check_ktx2(reader.number() == kZstandard, "it is not compressed with Zstandard");
-    reader.take(8);  // position of the data format descriptor
+    const std::uint32_t descriptor_offset = reader.number();
+    const std::uint32_t descriptor_bytes = reader.number();
+    check_straight_alpha(part_of(content, descriptor_offset, descriptor_bytes));
     const std::uint32_t values_offset = reader.number();
     const std::uint32_t values_bytes = reader.number();
     reader.take(16);  // position of the global data

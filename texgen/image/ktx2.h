@@ -17,8 +17,8 @@ Bytes encode_ktx2(const GpuTexture& texture);
 
 /// Returns the texture in a KTX 2.0 file. Throws InputError if the stream is malformed or
 /// truncated, if its format is not one of PixelFormat, if it is a cube or a volume, if it is not
-/// compressed with Zstandard, and for an image above the limits in input_limits.h. Throws
-/// OutOfMemory if the machine has too little memory for the texture.
+/// compressed with Zstandard, if its alpha is premultiplied, and for an image above the limits in
+/// input_limits.h. Throws OutOfMemory if the machine has too little memory for the texture.
 GpuTexture decode_ktx2(std::span<const std::byte> content);
 
 }  // namespace foam::texgen

@@ -108,7 +108,8 @@ TEST(Dds, RejectsInvalidHeaders) {
                                          {132, 4, "not two-dimensional"},
                                          {136, 4, "a cube"},
                                          {140, 0, "number of layers"},
-                                         {140, 5000, "number of layers"}};
+                                         {140, 5000, "number of layers"},
+                                         {144, 2, "premultiplied alpha"}};
     for (const Change& change : changes) {
         Bytes bytes = encode_dds(small_array());
         const auto number = little_endian(change.number);

@@ -154,19 +154,21 @@ TEST(Ktx2, RejectsInvalidHeaders) {
         std::uint32_t number;
         const char* reason;
     };
-    const std::vector<Change> changes = {{0, 0, "identifier"},
-                                         {12, 1, "pixel format 1"},
-                                         {20, 0, "no pixels"},
-                                         {24, 5'000'000, "more than foamtex reads"},
-                                         {28, 2, "a volume"},
-                                         {32, 9999, "number of layers"},
-                                         {36, 6, "a cube"},
-                                         {40, 0, "mip levels"},
-                                         {40, 9, "mip levels"},
-                                         {44, 1, "Zstandard"},
-                                         {56, 100'000, "outside of the file"},
-                                         {80, 100'000, "outside of the file"},
-                                         {96, 63, "another size"}};
+    const std::vector<Change> changes = {
+        {0, 0, "identifier"},
+        {12, 1, "pixel format 1"},
+        {20, 0, "no pixels"},
+        {24, 5'000'000, "more than foamtex reads"},
+        {28, 2, "a volume"},
+        {32, 9999, "number of layers"},
+        {36, 6, "a cube"},
+        {40, 0, "mip levels"},
+        {40, 9, "mip levels"},
+        {44, 1, "Zstandard"},
+        {56, 100'000, "outside of the file"},
+        {80, 100'000, "outside of the file"},
+        {96, 63, "another size"},
+        {188, 1U << 24U | 2U << 16U | 1U << 8U | 134U, "premultiplied alpha"}};
     for (const Change& change : changes) {
         Bytes bytes = encode_ktx2(small_array());
         const auto number = little_endian(change.number);
