@@ -71,12 +71,16 @@ ChannelGroup code_channels(Image<std::uint16_t> codes) {
     return group_of(std::move(codes), SampleType::Uint16);
 }
 
+std::string_view layer_of(std::string_view channel) {
+    const std::size_t dot = channel.rfind('.');
+    return channel.substr(0, dot == std::string_view::npos ? 0 : dot);
+}
+
 std::vector<const ChannelGroup*> groups_of(const Picture& picture, std::string_view layer) {
-    const std::string prefix = std::string(layer) + '.';
     std::vector<const ChannelGroup*> groups;
     for (const ChannelGroup& group : picture.groups) {
-        const std::string& name = group.names.front();
-        if (name.find('.') == std::string::npos || name.starts_with(prefix)) {
+        const std::string_view found = layer_of(group.names.front());
+        if (found.empty() || found == layer) {
             groups.push_back(&group);
         }
     }

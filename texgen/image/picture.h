@@ -85,9 +85,12 @@ std::string_view code_channel_names(int channels);
 ChannelGroup code_channels(Image<std::uint8_t> codes);
 ChannelGroup code_channels(Image<std::uint16_t> codes);
 
-/// Returns pointers to the groups of one layer: the groups whose channel names begin with the name
-/// of the layer and a dot. A group whose channel names have no dot belongs to every layer.
-/// Precondition: all channels of a group are in the same layer.
+/// Returns the layer of a channel, given the name of the channel: the text before the last dot.
+/// Returns an empty text if the name has no dot.
+std::string_view layer_of(std::string_view channel);
+
+/// Returns pointers to the groups of one layer (layer_of). A group whose channels have no layer
+/// belongs to every layer. Precondition: all channels of a group are in the same layer.
 std::vector<const ChannelGroup*> groups_of(const Picture& picture, std::string_view layer);
 
 /// One channel of a picture. Refers to the picture, which must outlive it.

@@ -2,7 +2,6 @@
 
 #include "texgen/image/picture_layers.h"
 
-#include <cstddef>
 #include <map>
 #include <utility>
 
@@ -11,9 +10,7 @@ namespace foam::texgen {
 std::vector<PictureLayer> split_into_layers(Picture picture) {
     std::map<std::string, Picture> layers;
     for (ChannelGroup& group : picture.groups) {
-        const std::string& channel = group.names.front();
-        const std::size_t dot = channel.rfind('.');
-        const std::string name = dot == std::string::npos ? "" : channel.substr(0, dot);
+        const std::string name(layer_of(group.names.front()));
         Picture& layer = layers.try_emplace(name, Picture{{}, picture.metadata}).first->second;
         layer.groups.push_back(std::move(group));
     }

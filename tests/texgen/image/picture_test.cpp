@@ -50,6 +50,16 @@ TEST(Picture, ALayerHasItsGroupsAndThoseWithoutALayer) {
     EXPECT_EQ(groups_of({{numbers({"Y"})}}, "film").size(), 1U);
 }
 
+// A name of a channel in a foreign EXR may have several dots.
+TEST(Picture, ALayerIsTheTextBeforeTheLastDot) {
+    EXPECT_EQ(layer_of("Y"), "");
+    EXPECT_EQ(layer_of("film.Y"), "film");
+    EXPECT_EQ(layer_of("a.b.Y"), "a.b");
+    const Picture picture{{numbers({"a.b.Y"}), numbers({"a.Y"})}};
+    EXPECT_EQ(groups_of(picture, "a"), (std::vector{&picture.groups[1]}));
+    EXPECT_EQ(groups_of(picture, "a.b"), (std::vector{&picture.groups[0]}));
+}
+
 TEST(Picture, TheLargestCodeIsOne) {
     Image<std::uint8_t> codes(3, 1, 2);
     std::ranges::copy(std::vector{0, 1, 51, 2, 255, 3}, codes.samples().begin());

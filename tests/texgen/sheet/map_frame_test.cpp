@@ -46,5 +46,17 @@ TEST(MapFrame, JoinsALayerOfExrs) {
     EXPECT_EQ(compared, 5U);  // R, G, B of albedo, and one channel of each other map
 }
 
+// Another program may have added a layer whose name begins with that of the map.
+TEST(MapFrame, KeepsOnlyTheLayerOfTheMap) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "frame.exr";
+    const Picture picture{{{{"height.Y"}, SampleType::Float, Image<float>(2, 1, 1)},
+                           {{"height.mask.Y"}, SampleType::Float, Image<float>(2, 1, 1)}}};
+    write_file(path, encode_exr(picture));
+    const Picture frame = read_map_frame({.path = path, .frame = 1, .layered = true}, "height");
+    ASSERT_EQ(frame.groups.size(), 1U);
+    EXPECT_EQ(frame.groups.front().names.front(), "Y");
+}
+
 }  // namespace
 }  // namespace foam::texgen
