@@ -109,23 +109,23 @@ bool is_color(const PackedChannel& channel) {
     return channel.map != nullptr && channel.map->kind == MapKind::Color;
 }
 
-// Sets Packing::is_color. Checks that R, G and B are all colors or all data, that A is data, and
+// Sets Packing::is_color. Checks that A is data, that R, G and B are all colors or all data, and
 // that colors have 8 bits.
 void check_colors(Packing& packing) {
+    if (packing.channels.size() > 3 && is_color(packing.channels[3])) {
+        reject(packing.name,
+               fmt::format("{} is a color, but A must be data", packing.channels[3].text));
+    }
     const auto rgb = std::span(packing.channels).first(3);
-    const auto color = std::ranges::find_if(packing.channels, is_color);
+    const auto color = std::ranges::find_if(rgb, is_color);
     const auto data = std::ranges::find_if_not(rgb, is_color);
-    packing.is_color = color != packing.channels.end();
+    packing.is_color = color != rgb.end();
     if (packing.is_color && data != rgb.end()) {
         reject(packing.name,
                fmt::format("{} is a color, but {} is not; R, G and B must all be colors or all be "
                            "data",
                            color->text,
                            data->text));
-    }
-    if (packing.channels.size() > 3 && is_color(packing.channels[3])) {
-        reject(packing.name,
-               fmt::format("{} is a color, but A must be data", packing.channels[3].text));
     }
     if (packing.is_color && packing.bits != 8) {
         reject(packing.name, "colors have 8 bits per sample");

@@ -79,7 +79,7 @@ TEST(Packing, RejectsOtherTexts) {
         {"X=id,0,0", "integers"},
         {"X=sides,0,0", "integers"},
         {"X=albedo.R,roughness,0", "albedo.R is a color, but roughness is not"},
-        {"X=roughness,0,0,albedo.R", "albedo.R is a color, but roughness is not"},
+        {"X=roughness,0,0,albedo.R", "albedo.R is a color, but A must be data"},
         {"X=albedo.R,albedo.G,albedo.B,albedo.R", "A must be data"},
         {"X=1-albedo.R,albedo.G,albedo.B", "cannot be inverted"},
         {"X:16=albedo.R,albedo.G,albedo.B", "8 bits"},
