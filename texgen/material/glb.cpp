@@ -93,7 +93,8 @@ class GlbWriter {
         Json model;
         if (textures_.color) {
             model["baseColorTexture"] = add_texture(*textures_.color, "baseColor", true);
-        } else {
+        }
+        if (!material_.base_color && !material_.lit) {
             model["baseColorFactor"] = {kGray, kGray, kGray, 1.0};
         }
         model["metallicFactor"] = material_.metallic ? 1.0 : 0.0;

@@ -149,10 +149,17 @@ Texture with_opacity(const Texture& colors, PreviewImages& frame, const SceneCha
     return texture;
 }
 
+// Returns white pixels with an opacity.
+Texture white_texture(PreviewImages& frame, const SceneChannel& opacity) {
+    const Image<float>& numbers = frame.channels(opacity.image);
+    return with_opacity(filled(numbers.width(), numbers.height(), {255, 255, 255}), frame, opacity);
+}
+
 std::optional<Texture> color_texture(const SceneMaterial& material, PreviewImages& frame) {
     const auto index = material.base_color ? material.base_color : material.lit;
     if (!index) {
-        return std::nullopt;
+        return material.opacity ? std::optional(white_texture(frame, *material.opacity))
+                                : std::nullopt;
     }
     const bool has_own_opacity = material.opacity && material.opacity->image == *index &&
                                  material.images[*index].samples().alpha != "none";

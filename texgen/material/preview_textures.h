@@ -14,7 +14,7 @@ namespace foam::texgen {
 /// sample. If the colors are those of the map lit, there are no other textures.
 struct PreviewTextures {
     // Colors as sRGB: the base color or, if there is none, the map lit. A fourth channel holds the
-    // opacity if the material has one.
+    // opacity if the material has one. A material that has an opacity but no colors is white.
     std::optional<Image<std::uint8_t>> color;
     std::optional<Image<std::uint8_t>> emission;  // as sRGB
     std::optional<Image<std::uint8_t>> normal;    // y is up

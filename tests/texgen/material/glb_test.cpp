@@ -127,5 +127,19 @@ TEST(Glb, AMaterialWithoutColorsIsGray) {
     EXPECT_FALSE(parts.json.contains("images"));
 }
 
+// glTF multiplies the texture by the factor.
+TEST(Glb, APatchWithoutColorsIsGrayWithItsOpacity) {
+    const TemporaryFolder folder;
+    Preset preset = small_material(folder, {"normal", "opacity"});
+    preset.shape.kind = FoamKind::Patch;
+    const Parts parts = parts_of(baked_material(preset, folder, {1}));
+    const auto& written = parts.json["materials"][0];
+    const auto& model = written["pbrMetallicRoughness"];
+    EXPECT_EQ(written["alphaMode"], "BLEND");
+    EXPECT_EQ(model["baseColorFactor"], (std::vector{0.5, 0.5, 0.5, 1.0}));
+    ASSERT_TRUE(model.contains("baseColorTexture"));
+    EXPECT_EQ(parts.image(model["baseColorTexture"]).groups.front().channels(), 4);
+}
+
 }  // namespace
 }  // namespace foam::texgen

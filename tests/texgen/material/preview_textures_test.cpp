@@ -84,6 +84,23 @@ TEST(PreviewTextures, OfAPatchHaveStraightColors) {
     }
 }
 
+TEST(PreviewTextures, OfAPatchWithoutColorsAreWhiteWithItsOpacity) {
+    const TemporaryFolder folder;
+    Preset preset = small_material(folder, {"normal", "opacity"});
+    preset.shape.kind = FoamKind::Patch;
+    const Pixels white = *preview_textures(baked_material(preset, folder, {1})).color;
+    const Pixels opacity = pixels_in(folder.path() / "opacity.0001.png");
+    ASSERT_EQ(white.channels(), 4);
+    EXPECT_EQ(std::ranges::min(opacity.samples()), 0);
+    EXPECT_EQ(std::ranges::max(opacity.samples()), 255);
+    for (int y = 0; y < white.height(); ++y) {
+        for (int x = 0; x < white.width(); ++x) {
+            EXPECT_EQ(white.pixel(x, y)[0], 255);
+            EXPECT_EQ(white.pixel(x, y)[3], opacity.pixel(x, y)[0]);
+        }
+    }
+}
+
 TEST(PreviewTextures, PackChannelsOfSeveralImages) {
     const TemporaryFolder folder;
     Preset preset = small_material(folder, {"occlusion"});
