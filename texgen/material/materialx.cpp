@@ -2,6 +2,7 @@
 
 #include "texgen/material/materialx.h"
 
+#include "texgen/material/identifier.h"
 #include "texgen/material/xml_writer.h"
 
 #include <fmt/format.h>
@@ -70,10 +71,12 @@ class MaterialXWriter {
                      {{"name", std::string(name)}, {"type", node.type}, {"nodename", node.name}});
     }
 
-    // Begins a node, whose inputs follow.
-    Node begin(std::string_view category, const std::string& name, std::string_view type) {
-        xml_.begin(category, {{"name", name}, {"type", std::string(type)}});
-        return {name, std::string(type)};
+    // Begins a node of the graph, whose inputs follow. If another node has the name, a number is
+    // appended to it.
+    Node begin(std::string_view category, std::string_view name, std::string_view type) {
+        Node node{names_.unique(name), std::string(type)};
+        xml_.begin(category, {{"name", node.name}, {"type", node.type}});
+        return node;
     }
     Node computed(std::string_view category,
                   const std::string& name,
@@ -250,6 +253,7 @@ class MaterialXWriter {
 
     const SceneMaterial& material_;
     XmlWriter xml_;
+    Identifiers names_;                                  // of the nodes of the graph
     std::vector<Node> images_;                           // the nodes of the images of the material
     std::vector<std::pair<std::string, Node>> outputs_;  // of the graph, by input of the surface
 };

@@ -55,6 +55,23 @@ TEST(MaterialX, TakesChannelsOutOfPackedImages) {
     EXPECT_EQ(count_of(text, "<!--"), 0);  // there is only one frame
 }
 
+// The colors of the map albedo and the image of the packing would both be image_albedo_rgb, and
+// image_albedo_rgb_2 is the third channel of the packing.
+TEST(MaterialX, NodesHaveDifferentNames) {
+    const TemporaryFolder folder;
+    Preset preset = small_material(folder, {"albedo"});
+    preset.shape.kind = FoamKind::Patch;
+    preset.output.pack = {"albedo_rgb=roughness,metallic,occlusion"};
+    const std::string text = materialx_text(baked_material(preset, folder, {1}));
+    EXPECT_CONTAINS(text, "name=\"image_albedo_rgb\" type=\"vector3\">");
+    EXPECT_CONTAINS(text, "<extract name=\"image_albedo_rgb_2\" type=\"float\">");
+    EXPECT_CONTAINS(text, "<convert name=\"image_albedo_rgb_3\" type=\"color3\">");
+    EXPECT_CONTAINS(
+        text, "<output name=\"base_color\" type=\"color3\" nodename=\"image_albedo_rgb_3\"/>");
+    EXPECT_EQ(count_of(text, " name=\"image_albedo_rgb\""), 1);
+    EXPECT_EQ(count_of(text, " name=\"image_albedo_rgb_2\""), 1);
+}
+
 // The codes of y are c. A normalmap expects 1 - c of normals whose y is down.
 TEST(MaterialX, NormalsWhoseYIsDownAreFlipped) {
     const TemporaryFolder folder;
