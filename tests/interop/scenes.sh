@@ -17,11 +17,12 @@ skip_without node xmllint tests/interop/scenes
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 
-# bake FOLDER PRESET OPTION...: bakes two frames with all scene files into the folder.
+# bake FOLDER PRESET OPTION...: bakes two frames with the scene files $scenes into the folder.
+scenes=usda,mtlx,gltf
 bake() {
     local folder=$1
     shift
-    "$program" bake "$@" --frames 1-3x2 --size 64x32 --scene usda,mtlx,gltf -q --threads 1 \
+    "$program" bake "$@" --frames 1-3x2 --size 64x32 --scene "$scenes" -q --threads 1 \
         --set foam.bubbles=24 --set frames.count=4 --set frames.warm_up=0 --set height.full=0.5
     say "baked $folder"
 }
@@ -32,7 +33,8 @@ done
 bake lit sea_foam --maps lit,normal --out "$scratch/lit/{map}.####.png"
 bake patch soap_raft --maps albedo,height,normal --out "$scratch/patch/{map}.####.png"
 bake lit_patch soap_raft --maps lit --out "$scratch/lit_patch/{map}.####.png"
-bake exr soap_raft --maps albedo,normal,height,roughness --normal-y dx --out "$scratch/exr/{map}.####.exr"
+bake exr lava --maps albedo,normal,height,roughness --normal-y dx --out "$scratch/exr/{map}.####.exr"
+scenes=mtlx,gltf bake exr_patch soap_raft --maps albedo,normal --out "$scratch/exr_patch/{map}.####.exr"
 bake packed lava --maps normal_dx --pack BCR=albedo.R,albedo.G,albedo.B,1-roughness \
     --pack H:16=1-height,occlusion,1-metallic --out "$scratch/packed/{map}.####.png"
 bake height lava --maps height --out "$scratch/height/{map}.####.png"

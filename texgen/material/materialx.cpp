@@ -111,15 +111,31 @@ class MaterialXWriter {
         }
     }
 
-    Node color_of(std::size_t image) {
-        const Node& whole = images_[image];
+    // Returns the straight colors of an image.
+    Node color_of(std::size_t index) {
+        const SceneImage& image = material_.images[index];
+        const Node& whole = images_[index];
         if (whole.type != "color4") {
             return whole;
         }
         Node color = begin("convert", whole.name + "_rgb", "color3");
         input("in", whole);
         xml_.end();
-        return color;
+        return image.is_premultiplied()
+                   ? divided(color, number_of({index, image.channels.size() - 1}))
+                   : color;
+    }
+
+    // Divides premultiplied colors by their opacity. The node unpremult is not used, because
+    // MaterialX's own GLSL divides by 0 in it where the opacity is 0.
+    Node divided(const Node& color, const Node& opacity) {
+        const Node divisor =
+            computed("max", opacity.name + "_positive", opacity, "in2", "0.000001");
+        Node straight = begin("divide", color.name + "_straight", color.type);
+        input("in1", color);
+        input("in2", divisor);
+        xml_.end();
+        return straight;
     }
 
     Node number_of(const SceneChannel& channel) {

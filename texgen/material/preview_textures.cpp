@@ -98,13 +98,12 @@ Texture converted(const Image<float>& pixels, int channels, const Code& code_of)
 Texture colors_of(PreviewImages& frame, std::size_t index, bool with_opacity) {
     const SceneImage& image = frame.image(index);
     const bool is_linear = image.samples().color_space != "sRGB";
-    const bool is_premultiplied = image.samples().alpha == "premultiplied";
     const auto code_of = [&](std::span<const float> pixel, std::size_t c) {
         const auto sample = static_cast<double>(pixel[c]);
         if (c == 3 || !is_linear) {
             return to_code(sample);
         }
-        const auto opacity = is_premultiplied ? static_cast<double>(pixel[3]) : 1.0;
+        const auto opacity = image.is_premultiplied() ? static_cast<double>(pixel[3]) : 1.0;
         const double light = opacity > 0.0 ? sample / opacity : 0.0;
         return to_code(linear_to_srgb(light > 0.0 ? std::min(light, 1.0) : 0.0));
     };

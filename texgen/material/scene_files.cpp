@@ -53,6 +53,27 @@ bool has_single_images(const FilePattern& pattern) {
            !pattern.stores_all_maps_in_one_file();
 }
 
+// Throws std::invalid_argument if a UsdPreviewSurface cannot show the colors of a bake.
+// Precondition: has_single_images(pattern).
+void check_usd_colors(const Preset& preset, const FilePattern& pattern) {
+    if (preset.output.primaries != Primaries::Srgb) {
+        throw std::invalid_argument(
+            "output.scene = \"usda\" cannot refer to colors with output.primaries = \"acescg\", "
+            "because the textures of a UsdPreviewSurface have the primaries of sRGB; a scene of "
+            "the format mtlx or gltf is possible");
+    }
+    const SceneSources sources = scene_sources(preset);
+    const bool has_colors = sources.base_color || sources.lit || sources.emission;
+    const bool is_premultiplied = pattern.format().samples == FormatSamples::Numbers;
+    if (has_colors && is_premultiplied && preset.shape.kind == FoamKind::Patch) {
+        throw std::invalid_argument(fmt::format(
+            "output.scene = \"usda\" cannot refer to the colors of a patch in {} files, because "
+            "these are multiplied by the opacity, and a UsdPreviewSurface would do this again; "
+            "PNG files, or a scene of the format mtlx or gltf, are possible",
+            pattern.format().name));
+    }
+}
+
 }  // namespace
 
 void check_scenes(const Preset& preset) {
@@ -82,13 +103,8 @@ void check_scenes(const Preset& preset) {
                 format,
                 preset.output.pattern));
         }
-        if (format == kUsda && preset.output.primaries != Primaries::Srgb) {
-            throw std::invalid_argument(
-                "output.scene = \"usda\" cannot refer to colors with output.primaries = "
-                "\"acescg\", "
-                "because the textures of a UsdPreviewSurface have the primaries of sRGB; a scene "
-                "of "
-                "the format mtlx or gltf is possible");
+        if (format == kUsda) {
+            check_usd_colors(preset, pattern);
         }
     }
 }

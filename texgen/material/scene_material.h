@@ -30,6 +30,7 @@ struct SceneImage {
 
     const MapSamples& samples() const { return *sequence.map.samples; }
     bool is_color() const { return samples().kind == "color"; }
+    bool is_premultiplied() const { return samples().alpha == "premultiplied"; }
     bool has_codes() const { return samples().type.starts_with("uint"); }
 };
 

@@ -29,6 +29,7 @@ for (const name of readdirSync(folder, {recursive: true}).sort()) {
     }
 }
 console.log(Object.entries(found).map(([suffix, count]) => `${count} ${suffix}`).join(", "));
-if (Object.values(found).some((count) => count !== 14)) {
-    throw new Error("there must be 14 files of each kind");
+const expected = {usda: 14, mtlx: 15, glb: 15};
+if (Object.keys(CHECKS).some((suffix) => found[suffix] !== expected[suffix])) {
+    throw new Error(`there must be ${JSON.stringify(expected)}`);
 }

@@ -121,5 +121,28 @@ TEST(MaterialX, OfAPatchIsTransparentAroundIt) {
     EXPECT_CONTAINS(text, "<input name=\"specular\" type=\"float\" value=\"0\"/>");
 }
 
+// The colors of a patch in an EXR are multiplied by the opacity.
+TEST(MaterialX, PremultipliedColorsAreDividedByTheirOpacity) {
+    const TemporaryFolder folder;
+    Preset preset = small_material(folder, {"albedo"}, ".exr");
+    preset.shape.kind = FoamKind::Patch;
+    const std::string text = materialx_text(baked_material(preset, folder, {1}));
+    EXPECT_CONTAINS(text,
+                    "<max name=\"image_albedo_3_positive\" type=\"float\">\n"
+                    "      <input name=\"in1\" type=\"float\" nodename=\"image_albedo_3\"/>\n"
+                    "      <input name=\"in2\" type=\"float\" value=\"0.000001\"/>");
+    EXPECT_CONTAINS(
+        text,
+        "<divide name=\"image_albedo_rgb_straight\" type=\"color3\">\n"
+        "      <input name=\"in1\" type=\"color3\" nodename=\"image_albedo_rgb\"/>\n"
+        "      <input name=\"in2\" type=\"float\" nodename=\"image_albedo_3_positive\"/>");
+    EXPECT_CONTAINS(text,
+                    "<output name=\"base_color\" type=\"color3\" "
+                    "nodename=\"image_albedo_rgb_straight\"/>");
+    const TemporaryFolder straight;
+    preset.output.pattern = (straight.path() / "{map}.####.png").string();
+    EXPECT_EQ(count_of(materialx_text(baked_material(preset, straight, {1})), "divide"), 0);
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -108,6 +108,25 @@ TEST(SceneFiles, OfOpenUsdCannotReferToColorsOfAcesCg) {
               std::string::npos);
 }
 
+// A UsdPreviewSurface would multiply these colors by the opacity again.
+TEST(SceneFiles, OfOpenUsdCannotReferToPremultipliedColors) {
+    const TemporaryFolder folder;
+    Preset preset = small_material(folder, {"albedo", "opacity"}, ".exr");
+    preset.output.scene = {"usda"};
+    EXPECT_EQ(fault_of(preset), "no error");
+    preset.shape.kind = FoamKind::Patch;
+    EXPECT_NE(fault_of(preset).find("cannot refer to the colors of a patch in EXR files"),
+              std::string::npos);
+    preset.image.maps = {"normal", "opacity"};
+    EXPECT_EQ(fault_of(preset), "no error");
+    preset.image.maps = {"lit"};
+    preset.output.scene = {"mtlx", "gltf"};
+    EXPECT_EQ(fault_of(preset), "no error");
+    preset.output.scene = {"usda"};
+    preset.output.pattern = "{map}.####.png";
+    EXPECT_EQ(fault_of(preset), "no error");
+}
+
 TEST(SceneFiles, NeedAMapOfAMaterial) {
     const TemporaryFolder folder;
     Preset preset = small_material(folder, {"id", "motion"});
