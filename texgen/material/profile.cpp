@@ -82,6 +82,20 @@ std::string with_word(std::string text, std::string_view word, std::string_view 
     return text;
 }
 
+// Replaces the map albedo where an item of image.maps, output.pack ("NAME=R,G,B") or output.names
+// ("MAP=WORD") names a map.
+std::string with_base_color(const std::string& key,
+                            const std::string& item,
+                            const std::string& base) {
+    const std::size_t equals = std::min(item.find('='), item.size());
+    const std::string before = item.substr(0, equals);
+    const std::string rest = item.substr(equals);
+    if (key == "output.pack") {
+        return before + with_word(rest, kAlbedoMap.name, base);
+    }
+    return (before == kAlbedoMap.name ? base : before) + rest;
+}
+
 // Returns the texts of a value that is a list of texts or a single text. Other items are left out.
 std::vector<std::string> texts_in(const Value& value) {
     const auto* const list = std::get_if<Value::List>(&value.data);
@@ -137,7 +151,7 @@ std::vector<Assignment> assignments_for(const Profile& profile, const Preset& pr
         }
         std::vector<std::string> texts = texts_in(assignment.value);
         for (std::string& text : texts) {
-            text = with_word(std::move(text), kAlbedoMap.name, base);
+            text = with_base_color(assignment.key, text, base);
         }
         if (assignment.key == "image.maps" && preset.maps.lit.glow == 0.0) {
             std::erase(texts, kEmissionMap.name);

@@ -41,8 +41,9 @@ Profile load_profile(const std::string& name_or_path);
 /// Returns the assignments of a profile for a preset. They are those of the profile, with two
 /// changes:
 ///
-/// - Where image.maps, output.pack and output.names of the profile contain the word albedo, the
-///   assignments name the map that has the colors of the preset (base_color_map).
+/// - Where image.maps, output.pack and output.names of the profile name the map albedo, the
+///   assignments name the map that has the colors of the preset (base_color_map). Names of packings
+///   and words of file names stay the same.
 /// - The map emission is left out of image.maps if nothing in the preset glows (lit.glow is 0).
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
 

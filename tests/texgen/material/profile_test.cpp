@@ -101,6 +101,19 @@ TEST(Profile, ReplacesTheMapAlbedo) {
     EXPECT_EQ(preset.output.names, Names{"thin_film=BC"});
 }
 
+TEST(Profile, DoesNotReplaceNamesOfPackingsAndWordsOfFileNames) {
+    const TemporaryFolder folder;
+    const Profile profile =
+        load_profile(written(folder,
+                             "[output]\npack = [\"albedo-mask=albedo.R,albedo.G,albedo.B\"]\n"
+                             "names = [\"albedo=albedo\", \"roughness=albedo-rough\"]\n"));
+    Preset preset;
+    preset.image.maps = {"thin_film"};
+    assign(preset, assignments_for(profile, preset));
+    EXPECT_EQ(preset.output.pack, Names{"albedo-mask=thin_film.R,thin_film.G,thin_film.B"});
+    EXPECT_EQ(preset.output.names, (Names{"thin_film=albedo", "roughness=albedo-rough"}));
+}
+
 TEST(Profile, LeavesOutTheEmissionOfAPresetThatDoesNotGlow) {
     const Profile profile = load_profile("gltf");
     Preset preset;
