@@ -47,9 +47,11 @@ Profile parse_profile(std::string_view toml, std::string name, const std::string
             profile.description = *text;
         } else if (table == kTable && assignment.key != kTable) {
             reject(assignment, "unknown key; the table [profile] has only the key description");
-        } else if (table != kTable && table != "preset" && table_affects_simulation(table)) {
-            reject(assignment,
-                   "a profile can only set keys of the image, the camera, the output and the maps");
+        } else if (table != kTable && table_affects_simulation(table)) {
+            reject(
+                assignment,
+                "a profile can only set keys of the maps and of the tables preset, image, camera, "
+                "output, vector and mesh");
         } else if (table != kTable) {
             profile.assignments.push_back(std::move(assignment));
         }

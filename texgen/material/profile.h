@@ -24,7 +24,7 @@ namespace foam::texgen {
 ///     [output]
 ///     pack = ["ORM=occlusion,roughness,metallic"]
 ///
-/// It may set all keys except those that change the foam.
+/// It may set all keys except those that change the foam (table_affects_simulation).
 struct Profile {
     std::string name;  // name of the shipped profile, or name of the file without ".toml"
     std::string description;

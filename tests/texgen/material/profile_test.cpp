@@ -53,10 +53,13 @@ TEST(Profile, IsReadFromAFile) {
 TEST(Profile, CannotChangeTheFoam) {
     for (const char* table : {"foam", "dynamics", "frames", "loop"}) {
         EXPECT_NE(fault_of("[" + std::string(table) + "]\n")
-                      .find("a profile can only set keys of the image, the camera, the output and "
-                            "the maps"),
+                      .find("a profile can only set keys of the maps and of the tables preset, "
+                            "image, camera, output, vector and mesh"),
                   std::string::npos)
             << table;
+    }
+    for (const char* table : {"preset", "image", "camera", "output", "vector", "mesh", "albedo"}) {
+        EXPECT_EQ(fault_of("[" + std::string(table) + "]\n"), "no error") << table;
     }
     EXPECT_NE(fault_of("[[event]]\nkind = \"collapse\"\n").find("a profile can only set"),
               std::string::npos);
