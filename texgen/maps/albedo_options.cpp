@@ -18,27 +18,33 @@ namespace foam::texgen {
 namespace {
 
 // The last assignment to one of the keys colormap, colors and colors.from is used. So setting a
-// color map removes the colors of a preset.
+// color map removes the colors of a preset. An empty colors.from removes only colors that were
+// taken from a picture.
 
-// Returns a copy of a key that calls `then` after its value has been read.
+// Returns a copy of a key that calls `then(before, options)` after its value has been read, with
+// the options before and after reading.
 template <class Function>
 Key<AlbedoOptions> with_effect(Key<AlbedoOptions> key, const Function& then) {
     key.read = [read = std::move(key.read), then](const Value& value, AlbedoOptions& options) {
+        const AlbedoOptions before = options;
         if (!read(value, options)) {
             return false;
         }
-        then(options);
+        then(before, options);
         return true;
     };
     return key;
 }
 
-// Sets the colors to the main colors of the picture, if there is one.
-void update_colors(AlbedoOptions& options) {
+// Replaces the colors of the picture before, if there was one, by the main colors of the present
+// picture, if there is one.
+void update_colors(const AlbedoOptions& before, AlbedoOptions& options) {
+    if (before.colors_from.is_set() || options.colors_from.is_set()) {
+        options.colors.clear();
+    }
     if (!options.colors_from.is_set()) {
         return;
     }
-    options.colors.clear();
     for (const Srgb8& color : palette_of(*options.colors_from.picture, options.colors_count)) {
         options.colors.push_back(color_text(color));
     }
@@ -72,16 +78,17 @@ constexpr std::string_view kColorsFrom = "albedo.colors.from";
 
 Keys<AlbedoOptions> color_keys() {
     using Options = AlbedoOptions;
-    const auto drop_picture = [](Options& options) { options.colors_from = {}; };
+    const auto drop_picture = [](const Options&, Options& options) { options.colors_from = {}; };
+    const auto drop_colors = [=](const Options& before, Options& options) {
+        options.colors.clear();
+        drop_picture(before, options);
+    };
     Key<Options> colormap = with_effect(key("colormap",
                                             Words{colormap_names()},
                                             "color map of the bubbles; replaces albedo.colors that "
                                             "were set before",
                                             &Options::colormap),
-                                        [=](Options& options) {
-                                            options.colors.clear();
-                                            drop_picture(options);
-                                        });
+                                        drop_colors);
     colormap.use = Condition{"albedo.colors", {"[]"}};
     return {std::move(colormap),
             with_effect(key("colors",

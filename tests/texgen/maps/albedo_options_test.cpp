@@ -87,5 +87,17 @@ TEST(AlbedoOptions, APictureReplacesColors) {
     EXPECT_FALSE(options.colors_from.is_set());
 }
 
+TEST(AlbedoOptions, AnEmptyPictureRemovesOnlyTheColorsOfAPicture) {
+    const TemporaryFolder folder;
+    AlbedoOptions options;
+    set(options, "colors", Value{Value::List{Value{std::string("#112233")}}});
+    set(options, "colors.from", Value{std::string()});
+    EXPECT_EQ(options.colors, std::vector<std::string>{"#112233"});
+    set(options, "colors.from", Value{picture_in(folder)});
+    set(options, "colors.from", Value{std::string()});
+    EXPECT_TRUE(options.colors.empty());
+    EXPECT_FALSE(options.colors_from.is_set());
+}
+
 }  // namespace
 }  // namespace foam::texgen
