@@ -6,6 +6,7 @@
 #include "texgen/image/format.h"
 #include "texgen/image/memory.h"
 #include "texgen/image/pixel_hash.h"
+#include "texgen/image/primaries.h"
 
 #include <fmt/core.h>
 
@@ -30,7 +31,8 @@ std::string picture_suffix_pattern() {
 }
 
 PictureFile read_picture_file(const std::string& path) {
-    const Picture picture = read_picture(path);
+    Picture picture = read_picture(path);
+    convert_colors(picture, "", picture.metadata.primaries, Primaries::Srgb);
     return {path,
             std::make_shared<const SourcePicture>(source_picture_of(picture, path)),
             pixel_hash(picture)};

@@ -18,7 +18,7 @@ namespace foam::texgen {
 struct PictureFile {
     std::string path{};                              // empty if no picture is named
     std::shared_ptr<const SourcePicture> picture{};  // null if no picture is named
-    std::string hash{};                              // pixel_hash of the picture in the file
+    std::string hash{};  // pixel_hash of the picture with the primaries of sRGB
 
     bool is_set() const { return picture != nullptr; }
 };
@@ -30,8 +30,8 @@ bool is_picture_name(std::string_view text);
 /// the suffixes of all image formats, in letters of either case. It is escaped for a JSON string.
 std::string picture_suffix_pattern();
 
-/// Returns the picture in a file. Throws the exceptions of read_picture (format.h) and
-/// source_picture_of.
+/// Returns the picture in a file. Colors with other primaries are converted to those of sRGB.
+/// Throws the exceptions of read_picture (format.h) and source_picture_of.
 PictureFile read_picture_file(const std::string& path);
 
 /// The kind of values (value_kinds.h) that name a picture: paths of image files, and the empty

@@ -65,6 +65,7 @@ double mean_over(const SourcePicture& picture, const PixelRect& box, const Numbe
 /// picture without a channel of opacity is opaque. Light outside [0, 1] is clamped. `path` is the
 /// name of the file in messages. Throws InputError if the picture has neither the channel Y nor the
 /// channels R, G and B, and OutOfMemory if the machine has too little memory for the copy.
+/// Precondition: colors have the primaries of sRGB.
 SourcePicture source_picture_of(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace foam::texgen

@@ -2,13 +2,18 @@
 
 #include "texgen/pictures/picture_file.h"
 
+#include "core/files/file_io.h"
 #include "tests/support/temporary_folder.h"
+#include "texgen/image/exr.h"
 #include "texgen/image/png.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -28,6 +33,30 @@ TEST(PictureFile, ReadsThePictureThatAValueNames) {
     ASSERT_TRUE(PictureFiles{}.read({std::string()}, file));
     EXPECT_FALSE(file.is_set());
     EXPECT_FALSE(PictureFiles{}.file(file).has_value());
+}
+
+// The numbers are the first column of the matrix from linear sRGB to ACEScg with the Bradford
+// transform, as programs for colors publish it: the color red.
+TEST(PictureFile, ColorsHaveThePrimariesOfSrgb) {
+    const TemporaryFolder folder;
+    Image<float> rgb(1, 1, 3);
+    std::ranges::copy(std::vector{0.613097F, 0.070194F, 0.020616F}, rgb.samples().begin());
+    Picture picture{{{{"R", "G", "B"}, SampleType::Float, std::move(rgb)}}};
+    picture.metadata.color = true;
+    const auto read = [&](Primaries primaries) {
+        picture.metadata.primaries = primaries;
+        const std::string path = (folder.path() / "x.exr").string();
+        write_file(path, encode_exr(picture));
+        return read_picture_file(path);
+    };
+    const PictureFile converted = read(Primaries::AcesCg);
+    const LinearRgb red = pixel_of(*converted.picture, 0, 0).color;
+    EXPECT_NEAR(red.r, 1.0, 1e-3);
+    EXPECT_NEAR(red.g, 0.0, 1e-3);
+    EXPECT_NEAR(red.b, 0.0, 1e-3);
+    const PictureFile same = read(Primaries::Srgb);
+    EXPECT_NEAR(pixel_of(*same.picture, 0, 0).color.r, 0.6131, 1e-4);
+    EXPECT_NE(same.hash, converted.hash);
 }
 
 TEST(PictureFile, SaysWhyAFileCannotBeRead) {
