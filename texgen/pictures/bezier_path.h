@@ -54,6 +54,8 @@ void add_arc(Subpath& path, const EllipticalArc& arc);
 struct AffineMap {
     std::array<double, 6> abcdef{1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
 
+    static AffineMap translation(double x, double y) { return {{1.0, 0.0, 0.0, 1.0, x, y}}; }
+
     Vec2 operator()(const Vec2& point) const;
     /// Returns the map that applies `inner` first, then this map.
     AffineMap operator*(const AffineMap& inner) const;

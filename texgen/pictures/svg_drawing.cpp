@@ -4,19 +4,18 @@
 
 #include "core/files/file_io.h"
 #include "core/files/shown_text.h"
+#include "texgen/pictures/svg_element.h"
 #include "texgen/pictures/svg_path.h"
 #include "texgen/pictures/svg_text.h"
+#include "texgen/pictures/svg_viewport.h"
 
 #include <fmt/core.h>
 #include <pugixml.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace foam::texgen {
 
@@ -25,38 +24,14 @@ namespace {
 using Node = pugi::xml_node;
 
 constexpr int kMaxDepth = 64;
-// These limits bound the time that a document with nested <use> elements can take.
+// The limits bound the time that a document with nested uses can take.
 constexpr std::size_t kMaxCurves = 100'000;
 constexpr int kMaxElements = 200'000;
-
-// Returns the name of an element without the prefix of its namespace.
-std::string_view name_of(const Node& node) {
-    const std::string_view name = node.name();
-    return name.substr(name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
-}
-
-// Returns a property from the attribute `style` ("fill:none; opacity:0") or else from the attribute
-// with its name; empty if there is neither.
-std::string_view property(const Node& node, std::string_view name) {
-    std::string_view style = node.attribute("style").value();
-    while (!style.empty()) {
-        const std::string_view one = style.substr(0, style.find(';'));
-        style.remove_prefix(std::min(style.size(), one.size() + 1));
-        const std::size_t colon = one.find(':');
-        const auto trimmed = [](std::string_view text) {
-            const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-            return text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin);
-        };
-        if (colon != std::string_view::npos && trimmed(one.substr(0, colon)) == name) {
-            return trimmed(one.substr(colon + 1));
-        }
-    }
-    return node.attribute(std::string(name).c_str()).value();
-}
 
 // The properties that an element inherits from the elements around it.
 struct Style {
     AffineMap map;
+    Vec2 viewport{0.0, 0.0};  // the size of the viewport around the element
     bool is_filled = true;
     bool is_visible = true;
     bool is_even_odd = false;
@@ -65,13 +40,14 @@ struct Style {
     Style within(const Node& node) const {
         Style style = *this;
         style.map = map * parse_svg_transform(node.attribute("transform").value());
-        if (const std::string_view fill = property(node, "fill"); !fill.empty()) {
+        if (const std::string_view fill = element_property(node, "fill"); !fill.empty()) {
             style.is_filled = fill != "none" && fill != "transparent";
         }
-        if (const std::string_view rule = property(node, "fill-rule"); !rule.empty()) {
+        if (const std::string_view rule = element_property(node, "fill-rule"); !rule.empty()) {
             style.is_even_odd = rule == "evenodd";
         }
-        if (const std::string_view visible = property(node, "visibility"); !visible.empty()) {
+        if (const std::string_view visible = element_property(node, "visibility");
+            !visible.empty()) {
             style.is_visible = visible == "visible";
         }
         return style;
@@ -79,43 +55,47 @@ struct Style {
 };
 
 bool is_displayed(const Node& node) {
-    return property(node, "display") != "none" && property(node, "opacity") != "0";
-}
-
-// Returns the number of pixels per unit of length, or nullopt for other units.
-std::optional<double> pixels_per(std::string_view unit) {
-    constexpr std::array<std::pair<std::string_view, double>, 7> kUnits = {{{"", 1.0},
-                                                                            {"px", 1.0},
-                                                                            {"mm", 96.0 / 25.4},
-                                                                            {"cm", 96.0 / 2.54},
-                                                                            {"in", 96.0},
-                                                                            {"pt", 96.0 / 72.0},
-                                                                            {"pc", 16.0}}};
-    const auto* const found = std::ranges::find(kUnits, unit, &decltype(kUnits)::value_type::first);
-    return found == kUnits.end() ? std::nullopt : std::optional(found->second);
-}
-
-// Returns a length in pixels, or nullopt if the attribute is missing or is "auto". Throws
-// InputError for other texts.
-std::optional<double> length_or_none(const Node& node, const char* name) {
-    const pugi::xml_attribute attribute = node.attribute(name);
-    if (attribute.empty() || std::string_view(attribute.value()) == "auto") {
-        return std::nullopt;
-    }
-    SvgText text(attribute.value());
-    const std::optional<double> number = text.number();
-    const std::optional<double> unit = pixels_per(text.word());
-    if (!number || !unit || !text.is_at_end()) {
-        throw InputError(fmt::format("{}=\"{}\" of a <{}> is no length in px, mm, cm, in, pt or pc",
-                                     name,
-                                     cut_text(attribute.value()),
-                                     name_of(node)));
-    }
-    return *number * *unit;
+    const double opacity = SvgText(element_property(node, "opacity")).number().value_or(1.0);
+    return opacity > 0.0 && element_property(node, "display") != "none";
 }
 
 double length(const Node& node, const char* name) {
-    return length_or_none(node, name).value_or(0.0);
+    return element_length(node, name).value_or(0.0);
+}
+
+// Returns the size of the viewport of a document.
+Vec2 viewport_of_document(const Node& root) {
+    if (const auto box = parse_svg_view_box(root.attribute("viewBox").value())) {
+        return box->size;
+    }
+    const Vec2 size(300.0, 150.0);  // the default of CSS
+    return {parse_svg_length(root.attribute("width").value(), size.x()).value_or(size.x()),
+            parse_svg_length(root.attribute("height").value(), size.y()).value_or(size.y())};
+}
+
+// Returns the style within the viewport of an <svg> or a <symbol> of the given style, or nullopt if
+// the viewport is empty. The size that a <use> of the element gives overrides that of the element.
+std::optional<Style> within_viewport(const Style& style, const Node& node, const Node& use) {
+    const auto position = [&](const char* name, double whole) {
+        return element_length(node, name, whole).value_or(0.0);
+    };
+    const auto extent = [&](const char* name, double whole) {
+        const std::optional<double> given = element_length(use, name, whole);
+        return given ? *given : element_length(node, name, whole).value_or(whole);
+    };
+    const Vec2& outer = style.viewport;
+    const Vec2 low(position("x", outer.x()), position("y", outer.y()));
+    const Vec2 size(extent("width", outer.x()), extent("height", outer.y()));
+    const SvgViewBox box = parse_svg_view_box(node.attribute("viewBox").value())
+                               .value_or(SvgViewBox{{0.0, 0.0}, size});
+    if (!(size.minCoeff() > 0.0 && box.size.minCoeff() > 0.0)) {
+        return std::nullopt;
+    }
+    Style inner = style;
+    inner.map = style.map * AffineMap::translation(low.x(), low.y()) *
+                view_box_map(box, node.attribute("preserveAspectRatio").value(), size);
+    inner.viewport = box.size;
+    return inner;
 }
 
 BezierPath ellipse(const Vec2& center, const Vec2& radii) {
@@ -127,16 +107,16 @@ BezierPath ellipse(const Vec2& center, const Vec2& radii) {
     return {path};
 }
 
-// Returns a rectangle whose corners may be round. If only one radius is given, it is used in both
-// directions. Radii are limited to half of the size.
+// Returns a rectangle whose corners may be round. If only one radius is given, it is that of both
+// directions; radii are at most half of the size.
 BezierPath rectangle(const Node& node) {
     const Vec2 low(length(node, "x"), length(node, "y"));
     const Vec2 size(length(node, "width"), length(node, "height"));
     if (!(size.minCoeff() > 0.0)) {
         return {};
     }
-    const std::optional<double> rx = length_or_none(node, "rx");
-    const std::optional<double> ry = length_or_none(node, "ry");
+    const std::optional<double> rx = element_length(node, "rx");
+    const std::optional<double> ry = element_length(node, "ry");
     const Vec2 given(rx ? *rx : ry.value_or(0.0), ry ? *ry : rx.value_or(0.0));
     const Vec2 r = given.cwiseMax(0.0).cwiseMin(0.5 * size);
     const Vec2 high = low + size;
@@ -157,7 +137,7 @@ BezierPath rectangle(const Node& node) {
 
 // Returns the path of a basic shape, or nullopt if the element is no basic shape.
 std::optional<BezierPath> path_of(const Node& node) {
-    const std::string_view name = name_of(node);
+    const std::string_view name = element_name(node);
     const Vec2 center(length(node, "cx"), length(node, "cy"));
     if (name == "path") {
         return parse_svg_path(node.attribute("d").value());
@@ -182,7 +162,9 @@ class ShapeReader {
   public:
     explicit ShapeReader(const Node& root) {
         collect_ids(root);
-        read_children(root, Style{}.within(root), 0);
+        Style style = Style{}.within(root);
+        style.viewport = viewport_of_document(root);
+        read_children(root, style, 0);
     }
 
     std::vector<SvgShape> shapes;
@@ -205,7 +187,8 @@ class ShapeReader {
         Node(root).traverse(walker);
     }
 
-    void read(const Node& node, const Style& outer, int depth) {
+    // Reads an element. `use` is the <use> that refers to it, or null.
+    void read(const Node& node, const Node& use, const Style& outer, int depth) {
         if (node.type() != pugi::node_element || !is_displayed(node)) {
             return;
         }
@@ -213,9 +196,11 @@ class ShapeReader {
             throw InputError("its elements are nested too deeply, or are too many");
         }
         const Style style = outer.within(node);
-        const std::string_view name = name_of(node);
-        if (name == "g" || name == "svg" || name == "a" || name == "switch") {
+        const std::string_view name = element_name(node);
+        if (name == "g" || name == "a" || name == "switch") {
             read_children(node, style, depth);
+        } else if (name == "svg") {
+            read_viewport(node, use, style, depth);
         } else if (name == "use") {
             read_use(node, style, depth);
         } else if (name == "text" && style.is_visible) {
@@ -229,7 +214,13 @@ class ShapeReader {
 
     void read_children(const Node& node, const Style& style, int depth) {
         for (const Node& child : node.children()) {
-            read(child, style, depth + 1);
+            read(child, Node(), style, depth + 1);
+        }
+    }
+
+    void read_viewport(const Node& node, const Node& use, const Style& style, int depth) {
+        if (const std::optional<Style> inner = within_viewport(style, node, use)) {
+            read_children(node, *inner, depth);
         }
     }
 
@@ -242,12 +233,11 @@ class ShapeReader {
                 fmt::format("<use> refers to '{}', which does not exist", cut_text(href)));
         }
         Style moved = style;
-        moved.map =
-            style.map * AffineMap{{1.0, 0.0, 0.0, 1.0, length(node, "x"), length(node, "y")}};
-        if (name_of(found->second) == "symbol") {
-            read_children(found->second, moved.within(found->second), depth + 1);
+        moved.map = style.map * AffineMap::translation(length(node, "x"), length(node, "y"));
+        if (element_name(found->second) == "symbol") {
+            read_viewport(found->second, node, moved.within(found->second), depth + 1);
         } else {
-            read(found->second, moved, depth + 1);
+            read(found->second, node, moved, depth + 1);
         }
     }
 
@@ -279,7 +269,7 @@ std::vector<SvgShape> read_svg_shapes(std::string_view document) {
             fmt::format("it is not valid XML: {} at byte {}", result.description(), result.offset));
     }
     const Node root = xml.document_element();
-    if (name_of(root) != "svg") {
+    if (element_name(root) != "svg") {
         throw InputError("it is XML, but no SVG");
     }
     return ShapeReader(root).shapes;

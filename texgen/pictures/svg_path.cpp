@@ -195,10 +195,6 @@ std::optional<std::vector<double>> arguments(SvgText& text) {
     return numbers;
 }
 
-AffineMap translation(double x, double y) {
-    return {{1.0, 0.0, 0.0, 1.0, x, y}};
-}
-
 AffineMap rotation(double degrees) {
     const Vec2 axis = unit_vector(kDegree * degrees);
     return {{axis.x(), axis.y(), -axis.y(), axis.x(), 0.0, 0.0}};
@@ -211,7 +207,7 @@ std::optional<AffineMap> transform_of(std::string_view name, const std::vector<d
         return AffineMap{{n[0], n[1], n[2], n[3], n[4], n[5]}};
     }
     if (name == "translate" && (count == 1 || count == 2)) {
-        return translation(n[0], count == 2 ? n[1] : 0.0);
+        return AffineMap::translation(n[0], count == 2 ? n[1] : 0.0);
     }
     if (name == "scale" && (count == 1 || count == 2)) {
         return AffineMap{{n[0], 0.0, 0.0, n.back(), 0.0, 0.0}};
@@ -220,7 +216,8 @@ std::optional<AffineMap> transform_of(std::string_view name, const std::vector<d
         return rotation(n[0]);
     }
     if (name == "rotate" && count == 3) {
-        return translation(n[1], n[2]) * rotation(n[0]) * translation(-n[1], -n[2]);
+        return AffineMap::translation(n[1], n[2]) * rotation(n[0]) *
+               AffineMap::translation(-n[1], -n[2]);
     }
     if (name == "skewX" && count == 1) {
         return AffineMap{{1.0, 0.0, ieee::tan(kDegree * n[0]), 1.0, 0.0, 0.0}};

@@ -116,6 +116,12 @@ TEST(OutlineFile, SkipsWhatIsNotFilled) {
           "<rect x='20' width='10' height='10' style='stroke:red; fill: none'/>",
           "<g display='none'><rect x='20' width='10' height='10'/></g>",
           "<g visibility='hidden'><rect x='20' width='10' height='10'/></g>",
+          "<rect x='20' width='10' height='10' opacity='0.0'/>",
+          "<g style='opacity: 0%'><rect x='20' width='10' height='10'/></g>",
+          "<g fill='none'><rect x='20' width='10' height='10' fill='inherit'/></g>",
+          "<g visibility='hidden'><rect x='20' width='10' height='10' "
+          "style='visibility:inherit'/></g>",
+          "<svg width='0' height='10'><rect x='20' width='10' height='10'/></svg>",
           "<defs><rect x='20' width='10' height='10'/></defs>",
           "<clipPath><rect x='20' width='10' height='10'/></clipPath>",
           "<line x1='20' x2='30'/>"}) {
@@ -129,6 +135,46 @@ TEST(OutlineFile, FollowsUses) {
         outlines(symbol + std::string("<use href='#s'/><use xlink:href='#s' x='20'/>")).size(), 2U);
     EXPECT_THROW(outlines("<use href='#missing'/>"), InputError);
     EXPECT_THROW(outlines("<g id='a'><use href='#a'/><use href='#a'/></g>"), InputError);
+}
+
+TEST(OutlineFile, InheritsProperties) {
+    EXPECT_EQ(
+        outlines("<rect width='9' height='9' visibility='inherit' opacity='inherit'/>").size(), 1U);
+    EXPECT_EQ(outlines("<rect width='9' height='9' opacity='0.01'/>").size(), 1U);
+    // Even-odd, the square has a hole.
+    const Outlines square = outlines(
+        "<g fill-rule='evenodd'><path fill-rule='inherit' d='M0 0 h30 v30 h-30 z M10 10 h10 "
+        "v10 h-10 z'/></g>");
+    EXPECT_EQ(square.at(0).holes.size(), 1U);
+}
+
+// Both icons are scaled from 10 x 10 to 40 x 40, so that the left one touches the right one and is
+// as large as it.
+TEST(OutlineFile, ScalesTheContentOfViewports) {
+    const std::string right = "<rect x='40' width='40' height='40'/>";
+    const std::string icon = "viewBox='100 0 10 10'><rect x='100' width='10' height='10'/>";
+    for (const std::string& left :
+         {"<svg width='40' height='40' " + icon + "</svg>",
+          "<symbol id='s' " + icon + "</symbol><use href='#s' width='40' height='40'/>",
+          "<svg id='s' x='-90' width='7' height='7' " + icon +
+              "</svg><use href='#s' x='90' width='40' height='40'/>",
+          "<svg width='80' height='40' preserveAspectRatio='xMinYMin' " + icon + "</svg>",
+          "<svg width='40' height='20' preserveAspectRatio='xMinYMin slice' " + icon + "</svg>"}) {
+        const Outlines parts = outlines(left + right);
+        ASSERT_EQ(parts.size(), left.find("<svg id") == 0 ? 2U : 1U) << left;
+        EXPECT_NEAR(filled_fraction({parts.front()}), 1.0, kRounding) << left;
+    }
+}
+
+// Without a size, a viewport is as large as the one around it, here 20 x 10. The position 25% is 5.
+TEST(OutlineFile, ViewportsAreFractionsOfTheOneAround) {
+    const Outlines half = outlines_of_svg(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 20 10'><svg viewBox='0 0 2 1'>"
+        "<rect width='2' height='1'/></svg><svg x='25%' y='10' width='50%' viewBox='0 0 1 1'>"
+        "<rect width='1' height='1'/></svg></svg>");
+    // A rectangle of 20 x 10 and, below its center, a square of 10 x 10: 300 of 20 x 20.
+    ASSERT_EQ(half.size(), 1U);
+    EXPECT_NEAR(filled_fraction(half), 0.75, kRounding);
 }
 
 // The speck has 1/1600 of the area of the square, the dot has 1/100.

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "texgen/pictures/svg_element.h"
+
+#include "core/files/file_io.h"
+#include "core/files/shown_text.h"
+#include "texgen/pictures/svg_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace foam::texgen {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    return text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin);
+}
+
+// Returns a property as it is given, even if it is "inherit".
+std::string_view given_property(const pugi::xml_node& node, std::string_view name) {
+    std::string_view style = node.attribute("style").value();
+    while (!style.empty()) {
+        const std::string_view one = style.substr(0, style.find(';'));
+        style.remove_prefix(std::min(style.size(), one.size() + 1));
+        const std::size_t colon = one.find(':');
+        if (colon != std::string_view::npos && trimmed(one.substr(0, colon)) == name) {
+            return trimmed(one.substr(colon + 1));
+        }
+    }
+    return node.attribute(std::string(name).c_str()).value();
+}
+
+// Returns the number of pixels per unit of length, or nullopt for other units.
+std::optional<double> pixels_per(std::string_view unit) {
+    constexpr std::array<std::pair<std::string_view, double>, 7> kUnits = {{{"", 1.0},
+                                                                            {"px", 1.0},
+                                                                            {"mm", 96.0 / 25.4},
+                                                                            {"cm", 96.0 / 2.54},
+                                                                            {"in", 96.0},
+                                                                            {"pt", 96.0 / 72.0},
+                                                                            {"pc", 16.0}}};
+    const auto* const found = std::ranges::find(kUnits, unit, &decltype(kUnits)::value_type::first);
+    return found == kUnits.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace
+
+std::string_view element_name(const pugi::xml_node& node) {
+    const std::string_view name = node.name();
+    return name.substr(name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
+}
+
+std::string_view element_property(const pugi::xml_node& node, std::string_view name) {
+    const std::string_view given = given_property(node, name);
+    return given == "inherit" ? std::string_view() : given;
+}
+
+std::optional<double> parse_svg_length(std::string_view text, std::optional<double> whole) {
+    SvgText rest(text);
+    const std::optional<double> number = rest.number();
+    const bool is_share = whole && rest.skip('%');
+    const std::optional<double> unit = is_share ? *whole / 100.0 : pixels_per(rest.word());
+    return number && unit && rest.is_at_end() ? std::optional(*number * *unit) : std::nullopt;
+}
+
+std::optional<double> element_length(const pugi::xml_node& node,
+                                     const char* name,
+                                     std::optional<double> whole) {
+    const pugi::xml_attribute attribute = node.attribute(name);
+    if (attribute.empty() || std::string_view(attribute.value()) == "auto") {
+        return std::nullopt;
+    }
+    const std::optional<double> length = parse_svg_length(attribute.value(), whole);
+    if (!length) {
+        throw InputError(fmt::format("{}=\"{}\" of a <{}> is no length in px, mm, cm, in, pt or pc",
+                                     name,
+                                     cut_text(attribute.value()),
+                                     element_name(node)));
+    }
+    return length;
+}
+
+}  // namespace foam::texgen

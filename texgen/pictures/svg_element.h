@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <pugixml.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// Returns the name of an element without the prefix of its namespace.
+std::string_view element_name(const pugi::xml_node& node);
+
+/// Returns a property of an element, from the attribute `style` ("fill:none; opacity:0") or else
+/// from the attribute with its name. Returns an empty text if there is neither, or if the value is
+/// "inherit".
+std::string_view element_property(const pugi::xml_node& node, std::string_view name);
+
+/// Returns a length in pixels, or nullopt if the text is no length. Units are px, mm, cm, in, pt,
+/// pc and, if `whole` is given, percent of `whole`.
+std::optional<double> parse_svg_length(std::string_view text, std::optional<double> whole = {});
+
+/// Returns the length in an attribute (parse_svg_length), or nullopt if the element has no such
+/// attribute or if it is "auto". Throws InputError if the attribute is no length; the message does
+/// not name the file.
+std::optional<double> element_length(const pugi::xml_node& node,
+                                     const char* name,
+                                     std::optional<double> whole = {});
+
+}  // namespace foam::texgen
