@@ -24,7 +24,7 @@ namespace {
 using Node = pugi::xml_node;
 
 constexpr int kMaxDepth = 64;
-// The limits bound the time that a document with nested uses can take.
+// These limits bound the time that a document with nested <use> elements can take.
 constexpr std::size_t kMaxCurves = 100'000;
 constexpr int kMaxElements = 200'000;
 
@@ -107,8 +107,8 @@ BezierPath ellipse(const Vec2& center, const Vec2& radii) {
     return {path};
 }
 
-// Returns a rectangle whose corners may be round. If only one radius is given, it is that of both
-// directions; radii are at most half of the size.
+// Returns a rectangle whose corners may be round. If only one radius is given, it is used in both
+// directions. Radii are limited to half of the size.
 BezierPath rectangle(const Node& node) {
     const Vec2 low(length(node, "x"), length(node, "y"));
     const Vec2 size(length(node, "width"), length(node, "height"));
