@@ -62,12 +62,12 @@ void check_range(const foamtex::Preset::State& state, const Map& map) {
 foamtex::ImageShape shape_of(const foamtex::Frame::State& frame,
                              const std::string& map_name,
                              bool integers) {
-    const Map& map = find_map(map_name);
-    const ImageOptions& image = frame.preset.state().preset.image;
+    const Preset& preset = frame.preset.state().preset;
+    const MapTraits& map = drawn_traits(find_map(map_name), preset.maps);
     const bool has_opacity = map.kind == MapKind::Color && frame.shown.frame->domain.is_plane();
     int channels = channel_count(map) + (has_opacity ? 1 : 0);
     channels = integers && map.kind == MapKind::Number && channels == 2 ? 3 : channels;
-    return {image.width, image.height, channels};
+    return {preset.image.width, preset.image.height, channels};
 }
 
 Image<float> number_image(const foamtex::Frame::State& frame,
@@ -75,7 +75,9 @@ Image<float> number_image(const foamtex::Frame::State& frame,
                           int threads) {
     const Map& map = find_map(map_name);
     MapImage image = draw_map(frame, map, threads);
-    ChannelGroup group = number_channels(std::move(image), {"", map.channels}, SampleType::Float);
+    const MapTraits& traits = drawn_traits(map, frame.preset.state().preset.maps);
+    ChannelGroup group =
+        number_channels(std::move(image), {"", traits.channels}, SampleType::Float);
     if (auto* const numbers = std::get_if<Image<float>>(&group.samples)) {
         return std::move(*numbers);
     }
@@ -92,9 +94,10 @@ Image<Sample> code_image(const foamtex::Frame::State& frame,
                          const std::string& map_name,
                          int threads) {
     const Map& map = find_map(map_name);
-    check_range(frame.preset.state(), map);
+    const foamtex::Preset::State& preset = frame.preset.state();
+    check_range(preset, map);
     constexpr int kBits = kBitsPerByte * static_cast<int>(sizeof(Sample));
-    if (map.kind == MapKind::Color && kBits != kBitsPerByte) {
+    if (drawn_traits(map, preset.preset.maps).kind == MapKind::Color && kBits != kBitsPerByte) {
         throw std::invalid_argument(
             fmt::format("the map '{}' has colors, which a PNG stores with 8 bits", map.name));
     }

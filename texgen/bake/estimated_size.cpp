@@ -7,6 +7,7 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/vector_files.h"
 #include "texgen/image/format.h"
+#include "texgen/maps/all_maps.h"
 #include "texgen/preset/drawn_images.h"
 
 #include <algorithm>
@@ -95,7 +96,7 @@ double map_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
 double bytes_per_pixel(const DrawnImage& image, const Preset& preset) {
     double bytes = 0.0;
     for (const Map* const map : image.sources()) {
-        bytes += map_bytes_per_pixel(*map, preset);
+        bytes += map_bytes_per_pixel(drawn_traits(*map, preset.maps), preset);
     }
     return bytes;
 }

@@ -67,6 +67,10 @@ const Map& find_map(std::string_view name) {
     return *found;
 }
 
+const MapTraits& drawn_traits(const Map& map, const MapOptions& options) {
+    return map.name == kPressureMap.name ? pressure_traits(options.pressure) : map;
+}
+
 DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options) {
     return {.smooth = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
                 return uses_smooth_distance(find_map(name), options);

@@ -39,13 +39,14 @@ DrawnImage::Packed::Packed(Packing source)
              .png_bits = packing.bits,
              .png_filter = PngFilter::Up} {}
 
-DrawnImage::DrawnImage(const Map& map) : maps_{&map} {}
+DrawnImage::DrawnImage(const Map& map, const MapOptions& options)
+    : maps_{&map}, map_traits_(&drawn_traits(map, options)) {}
 
 DrawnImage::DrawnImage(Packing packing)
     : maps_(maps_in(packing)), packed_(std::make_shared<Packed>(std::move(packing))) {}
 
 const MapTraits& DrawnImage::traits() const {
-    return packed_ ? packed_->traits : *maps_.front();
+    return packed_ ? packed_->traits : *map_traits_;
 }
 
 std::vector<std::string> DrawnImage::packed_channels() const {

@@ -16,11 +16,12 @@ namespace foam::texgen {
 /// An image that is drawn for every frame: a map, or a packing of channels of several maps.
 class DrawnImage {
   public:
-    explicit DrawnImage(const Map& map);
+    /// The image of a map that is drawn with the given options.
+    DrawnImage(const Map& map, const MapOptions& options);
     explicit DrawnImage(Packing packing);
 
-    /// Returns the name, unit, channels and bits of the image. For a map, these are its own traits.
-    /// The result is valid as long as a copy of this object exists.
+    /// Returns the name, unit, channels and bits of the image. For a map, these are its
+    /// drawn_traits (all_maps.h). The result is valid as long as a copy of this object exists.
     const MapTraits& traits() const;
     std::string_view name() const { return traits().name; }
 
@@ -57,7 +58,8 @@ class DrawnImage {
     };
 
     std::vector<const Map*> maps_;
-    std::shared_ptr<const Packed> packed_;  // nullptr for a map
+    const MapTraits* map_traits_ = nullptr;  // nullptr for a packing
+    std::shared_ptr<const Packed> packed_;   // nullptr for a map
 };
 
 }  // namespace foam::texgen

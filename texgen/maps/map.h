@@ -27,15 +27,15 @@ enum class SmoothDistance {
     UsedByFilms,  // used if films have the wet profile or a shade (film_distance_needs)
 };
 
-/// The kind of the samples of a map: the alternative of MapImage that the map draws. Exception: the
-/// map `pressure` has the kind Number, but draws ColorPixels if PressureOptions::colormap is set.
+/// The kind of the samples of a map: the alternative of MapImage that the map draws.
 enum class MapKind {
     Color,   // ColorPixels
     Number,  // NumberPixels
     Id,      // IdPixels
 };
 
-/// The properties of a map that do not depend on options.
+/// The properties of the images of a map. They do not depend on options, except for those of the
+/// map `pressure` (drawn_traits in all_maps.h).
 struct MapTraits {
     std::string_view name;      // part of file names
     std::string_view meaning;   // a description in a few words

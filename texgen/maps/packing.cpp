@@ -159,7 +159,8 @@ Packing parse_name(std::string_view text, std::string_view whole) {
 // The images of the maps of a packing, each drawn once.
 class MapImages {
   public:
-    MapImages(const Packing& packing, ShownLayers& shown, const MapOptions& options) {
+    MapImages(const Packing& packing, ShownLayers& shown, MapOptions options) {
+        options.pressure = without_colors(std::move(options.pressure));
         for (const Map* const map : maps_in(packing)) {
             images_.emplace_back(map, draw(*map, shown, options));
         }

@@ -26,7 +26,8 @@ struct PackedChannel {
 
 /// A packed image: an image whose channels come from different maps, as engines expect of a
 /// material. A sample of a map of numbers is packed as the fraction that a PNG of the map stores:
-/// 0 for the smallest number of its range, 1 for the largest.
+/// 0 for the smallest number of its range, 1 for the largest. The map `pressure` is packed as
+/// numbers even if pressure.colormap is set.
 struct Packing {
     std::string name;                     // takes the place of {map} in file names
     std::vector<PackedChannel> channels;  // R, G, B and, if there are four, A

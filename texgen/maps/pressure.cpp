@@ -25,10 +25,11 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kMiddle = 0.5;
+constexpr std::string_view kNoColors = "none";  // the value of pressure.colormap for numbers
 
 std::span<const std::string_view> colormaps_and_none() {
     static const std::vector<std::string_view> words = [] {
-        std::vector<std::string_view> all{"none"};
+        std::vector<std::string_view> all{kNoColors};
         all.insert(all.end(), colormap_names().begin(), colormap_names().end());
         return all;
     }();
@@ -200,6 +201,15 @@ Keys<PressureOptions> pressure_keys() {
             &Options::colormap)};
 }
 
+const MapTraits& pressure_traits(const PressureOptions& options) {
+    return options.colormap == kNoColors ? kPressureMap : kColoredPressureMap;
+}
+
+PressureOptions without_colors(PressureOptions options) {
+    options.colormap = kNoColors;
+    return options;
+}
+
 PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options) {
     if (!(options.low < options.high)) {
         throw std::invalid_argument(
@@ -227,7 +237,7 @@ PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOption
 
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options) {
     const PerBubble<double> tones = pressure_tones(layers, options);
-    if (options.colormap == "none") {
+    if (pressure_traits(options).kind == MapKind::Number) {
         return NumberPixels{fill_numbers(layers, tones), 0.0, 1.0};
     }
     const ColorMap& colormap = find_colormap(options.colormap);

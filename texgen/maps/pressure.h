@@ -18,6 +18,13 @@ inline constexpr MapTraits kPressureMap = {
     .channels = "Y",
     .png_bits = 16};
 
+/// The traits of the map if PressureOptions::colormap is set.
+inline constexpr MapTraits kColoredPressureMap = {.name = kPressureMap.name,
+                                                  .meaning = kPressureMap.meaning,
+                                                  .unit = "light",
+                                                  .channels = "R G B",
+                                                  .kind = MapKind::Color};
+
 /// The scale that converts pressures to tones. Its ends have the tones 0 and 1. Percentiles and
 /// ranks are measured among the pressures at the end of the warm-up before frame 1
 /// (FoamRecord::first_pressures), so that all frames have the same scale. If pressures are smoothed
@@ -46,6 +53,12 @@ struct PressureOptions {
 
 Keys<PressureOptions> pressure_keys();
 
+/// Returns kColoredPressureMap if a color map is set, otherwise kPressureMap.
+const MapTraits& pressure_traits(const PressureOptions& options);
+
+/// Returns options with which the map is drawn as numbers.
+PressureOptions without_colors(PressureOptions options);
+
 /// Returns the tone of every bubble: the position of its pressure on the scale, with its difference
 /// from 0.5 multiplied by options.exaggeration. With the scaling Percentile, all tones are 0.5 if
 /// both percentiles are equal. All tones are also 0.5 if percentiles or ranks of
@@ -53,10 +66,10 @@ Keys<PressureOptions> pressure_keys();
 /// options.low is not below options.high, even if the scaling is not Range.
 PerBubble<double> pressure_tones(const FrameLayers& layers, const PressureOptions& options);
 
-/// Draws every bubble in its tone, as a number or as a color of a color map. Films are not drawn.
-/// Numbers may be outside the range from 0 to 1; colors are clamped to the ends of the color map.
-/// Numbers have one channel and are 0 around a patch; colors are transparent there. Throws as
-/// pressure_tones does, and std::invalid_argument for an unknown color map.
+/// Draws every bubble in its tone, as a number or as a color of a color map (pressure_traits).
+/// Films are not drawn. Numbers may be outside the range from 0 to 1; colors are clamped to the
+/// ends of the color map. Numbers have one channel and are 0 around a patch; colors are transparent
+/// there. Throws as pressure_tones does, and std::invalid_argument for an unknown color map.
 MapImage draw_pressure(FrameLayers& layers, const PressureOptions& options);
 
 }  // namespace foam::texgen

@@ -14,7 +14,7 @@ namespace foam::texgen {
 std::vector<DrawnImage> drawn_images(const Preset& preset) {
     std::vector<DrawnImage> images;
     for (const std::string& name : preset.image.maps) {
-        images.emplace_back(find_map(name));
+        images.emplace_back(find_map(name), preset.maps);
     }
     for (const std::string& packing : preset.output.pack) {
         images.emplace_back(parse_packing(packing));

@@ -233,7 +233,7 @@ Json Painter::pick(const Preset& preset, const PictureRequest& request, int x, i
         numbers.push_back(number_or_null(number_of(map.image, x, row, channel)));
     }
     Json picked = {{"numbers", numbers},
-                   {"unit", find_map(request.map).unit},
+                   {"unit", drawn_traits(find_map(request.map), preset.maps).unit},
                    {"color", nullptr},
                    {"bubble", nullptr}};
     if (const auto* const colors = std::get_if<ColorPixels>(&map.image)) {

@@ -118,6 +118,20 @@ TEST(LibraryFrame, ShapesAreThoseOfTheSamples) {
     EXPECT_FALSE(patch.extent().is_torus());
 }
 
+// The preset labyrinth has a color map for pressures.
+TEST(LibraryFrame, DrawsPressuresWithAColorMapAsColors) {
+    const Frame frame = first_frame(Preset("labyrinth", small()));
+    EXPECT_EQ(frame.shape("pressure").channels, 3);
+    EXPECT_EQ(frame.shape("pressure", true).channels, 3);
+    std::vector<std::uint8_t> codes(frame.shape("pressure", true).size());
+    frame.draw("pressure", std::span(codes));
+    std::vector<float> light(frame.shape("pressure").size());
+    frame.draw("pressure", std::span(light));
+    EXPECT_GT(*std::ranges::max_element(light), 0.0F);
+    std::vector<std::uint16_t> long_codes(light.size());
+    EXPECT_THROW(frame.draw("pressure", std::span(long_codes)), ArgumentError);
+}
+
 TEST(LibraryFrame, NamesWhatIsMissing) {
     const Frame frame = first_frame(Preset("sea_foam", small()));
     std::vector<float> motion(frame.shape("motion").size());

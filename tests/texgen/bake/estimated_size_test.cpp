@@ -71,6 +71,17 @@ TEST(EstimatedSize, OfMeshesIsRightWithinAFactorOfTwo) {
     }
 }
 
+// Without compression, a PNG of pressures has 2 bytes per pixel, and one of their colors has 3.
+TEST(EstimatedSize, DependsOnTheColorMapOfPressures) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / "{map}.png");
+    preset.image.maps = {"pressure"};
+    preset.output.png_compression = Compression::None;
+    const std::uint64_t of_numbers = estimated_size(preset, {1});
+    preset.maps.pressure.colormap = "viridis";
+    EXPECT_EQ(2 * estimated_size(preset, {1}), 3 * of_numbers);
+}
+
 TEST(EstimatedSize, CountsEachMissingFile) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / "{map}.####.png");

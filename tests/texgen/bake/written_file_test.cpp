@@ -16,7 +16,7 @@ MapSamples described(const char* map,
                      const MapImage& image,
                      const char* suffix,
                      const OutputOptions& output = {}) {
-    return describe_samples(DrawnImage(find_map(map)), image, *find_format(suffix), output);
+    return describe_samples(DrawnImage(find_map(map), {}), image, *find_format(suffix), output);
 }
 
 TEST(WrittenFile, DescribesColors) {
@@ -53,10 +53,10 @@ TEST(WrittenFile, TwoChannelsOfCodesArePadded) {
 
 TEST(WrittenFile, AFormatLimitsTheBitsOfACode) {
     ImageFormat format = *find_format(".png");
-    EXPECT_EQ(code_bits(DrawnImage(find_map("height")), format), 16);
+    EXPECT_EQ(code_bits(DrawnImage(find_map("height"), {}), format), 16);
     format.code_bits = 8;
-    EXPECT_EQ(code_bits(DrawnImage(find_map("height")), format), 8);
-    EXPECT_EQ(code_bits(DrawnImage(find_map("albedo")), format), 8);
+    EXPECT_EQ(code_bits(DrawnImage(find_map("height"), {}), format), 8);
+    EXPECT_EQ(code_bits(DrawnImage(find_map("albedo"), {}), format), 8);
 }
 
 }  // namespace

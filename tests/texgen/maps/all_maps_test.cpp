@@ -206,6 +206,18 @@ TEST_P(EveryMap, DrawsSamplesOfItsKind) {
     EXPECT_EQ(image.index(), static_cast<std::size_t>(find_map(GetParam().map).kind));
 }
 
+// With a color map, the map `pressure` draws colors instead of numbers.
+TEST(PressureMap, WithAColorMapHasTheTraitsOfColors) {
+    MapCase one{"pressure", "colored"};
+    one.options.pressure.colormap = "viridis";
+    const MapImage image = draw_case(one, test::torus_subject(), test::torus_grid(kSize));
+    const MapTraits& traits = drawn_traits(find_map("pressure"), one.options);
+    EXPECT_EQ(traits.kind, MapKind::Color);
+    EXPECT_EQ(channel_count(traits), std::get<ColorPixels>(image).pixels.channels());
+    EXPECT_EQ(drawn_traits(find_map("pressure"), {}).kind, MapKind::Number);
+    EXPECT_EQ(&drawn_traits(find_map("height"), one.options), &find_map("height"));
+}
+
 TEST_P(EveryMap, HasNoSeam) {
     const MapImage image = draw_case(GetParam(), test::torus_subject(), test::torus_grid(kSize));
     visit_numbers(

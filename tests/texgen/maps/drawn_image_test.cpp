@@ -15,13 +15,23 @@ namespace foam::texgen {
 namespace {
 
 TEST(DrawnImage, OfAMapHasItsTraits) {
-    const DrawnImage image(find_map("height"));
+    const DrawnImage image(find_map("height"), {});
     EXPECT_EQ(image.name(), "height");
     EXPECT_EQ(image.map(), &find_map("height"));
     EXPECT_EQ(image.sources().size(), 1U);
     EXPECT_TRUE(image.packed_channels().empty());
     EXPECT_FALSE(image.packs_colors());
-    EXPECT_EQ(DrawnImage(find_map("normal_dx")).note({}), find_map("normal_dx").note({}));
+    EXPECT_EQ(DrawnImage(find_map("normal_dx"), {}).note({}), find_map("normal_dx").note({}));
+}
+
+// The channels of an EXR have these names.
+TEST(DrawnImage, OfPressureWithAColorMapHasTheChannelsOfColors) {
+    MapOptions options;
+    EXPECT_EQ(DrawnImage(find_map("pressure"), options).traits().channels, "Y");
+    options.pressure.colormap = "viridis";
+    const DrawnImage colored(find_map("pressure"), options);
+    EXPECT_EQ(colored.traits().channels, "R G B");
+    EXPECT_EQ(colored.name(), "pressure");
 }
 
 TEST(DrawnImage, OfAPackingHasTraitsOfItsOwn) {
@@ -46,10 +56,10 @@ TEST(DrawnImage, KnowsTheChannelsWithARange) {
     EXPECT_EQ(packed.packed_channel(1)->map, &find_map("height"));
     EXPECT_TRUE(packed.packed_channel(1)->inverted);
     EXPECT_EQ(packed.packed_channel(3), nullptr);
-    const DrawnImage motion(find_map("motion"));
+    const DrawnImage motion(find_map("motion"), {});
     EXPECT_EQ(motion.ranged_channels(), (std::vector<std::size_t>{0, 1}));
     EXPECT_EQ(motion.packed_channel(0), nullptr);
-    EXPECT_TRUE(DrawnImage(find_map("normal")).ranged_channels().empty());
+    EXPECT_TRUE(DrawnImage(find_map("normal"), {}).ranged_channels().empty());
 }
 
 TEST(DrawnImage, ThePackedChannelsAreNotedWithTheirRanges) {

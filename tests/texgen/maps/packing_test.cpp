@@ -120,6 +120,17 @@ TEST(Packing, HoldsFractionsOfTheRangesOfItsMaps) {
     }
 }
 
+TEST(Packing, HoldsThePressureAsNumbersWithAColorMap) {
+    MapOptions colored;
+    colored.pressure.colormap = "viridis";
+    const auto image = std::get<NumberPixels>(packed("X=pressure,1-pressure,0", colored));
+    const Image<float> tones = drawn<NumberPixels>("pressure").pixels;
+    for (std::size_t k = 0; k < tones.samples().size(); ++k) {
+        EXPECT_EQ(image.pixels.samples()[3 * k], tones.samples()[k]);
+        EXPECT_FLOAT_EQ(image.pixels.samples()[3 * k + 1], 1.0F - tones.samples()[k]);
+    }
+}
+
 TEST(Packing, OfColorsHoldsTheirLight) {
     const Image<std::uint16_t> image =
         std::get<ColorPixels>(packed("X=albedo.B,albedo.G,albedo.R,roughness")).pixels;
