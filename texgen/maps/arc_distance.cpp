@@ -58,8 +58,8 @@ std::vector<ArcCopy> copies_in_image(std::span<const PlacedArc> arcs,
     std::vector<ArcCopy> copies;
     for (const PlacedArc& placed : arcs) {
         const double radius = radius_around_chord(placed.arc);
-        for_each_copy(grid, domain, placed.tail, reach + 2.0 * radius, [&](SubpixelPoint tail) {
-            const Vec2 start = Vec2(tail.x, tail.y) / kSubpixel;
+        for_each_copy(grid, domain, placed.tail, reach + 2.0 * radius, [&](const Vec2& tail) {
+            const Vec2 start = tail / kSubpixel;
             copies.push_back({&placed.arc, start, start + 0.5 * placed.arc.chord, radius + reach});
         });
     }

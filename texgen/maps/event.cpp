@@ -23,19 +23,18 @@ struct EventDisk {
     std::size_t channel;  // channel of the image: 0 red, 1 green, 2 blue
 };
 
-// Paints one periodic copy of a disk, with its center at `middle`.
-void paint_copy(const EventDisk& disk, SubpixelPoint middle, ImageView<float> image) {
-    const auto reach = static_cast<std::int32_t>(std::ceil(disk.radius));
-    const int left = std::max(pixel_of(middle.x) - reach, 0);
-    const int right = std::min(pixel_of(middle.x) + reach, image.width() - 1);
-    const int bottom = std::max(pixel_of(middle.y) - reach, 0);
-    const int top = std::min(pixel_of(middle.y) + reach, image.height() - 1);
+// Paints one periodic copy of a disk, with its center at `middle`, in subpixels.
+void paint_copy(const EventDisk& disk, const Vec2& middle, ImageView<float> image) {
+    const Vec2 last(image.width() - 1, image.height() - 1);
+    const double reach = std::ceil(disk.radius);
+    const Eigen::Array2d pixel = (middle.array() / kSubpixel).floor();
+    const Eigen::Array2i low = (pixel - reach).max(0.0).cast<int>();
+    const Eigen::Array2i high = (pixel + reach).min(last.array()).cast<int>();
     const double squared_radius = disk.radius * disk.radius * kSubpixel * kSubpixel;
-    for (int y = bottom; y <= top; ++y) {
-        for (int x = left; x <= right; ++x) {
-            const SubpixelPoint from = pixel_center(x, y) - middle;
-            const double squared =
-                static_cast<double>(from.x) * from.x + static_cast<double>(from.y) * from.y;
+    for (int y = low.y(); y <= high.y(); ++y) {
+        for (int x = low.x(); x <= high.x(); ++x) {
+            const SubpixelPoint center = pixel_center(x, y);
+            const double squared = (Vec2(center.x, center.y) - middle).squaredNorm();
             const double inside = std::max(1.0 - squared / squared_radius, 0.0);
             float& value = image.pixel(x, y)[disk.channel];
             value = std::max(value, disk.height * static_cast<float>(inside * inside));
@@ -72,7 +71,7 @@ NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {
         }
         const float height = 1.0F - static_cast<float>(since) / static_cast<float>(options.fade);
         const EventDisk disk{radius, height, static_cast<std::size_t>(event.kind)};
-        for_each_copy(grid, frame.domain, event.position, radius, [&](SubpixelPoint middle) {
+        for_each_copy(grid, frame.domain, event.position, radius, [&](const Vec2& middle) {
             paint_copy(disk, middle, image.view());
         });
     }

@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -61,9 +60,11 @@ int octaves_of(double size) {
 }
 
 // The origin and the seed of the noise in each bubble, indexed by the ids of the distance field.
+// Origins are whole numbers, but they are doubles, because those of a magnified patch may not fit
+// into 32 bits.
 struct Origins {
-    std::vector<std::int32_t> x;  // the centroid of the bubble on the unshifted grid, in subpixels
-    std::vector<std::int32_t> y;
+    std::vector<double> x;  // the centroid of the bubble on the unshifted grid, in subpixels
+    std::vector<double> y;
     std::vector<std::uint32_t> seeds;  // 0 around a patch
 };
 
@@ -71,11 +72,14 @@ Origins origins_of(FrameLayers& layers, GrainUse use) {
     const Frame& frame = layers.frame();
     const Domain& domain = frame.domain;
     const auto position = [&](const Vec2& center) {
-        return domain.is_plane() ? to_subpixel(pixel_in_view(layers.grid(), center))
-                                 : Snap(layers.grid(), domain)(
-                                       center - domain.translation(domain.cell_of(center)));
+        if (domain.is_plane()) {
+            return rounded_to_subpixels(pixel_in_view(layers.grid(), center));
+        }
+        const Vec2 wrapped = center - domain.translation(domain.cell_of(center));
+        const SubpixelPoint rounded = Snap(layers.grid(), domain)(wrapped);
+        return Vec2(rounded.x, rounded.y);
     };
-    const auto centers = per_bubble<SubpixelPoint>(
+    const auto centers = per_bubble<Vec2>(
         frame,
         [&](BubbleId bubble) { return position(centroid_of(frame, bubble)); },
         [&](const LoneBubble& bubble) { return position(bubble.center); });
@@ -84,35 +88,37 @@ Origins origins_of(FrameLayers& layers, GrainUse use) {
         [&](BubbleId bubble) { return seed_of_grain(frame.bubbles[bubble].identity, use); },
         [&](const LoneBubble& bubble) { return seed_of_grain(bubble.identity, use); });
     Origins origins;
-    for (const SubpixelPoint& center : by_cell_id(layers, centers, SubpixelPoint{})) {
-        origins.x.push_back(center.x);
-        origins.y.push_back(center.y);
+    for (const Vec2& center : by_cell_id(layers, centers, Vec2(0.0, 0.0))) {
+        origins.x.push_back(center.x());
+        origins.y.push_back(center.y());
     }
     origins.seeds = by_cell_id(layers, seeds, std::uint32_t{0});
     return origins;
 }
 
-// The periods of a grid, in subpixels. In the plane, they are so large that nothing is wrapped.
+// The periods of a grid, in subpixels: whole numbers. In the plane, they are so large that nothing
+// is wrapped.
 struct Periods {
-    std::int32_t width;
-    std::int32_t height;
-    std::int32_t shear;
+    double width;
+    double height;
+    double shear;
 };
 
 Periods periods_of(const RasterGrid& grid, const Domain& domain) {
     if (domain.is_plane()) {
-        constexpr std::int32_t kNoPeriod = std::numeric_limits<std::int32_t>::max();
-        return {kNoPeriod, kNoPeriod, 0};
+        constexpr double kNoPeriod = 0x1p60;
+        return {kNoPeriod, kNoPeriod, 0.0};
     }
-    return {grid.width * kSubpixel, grid.height * kSubpixel, shear_in_subpixels(grid, domain)};
+    return {static_cast<double>(grid.width * kSubpixel),
+            static_cast<double>(grid.height * kSubpixel),
+            static_cast<double>(shear_in_subpixels(grid, domain))};
 }
 
 // Returns the number of periods in a distance, rounded to nearest. Rounding errors do not change
-// the result: a quotient that is not an integer differs from every integer by at least 1 / period,
-// which is far more than its rounding error.
-std::int32_t periods_in(std::int32_t distance, std::int32_t period) {
-    const std::int32_t half = period / 2;
-    return floor_of((static_cast<double>(distance) + half) / period);
+// the result on a torus: a quotient that is not an integer differs from every integer by at least
+// 1 / period, which is far more than its rounding error.
+double periods_in(double distance, double period) {
+    return floor_of((distance + 0.5 * period) / period);
 }
 
 // For each pixel of a row: the position of its center relative to the centroid of its bubble, in
@@ -149,11 +155,11 @@ void set_points(const FrameLayers& layers,
                    to_seeds = points.seeds.data()] {
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint32_t id = ids[k];
-            const std::int32_t from_y = bottom - origins_y[id];
-            const std::int32_t up = periods_in(from_y, periods.height);
-            const std::int32_t from_x = static_cast<std::int32_t>(k) * kSubpixel + left -
-                                        origins_x[id] - up * periods.shear;
-            const std::int32_t across = periods_in(from_x, periods.width);
+            const double from_y = bottom - origins_y[id];
+            const double up = periods_in(from_y, periods.height);
+            const double from_x = static_cast<std::int32_t>(k) * kSubpixel + left - origins_x[id] -
+                                  up * periods.shear;
+            const double across = periods_in(from_x, periods.width);
             to_x[k] = scale * (from_x - across * periods.width);
             to_y[k] = scale * (from_y - up * periods.height);
             to_seeds[k] = seeds[id];

@@ -17,10 +17,11 @@ inline SubpixelPoint pixel_center(int x, int y) {
 }
 
 /// Finds the periodic copies of a point, and calls visit(copy) for each copy that is in the image
-/// or, in x and in y, at most `reach` pixels outside it. The point is in foam units, a copy is a
-/// SubpixelPoint of the shifted grid. In the plane a point has one copy; on a torus it has one copy
-/// for each lattice offset. The point is rounded to the nearest subpixel before the shift of the
-/// grid is subtracted, so that a shift moves the copies by exactly whole pixels.
+/// or, in x and in y, at most `reach` pixels outside it. The point is in foam units. A copy is a
+/// Vec2 of whole numbers, in subpixels of the shifted grid; copies far outside of a magnified patch
+/// do not fit into 32 bits. In the plane a point has one copy; on a torus it has one copy for each
+/// lattice offset. The point is rounded to the nearest subpixel before the shift of the grid is
+/// subtracted, so that a shift moves the copies by exactly whole pixels.
 template <class Visit>
 void for_each_copy(const RasterGrid& grid,
                    const Domain& domain,
@@ -34,7 +35,7 @@ void for_each_copy(const RasterGrid& grid,
     if (domain.is_plane()) {
         const Vec2 at = pixel_in_view(grid, point);
         if (is_near(at)) {
-            visit(to_subpixel(at));
+            visit(rounded_to_subpixels(at));
         }
         return;
     }
@@ -46,11 +47,12 @@ void for_each_copy(const RasterGrid& grid,
     const Vec2 from_middle = middle.cwiseQuotient(scale) - wrapped;
     const double far = reach + 0.5 * size.maxCoeff() + 1.0;
     for (const LatticeOffset offset : domain.offsets_near(from_middle, far / scale.minCoeff())) {
-        const SubpixelPoint copy =
+        const SubpixelPoint rounded =
             first + SubpixelPoint{offset.i * grid.width * kSubpixel +
                                       offset.j * shear_in_subpixels(grid, domain),
                                   offset.j * grid.height * kSubpixel};
-        if (is_near(Vec2(copy.x, copy.y) / kSubpixel)) {
+        const Vec2 copy(rounded.x, rounded.y);
+        if (is_near(copy / kSubpixel)) {
             visit(copy);
         }
     }

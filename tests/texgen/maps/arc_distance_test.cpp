@@ -90,6 +90,17 @@ TEST(ArcDistance, ContinuesAcrossTheBordersOfATorus) {
     EXPECT_EQ(image.pixel(16, 16)[0], std::numeric_limits<float>::infinity());
 }
 
+// A line that crosses the image from end to end, 3 million pixels to each side, in a magnified view
+// of a patch.
+TEST(ArcDistance, MayBeginFarFromTheImage) {
+    const std::vector<PlacedArc> arcs = {{{-3e6, 0.0}, {{6e6, 0.0}, 1.0, 0.0}}};
+    const RasterGrid grid{8, 8, 0, 0, View{Vec2::Zero(), 1.0}};
+    const Image<float> image = distances_to_arcs(arcs, grid, kPlane, {2.0}, 1).distance;
+    EXPECT_EQ(image.pixel(0, 4)[0], 0.5F);
+    EXPECT_EQ(image.pixel(7, 2)[0], 1.5F);
+    EXPECT_EQ(image.pixel(0, 0)[0], std::numeric_limits<float>::infinity());
+}
+
 TEST(ArcDistance, DoesNotDependOnTheNumberOfThreads) {
     const Domain domain{1.0, 1.0};
     const std::vector<PlacedArc> arcs = {{{0.1, 0.2}, {{70.0, 20.0}, 0.8, 0.6}},

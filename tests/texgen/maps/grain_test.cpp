@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 
 namespace foam::texgen {
 namespace {
@@ -55,6 +56,28 @@ TEST(Grain, IsTheSumOfOctavesAtTheCentersOfPixels) {
         EXPECT_NEAR(grain.slope_x.samples()[index], noise.slope_x / pixels, 1e-5);
         EXPECT_NEAR(grain.slope_y.samples()[index], noise.slope_y / pixels, 1e-5);
     });
+}
+
+// In a magnified view, the center of a bubble may be millions of pixels away.
+TEST(Grain, OfAFarBubbleIsRelativeToItsCenter) {
+    constexpr double kRadius = 4e6;
+    constexpr double kSize = 0.01;
+    constexpr int kImage = 16;
+    const Vec2 middle(-0.6, 0.7);  // of the image, in foam units
+    const Frame frame = snapshot(foam::test::circles({{7, {0.0, 0.0}, std::numbers::pi}}), 1);
+    const FoamRecord record{};
+    FrameLayers layers({frame, record, nullptr, {.gradient = true, .smooth = true}},
+                       {kImage, kImage, 0, 0, View{middle, kRadius}},
+                       1);
+    const double pixels = diameters_in_pixels(kSize, layers.grid(), frame.domain);
+    const Grain grain = draw_grain(layers, kSize, GrainUse::Albedo);
+    for (int k = 0; k < kImage; ++k) {
+        const Vec2 point = kRadius * middle + Vec2::Constant(k + 0.5 - 0.5 * kImage);
+        const NoiseValue noise =
+            octave_noise(point / pixels, seed_of_grain(BubbleIdentity{7}, GrainUse::Albedo), 5);
+        EXPECT_NEAR(grain.value.pixel(k, k)[0], noise.value, 1e-5);
+        EXPECT_NEAR(grain.slope_x.pixel(k, k)[0], noise.slope_x / pixels, 1e-9);
+    }
 }
 
 // The two uses have different grains.

@@ -64,12 +64,6 @@ int edge_count(const FilmArc& arc, double sine) {
     return 1 + static_cast<int>(std::ceil(std::min(coarse, std::sqrt(sagitta / kSagitta))));
 }
 
-// Converts a position from pixels to subpixels, rounded to whole numbers. The result consists of
-// doubles, because it may not fit into 32 bits.
-Vec2 rounded_to_subpixels(const Vec2& pixels) {
-    return (kSubpixel * pixels.array() + 0.5).floor().matrix();
-}
-
 // Clamps a position in subpixels to the pixels of the image.
 SubpixelPoint clamped(const Vec2& subpixels, const RasterGrid& grid) {
     const Vec2 last = Vec2(grid.width, grid.height) * kSubpixel - Vec2::Ones();

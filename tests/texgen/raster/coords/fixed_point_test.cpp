@@ -23,6 +23,16 @@ TEST(FixedPoint, RoundingCommutesWithWholePixels) {
     }
 }
 
+// Where both apply, points are rounded as to_subpixel rounds them.
+TEST(FixedPoint, RoundsFarPoints) {
+    for (int k = -5000; k < 5000; ++k) {
+        const Vec2 point(k / 3072.0, k / 7168.0);
+        const SubpixelPoint near = to_subpixel(point);
+        EXPECT_EQ(rounded_to_subpixels(point), Vec2(near.x, near.y));
+    }
+    EXPECT_EQ(rounded_to_subpixels({-1e8, 3e6 + 0.6 / 1024}), Vec2(-1024e8, 3072e6 + 1.0));
+}
+
 TEST(FixedPoint, DividesDownwards) {
     EXPECT_EQ(floor_div(7, 4), 1);
     EXPECT_EQ(floor_div(-1, 4), -1);
