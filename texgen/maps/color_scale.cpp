@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <variant>
 
@@ -109,7 +110,12 @@ std::string Gradients::allowed() const {
 }
 
 std::string Gradients::schema() const {
-    const std::string item = R"({"type": "string", "pattern": "^#[0-9a-fA-F]{6}(@[0-9.]+)?$"})";
+    // A position from 0 to 1 in decimals, or with an exponent, whose range the pattern does not
+    // check.
+    constexpr std::string_view kPosition =
+        R"(0+(\\.[0-9]*)?|\\.[0-9]+|0*1(\\.0*)?|[0-9.]+[eE][-+]?[0-9]+)";
+    const std::string item =
+        fmt::format(R"({{"type": "string", "pattern": "^#[0-9a-fA-F]{{6}}(@({}))?$"}})", kPosition);
     return any_of_schema(item, list_schema(item, 0, 0));
 }
 

@@ -2,8 +2,11 @@
 
 #include "texgen/maps/color_scale.h"
 
+#include "texgen/json/json_writer.h"
+
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -108,6 +111,29 @@ TEST(ColorScale, SaysWhatIsWrongWithAGradient) {
                                    "#000000@nan",
                                    "#000000 @0.5"}) {
         EXPECT_NE(fault({item}), "") << item;
+    }
+}
+
+// Editors check lists of colors with the pattern of the schema.
+TEST(ColorScale, TheSchemaAllowsWhatIsRead) {
+    const Json schema = Json::parse(Gradients{}.schema());
+    const std::regex pattern(schema["anyOf"][0]["pattern"].get<std::string>());
+    EXPECT_EQ(schema["anyOf"][1]["items"], schema["anyOf"][0]);
+    const auto is_read = [](const std::string& color) {
+        std::vector<std::string> member;
+        return Gradients{}.read({color}, member);
+    };
+    for (const char* const position :
+         {"", "@0", "@1", "@00.50", "@.5", "@0.", "@1.", "@01.00", "@1e-1", "@2.5E-01"}) {
+        const std::string color = std::string("#fF0000") + position;
+        EXPECT_TRUE(std::regex_search(color, pattern)) << color;
+        EXPECT_TRUE(is_read(color)) << color;
+    }
+    for (const char* const position :
+         {"@", "@.", "@2", "@1.01", "@10", "@-0.5", "@+0.5", "@0.5.1", "@e-1", "@0.5e", " @0"}) {
+        const std::string color = std::string("#fF0000") + position;
+        EXPECT_FALSE(std::regex_search(color, pattern)) << color;
+        EXPECT_FALSE(is_read(color)) << color;
     }
 }
 

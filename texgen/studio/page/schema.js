@@ -3,7 +3,7 @@
 // Turns the JSON Schema of preset files into a list of keys that the form can show.
 
 const kColor = "^#[0-9a-fA-F]{6}$";
-const kPlacedColor = "^#[0-9a-fA-F]{6}(@[0-9.]+)?$";
+const kColorStart = "^#[0-9a-fA-F]{6}"; // also the start of the pattern of a color with a position
 
 /**
  * Returns the tables of the schema in its order: {name, keys}. A key has `path`, `table`, `name`, `kind`, `help`,
@@ -62,7 +62,7 @@ function listKind(schema) {
     if (item.enum) {
         return {kind: "choices", choices: item.enum};
     }
-    if (item.pattern === kColor || item.pattern === kPlacedColor) {
+    if (item.pattern?.startsWith(kColorStart)) {
         return {kind: "colors"};
     }
     if (item.type === "string") {
