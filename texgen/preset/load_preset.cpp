@@ -27,8 +27,9 @@ constexpr std::string_view kExtends = "extends";
 
 // The TOML text of a preset and its origin.
 struct Document {
-    std::string name;    // the name of the preset
-    std::string source;  // the name of the document in error messages
+    std::string reference;  // the name of a shipped preset, or the path of a file (is_preset_path)
+    std::string name;       // the name of the preset
+    std::string source;     // the name of the document in error messages
     std::string toml;
     std::filesystem::path folder;  // relative paths in the text are relative to this folder
 };
@@ -43,7 +44,8 @@ Document read_document(const std::string& path) {
                 path));
         }
         const Bytes content = read_file(path, kPresetInput);
-        return {std::move(name),
+        return {path,
+                std::move(name),
                 path,
                 std::string(as_text(content)),
                 std::filesystem::path(path).parent_path()};
@@ -57,8 +59,11 @@ Document find_document(const std::string& name_or_path) {
         return read_document(name_or_path);
     }
     const ShippedPreset& shipped = find_shipped_preset(name_or_path);
-    return {
-        name_or_path, fmt::format("presets/{}.toml", name_or_path), std::string(shipped.toml), {}};
+    return {name_or_path,
+            name_or_path,
+            fmt::format("presets/{}.toml", name_or_path),
+            std::string(shipped.toml),
+            {}};
 }
 
 // Returns the assignments of a document. Paths of files that are relative to the folder of the
@@ -75,7 +80,7 @@ std::vector<Assignment> assignments_of(const Document& document) {
 class Loader {
   public:
     LoadedPreset load(const Document& document) {
-        sources_.push_back(document.source);
+        loaded_.push_back(document.reference);
         std::vector<Assignment> assignments = assignments_of(document);
         Preset preset = take_extended(assignments, document);
         preset.name = document.name;
@@ -106,10 +111,10 @@ class Loader {
             reject(extends, "must be the name of a preset or a .toml file, in quotes");
         }
         const Document other = find_extended(*name, extends, document);
-        if (std::find(sources_.begin(), sources_.end(), other.source) != sources_.end()) {
+        if (std::find(loaded_.begin(), loaded_.end(), other.reference) != loaded_.end()) {
             reject(extends,
                    fmt::format(
-                       "circular extends: {} -> {}", fmt::join(sources_, " -> "), other.source));
+                       "circular extends: {} -> {}", fmt::join(loaded_, " -> "), other.reference));
         }
         return load(other).preset;
     }
@@ -125,7 +130,8 @@ class Loader {
         }
     }
 
-    std::vector<std::string> sources_;  // the documents loaded so far; each extends the next one
+    // The references of the documents loaded so far; each document extends the next one.
+    std::vector<std::string> loaded_;
 };
 
 }  // namespace

@@ -114,6 +114,19 @@ TEST(LoadPreset, ErrorOfABadExtensionNamesItsLine) {
               yours + ":2: key 'foam.bubbles' = -3: must be an integer from 4 to 1000000");
 }
 
+// Messages name the document of a shipped preset presets/NAME.toml, which may also be the path of a
+// file.
+TEST(LoadPreset, AFileMayExtendTheShippedPresetOfItsName) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path() / "presets");
+    write_text(folder.path() / "presets/sea_foam.toml", "extends = 'sea_foam'\n");
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    const std::string message = failure("presets/sea_foam.toml");
+    std::filesystem::current_path(before);
+    EXPECT_EQ(message, "no failure");
+}
+
 TEST(LoadPreset, AMissingOrBadFileIsNamed) {
     const TemporaryFolder folder;
     const std::string missing = (folder.path() / "none.toml").string();
