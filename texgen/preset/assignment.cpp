@@ -195,7 +195,8 @@ Value read_value(const std::string& text) {
     }
     try {
         const toml::table table = toml::parse(toml);
-        return table.size() == 1 ? value_of(*table.get("value")) : Value{text};
+        const bool is_value = table.size() == 1 && !table.get("value")->is_table();
+        return is_value ? value_of(*table.get("value")) : Value{text};
     } catch (const toml::parse_error&) {
         return {text};
     }

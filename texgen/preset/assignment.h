@@ -33,7 +33,7 @@ struct Assignment {
 std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source);
 
 /// Parses a value from the command line. A text that is not a TOML value becomes a string, so that
-/// words need no quotes.
+/// words need no quotes. A table also becomes a string: only documents have tables.
 Value read_value(const std::string& text);
 
 /// Parses KEY=VALUE, the argument of `--set`. The value is parsed by read_value. Throws PresetError

@@ -39,6 +39,10 @@ void assign_one(Preset& preset, const Assignment& assignment) {
     if (table && is_table(assignment.key)) {
         return;
     }
+    if (key == nullptr && is_table(assignment.key)) {
+        reject(assignment,
+               fmt::format("is a table; 'foamtex presets keys {}' lists its keys", assignment.key));
+    }
     if (key == nullptr) {
         reject_unknown(
             assignment,

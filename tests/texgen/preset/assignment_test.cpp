@@ -86,6 +86,12 @@ TEST(Assignment, RejectsAValueThatContainsASecondKey) {
     EXPECT_EQ(std::get<std::string>(value.data), "1\nother = 2");
 }
 
+// The entries of a table would be lost.
+TEST(Assignment, SetTakesATableAsText) {
+    EXPECT_EQ(to_toml(read_set_argument("a={b = 1}").value), "\"{b = 1}\"");
+    EXPECT_EQ(to_toml(read_set_argument("a={}").value), "\"{}\"");
+}
+
 TEST(Assignment, SetWithoutKeyOrEqualsIsRejected) {
     EXPECT_THROW(read_set_argument("foam.seed"), PresetError);
     EXPECT_THROW(read_set_argument("=3"), PresetError);

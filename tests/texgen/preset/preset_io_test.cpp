@@ -100,6 +100,16 @@ TEST(PresetIo, AnUnknownKeySuggestsTheNearest) {
               "'foamtex presets keys' lists all keys");
 }
 
+TEST(PresetIo, ATableTakesNoValue) {
+    EXPECT_EQ(set_failure({"albedo={colormap=\"magma\", x=3}"}),
+              "--set albedo={colormap=\"magma\", x=3}: key 'albedo' = \"{colormap=\\\"magma\\\", "
+              "x=3}\": is a table; 'foamtex presets keys albedo' lists its keys");
+    EXPECT_EQ(failure("foam = 3\n"),
+              "a.toml:1: key 'foam' = 3: is a table; 'foamtex presets keys foam' lists its keys");
+    EXPECT_NE(set_failure({"albedo.colors={from=\"a.png\"}"}), "no failure");
+    EXPECT_EQ(failure("[foam]\n"), "no failure");
+}
+
 TEST(PresetIo, AMisspelledWordSuggestsTheNearest) {
     EXPECT_EQ(failure("[relief]\nprofile = \"wett\"\n"),
               "a.toml:2: key 'relief.profile' = \"wett\": must be one of \"dome\", \"ridge\", "
