@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <system_error>
@@ -110,6 +111,12 @@ KeyValues parse_key_values(std::string_view text) {
 }
 
 Value number_value(double number) {
+    constexpr double kAllWhole = 1e11;  // from here on, twelve digits are a whole number
+    constexpr double kLargestExact = 0x1p53;
+    const double magnitude = std::abs(number);
+    if (magnitude >= kAllWhole && magnitude < kLargestExact) {
+        return {static_cast<std::int64_t>(std::round(number))};
+    }
     return read_value(fmt::format("{:.12g}", number));
 }
 

@@ -35,9 +35,10 @@ inline constexpr int kMostValues = 400;
 /// text has another form. Does not check whether the key exists and allows the values.
 KeyValues parse_key_values(std::string_view text);
 
-/// Returns a number as a value: an integer if it is whole and has at most twelve digits, a real
-/// otherwise. The number is rounded to twelve significant digits, which hides rounding errors as in
-/// 0.30000000000000004.
+/// Returns a number as a value. The number is rounded to twelve significant digits, which hides
+/// rounding errors as in 0.30000000000000004. A number of more than twelve digits before the point
+/// is rounded to a whole number instead. The value is an integer if the rounded number is whole and
+/// its magnitude is below 2^53, and a real otherwise.
 Value number_value(double number);
 
 /// Returns the evenly spaced numbers of a range with a count, from `low` to `high`.

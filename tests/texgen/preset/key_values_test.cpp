@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -48,6 +50,17 @@ TEST(KeyValues, NumbersOfARangeAreEvenlySpacedAndShort) {
     ASSERT_EQ(numbers.size(), 4U);
     EXPECT_EQ(to_toml(numbers[2]), "0.3");
     EXPECT_EQ(to_toml(numbers_of({.low = 4, .high = 0, .count = 3})[1]), "2");
+}
+
+// Seeds may have many digits. Whole numbers from 2^53 on may be rounded already.
+TEST(KeyValues, LargeWholeNumbersAreExact) {
+    const std::vector<Value> seeds =
+        numbers_of({.low = 1'000'000'000'001.0, .high = 1'000'000'000'003.0, .count = 3});
+    EXPECT_EQ(to_toml(seeds[0]), "1000000000001");
+    EXPECT_EQ(to_toml(seeds[1]), "1000000000002");
+    EXPECT_EQ(to_toml(number_value(999'999'999'999.7)), "1000000000000");
+    EXPECT_EQ(to_toml(number_value(0x1p53 - 1.0)), "9007199254740991");
+    EXPECT_FALSE(std::holds_alternative<std::int64_t>(number_value(0x1p53).data));
 }
 
 TEST(KeyValues, AMalformedTextIsRejected) {

@@ -98,6 +98,8 @@ TEST(VariedKeys, SeedsAreNotRounded) {
     EXPECT_THAT(numbers_in("foam.seed=1..999", 3), testing::ElementsAre("1", "500", "999"));
     EXPECT_THAT(numbers_in("foam.seed=3..1001", 4),
                 testing::ElementsAre("3", "336", "669", "1001"));
+    EXPECT_THAT(numbers_in("foam.seed=0..9000000000000", 3),
+                testing::ElementsAre("0", "4500000000000", "9000000000000"));
 }
 
 TEST(VariedKeys, EveryShippedPresetHasAList) {
