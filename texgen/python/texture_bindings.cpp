@@ -105,14 +105,19 @@ py::array frame_table(const py::object& self) {
     return view_of(self.cast<const foamtex::Frame&>().records().*member, self);
 }
 
-// Fits a copy without the GIL, so that other threads may use the preset meanwhile.
+// Fits a copy without the GIL, so that other threads may use the preset meanwhile. If another
+// thread has changed the preset meanwhile, the copy is dropped: a call of `set` ends the validity
+// of fitted ranges in any case.
 void fit_ranges(foamtex::Preset& preset, int threads) {
+    const foamtex::Preset before = preset;
     foamtex::Preset fitted = preset;
     {
         const py::gil_scoped_release others_may_run;
         fitted.fit_ranges(threads);
     }
-    preset = std::move(fitted);
+    if (&preset.state() == &before.state()) {
+        preset = std::move(fitted);
+    }
 }
 
 void bind_preset(py::module_& module) {
@@ -159,8 +164,8 @@ void bind_preset(py::module_& module) {
         .def("fit_ranges",
              &fit_ranges,
              "Fits the automatic ranges of maps to the whole animation. Integer samples of maps "
-             "with "
-             "automatic ranges need this.",
+             "with automatic ranges need this, again after each call of `set`. If another thread "
+             "calls `set` meanwhile, no range is fitted.",
              py::kw_only(),
              py::arg("threads") = 0)
         .def("__repr__", [](const foamtex::Preset& self) {

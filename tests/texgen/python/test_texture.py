@@ -116,6 +116,16 @@ def test_other_threads_run_during_a_simulation():
     assert len(counted) > 20
 
 
+def test_keys_that_are_set_during_fit_ranges_are_kept():
+    preset = foamtex.Preset("sea_foam", {**SMALL, "foam.bubbles": 2000, "image.maps": ["height"]})
+    thread = threading.Thread(target=preset.fit_ranges)
+    thread.start()
+    time.sleep(0.1)
+    preset.set({"foam.seed": 5})
+    thread.join()
+    assert preset.get("foam.seed") == "5"
+
+
 def test_threads_may_draw_one_frame():
     frame = next(foamtex.Preset("sea_foam", SMALL).simulate("1"))
     images = []
