@@ -52,9 +52,8 @@ std::string aspect_of(const ImageOptions& image) {
 }
 
 constexpr const char* kAllowed =
-    "with a cache, only the description and keys of images, output, drawings, meshes and maps can "
-    "be "
-    "changed; for a patch without events at positions, also the camera";
+    "with a cache, only preset.description, preset.vary and keys of images, output, drawings, "
+    "meshes and maps can be changed; for a patch without events at positions, also the camera";
 
 }  // namespace
 

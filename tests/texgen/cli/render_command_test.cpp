@@ -65,9 +65,10 @@ TEST_F(RenderCommand, TakesTheCachedFramesAndDrawingOptions) {
 TEST_F(RenderCommand, OptionThatChangesTheFoamIsOneLineAndCode2) {
     expect_rejected("foam --set foam.seed=5",
                     ExitCode::BadRequest,
-                    "key 'foam.seed' = 5: must be 1, as in the cache; with a cache, only the "
-                    "description and keys of images, output, drawings, meshes and maps can be "
-                    "changed; for a patch without events at positions, also the camera");
+                    "key 'foam.seed' = 5: must be 1, as in the cache; with a cache, only "
+                    "preset.description, preset.vary and keys of images, output, drawings, meshes "
+                    "and maps can be changed; for a patch without events at positions, also the "
+                    "camera");
     expect_rejected("foam --size 32",
                     ExitCode::BadRequest,
                     "key 'image.size' = [32, 32]: must have the aspect ratio 2:1 of the cache, "

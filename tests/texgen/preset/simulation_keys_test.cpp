@@ -74,11 +74,11 @@ std::string rejection(const Preset& simulated, const Preset& now) {
 TEST(SimulationKeys, AChangedPresetNamesTheKey) {
     const Preset preset;
     EXPECT_EQ(rejection(preset, changed(preset, "albedo.film_width=4")), "no failure");
-    EXPECT_EQ(
-        rejection(preset, changed(preset, "frames.warm_up=2")),
-        "key 'frames.warm_up' = 2.0: must be 0.0, as in the cache; with a cache, only the "
-        "description and keys of images, output, drawings, meshes and maps can be changed; for "
-        "a patch without events at positions, also the camera");
+    EXPECT_EQ(rejection(preset, changed(preset, "preset.vary=[\"foam.lloyd=1,2\"]")), "no failure");
+    EXPECT_EQ(rejection(preset, changed(preset, "frames.warm_up=2")),
+              "key 'frames.warm_up' = 2.0: must be 0.0, as in the cache; with a cache, only "
+              "preset.description, preset.vary and keys of images, output, drawings, meshes and "
+              "maps can be changed; for a patch without events at positions, also the camera");
     EXPECT_EQ(rejection(preset, changed(preset, "image.size=[512, 256]")),
               "key 'image.size' = [512, 256]: must have the aspect ratio 1:1 of the cache, such as "
               "[1024, 1024]");
