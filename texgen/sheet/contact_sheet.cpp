@@ -4,6 +4,7 @@
 
 #include "texgen/sheet/display_frame.h"
 #include "texgen/sheet/label.h"
+#include "texgen/sheet/spread.h"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +41,8 @@ struct Line {
     std::vector<Srgb8> colors;
 };
 
-// Arranges labels in lines that are not wider than `width`, and draws these lines.
+// Arranges labels in lines that are not wider than `width`, and draws these lines. A line whose
+// width is less than the width of a letter has one letter.
 class LabelWriter {
   public:
     LabelWriter(int width, int magnification) : width_(width), magnification_(magnification) {}
@@ -56,7 +58,7 @@ class LabelWriter {
             if (width_of({lines.back().text, label.colors}) > width_) {
                 lines.emplace_back();
             }
-            lines.back().colors = label.colors;
+            lines.back().colors = spread(label.colors, static_cast<std::size_t>(width_));
         }
         return lines;
     }

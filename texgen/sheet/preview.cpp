@@ -10,6 +10,7 @@
 #include "texgen/sheet/contact_sheet.h"
 #include "texgen/sheet/display_frame.h"
 #include "texgen/sheet/map_sequence.h"
+#include "texgen/sheet/spread.h"
 #include "texgen/sheet/video.h"
 
 #include <fmt/core.h>
@@ -70,16 +71,6 @@ Codes tiled(const Codes& tile) {
 Bytes encoded(const Codes& codes) {
     return encode_png(
         codes.view(), {.color = true, .text = {}}, {.compression = Compression::Small});
-}
-
-// Returns at most `max_count` files, evenly spaced. The first file is always included.
-std::vector<MapFile> spread(const std::vector<MapFile>& files, std::size_t max_count) {
-    const std::size_t count = std::min(files.size(), max_count);
-    std::vector<MapFile> chosen;
-    for (std::size_t k = 0; k < count; ++k) {
-        chosen.push_back(files[k * files.size() / count]);
-    }
-    return chosen;
 }
 
 // Returns the frames as an animated PNG. `progress` counts each encoded frame.

@@ -79,6 +79,24 @@ TEST(ContactSheet, ShowsColors) {
     EXPECT_EQ(drawn(20).height(), drawn(2).height() + 12);
 }
 
+// Of 60 colors below 16 pixels, 16 are drawn, each one pixel wide: the first one, then about every
+// fourth one.
+TEST(ContactSheet, ShowsAsManyColorsAsFit) {
+    ThumbnailLabel label{"c"};
+    for (std::uint8_t k = 0; k < 60; ++k) {
+        label.colors.push_back({k, 0, 0});
+    }
+    const Image<std::uint8_t> sheet =
+        contact_sheet(std::vector<Thumbnail>{{filled(16, 16), {label}}});
+    std::vector<int> reds;
+    for (int x = 10; x < 10 + 16; ++x) {
+        EXPECT_EQ(sheet.pixel(x, 10)[1], 0);
+        reds.push_back(sheet.pixel(x, 10)[0]);
+    }
+    EXPECT_EQ(reds, (std::vector{0, 3, 7, 11, 15, 18, 22, 26, 30, 33, 37, 41, 45, 48, 52, 56}));
+    EXPECT_EQ(sheet.width(), 16 + 2 * 10);
+}
+
 TEST(ContactSheet, NeedsAFrame) {
     EXPECT_THROW(contact_sheet({}), std::invalid_argument);
 }
