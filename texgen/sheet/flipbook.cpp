@@ -91,7 +91,9 @@ std::string file_name_of(const MapSequence& sequence,
                          const FlipbookOptions& options) {
     const std::string suffix =
         is_array(options) ? options.array_suffix : sequence.files.front().path.extension().string();
-    if (!is_array(options) && find_format(suffix)->is_lossy) {
+    // A file of an unknown format is rejected when it is read.
+    const ImageFormat* const format = find_format(suffix);
+    if (!is_array(options) && format != nullptr && format->is_lossy) {
         throw std::invalid_argument(
             fmt::format("a sheet of {} files would be compressed twice; with --dds or --ktx2, "
                         "flipbook joins the "

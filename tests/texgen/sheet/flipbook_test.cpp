@@ -99,6 +99,20 @@ TEST(Flipbook, AFailureLeavesNoSheet) {
     EXPECT_EQ(folder.files(), before);
 }
 
+TEST(Flipbook, RejectsFilesOfAnUnknownFormat) {
+    const TemporaryFolder folder;
+    BakedSet set = baked(small_loop(folder.path()), {"albedo"});
+    set.files.front().path = "small_albedo.0001.tga";
+    try {
+        write_flipbook(set, folder.path(), {}, folder.path());
+        ADD_FAILURE() << "no failure";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("small_albedo.0001.tga': its name must end in"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 // Three maps of four frames are twelve units.
 TEST(Flipbook, CountsEachFrameOfEachMap) {
     const TemporaryFolder folder;
