@@ -36,9 +36,24 @@ GpuEncoding encoding_of(const ManifestMap& map) {
     return {.meaning = meaning_of(map), .used_channels = is_padded ? 2 : 0};
 }
 
+// Reads a file that contains a texture of one layer.
+GpuTexture read_texture(const TextureFormat& format, const std::filesystem::path& path) {
+    const Bytes content = read_file(path, kImageInput);
+    try {
+        GpuTexture texture = format.decode(content);
+        if (texture.layers.size() != 1) {
+            throw InputError(fmt::format("the file is an array of {} layers, not a single image",
+                                         texture.layers.size()));
+        }
+        return texture;
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+    }
+}
+
 GpuTexture texture_in(const MapFile& file, const ManifestMap& map) {
     if (const TextureFormat* const format = find_texture_format(file.path.string())) {
-        return format->decode(read_file(file.path, kImageInput));
+        return read_texture(*format, file.path);
     }
     const Picture picture = read_map_frame(file, map.name);
     const ChannelGroup& group = picture.groups.front();
@@ -55,8 +70,7 @@ GpuTexture texture_in(const MapFile& file, const ManifestMap& map) {
 // Throws InputError if a frame does not fit the first frame.
 void check_same(const GpuTexture& frame, const GpuTexture& array, const MapFile& file) {
     if (frame.format != array.format || frame.width != array.width ||
-        frame.height != array.height || frame.levels() != array.levels() ||
-        frame.layers.size() != 1) {
+        frame.height != array.height || frame.levels() != array.levels()) {
         throw InputError(fmt::format(
             "'{}' is a texture of {} x {} in {} with {} mip levels, but the first frame "
             "is one of {} x {} in {} with {}",

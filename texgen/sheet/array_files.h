@@ -27,10 +27,10 @@ struct StagedArray {
 ///
 /// `animation` is stored in the file if the file format supports this.
 ///
-/// Throws InputError if a file cannot be read, if its size, its pixel format or its number of mip
-/// levels differs from that of the first frame, or if its samples are not codes (integers of 8 or
-/// 16 bits). Throws OutputError if the array cannot be written. Precondition: the sequence has at
-/// least one file.
+/// Throws InputError, whose message names the file, if a file cannot be read or is an array texture
+/// of several layers, if its size, its pixel format or its number of mip levels differs from that
+/// of the first frame, or if its samples are not codes (integers of 8 or 16 bits). Throws
+/// OutputError if the array cannot be written. Precondition: the sequence has at least one file.
 StagedArray stage_array(const MapSequence& sequence,
                         const TextureAnimation& animation,
                         const std::filesystem::path& path,

@@ -65,6 +65,40 @@ TEST(ArrayFiles, DdsFramesAreCopied) {
     EXPECT_THROW(write_flipbook(set, folder.path(), {}, folder.path()), std::invalid_argument);
 }
 
+// Returns the message with which the frames of a set cannot become an array.
+std::string failure_of(const BakedSet& set, const TemporaryFolder& folder) {
+    try {
+        write_flipbook(set, folder.path(), {.array_suffix = ".dds"}, folder.path());
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no failure";
+}
+
+TEST(ArrayFiles, ADamagedFrameIsNamed) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path(), ".dds"), {"albedo"});
+    const std::filesystem::path path = folder.path() / "small_albedo.0002.dds";
+    std::filesystem::resize_file(path, 200);
+    EXPECT_EQ(failure_of(set, folder),
+              "cannot read '" + path.string() + "': the file ends too early");
+}
+
+TEST(ArrayFiles, AFrameMustHaveOneLayer) {
+    const TemporaryFolder folder;
+    const BakedSet set = baked(small_loop(folder.path(), ".dds"), {"albedo"});
+    write_flipbook(set, folder.path(), {.array_suffix = ".dds"}, folder.path());
+    for (const char* const frame : {"small_albedo.0003.dds", "small_albedo.0001.dds"}) {
+        const std::filesystem::path path = folder.path() / frame;
+        std::filesystem::copy_file(folder.path() / "small_array_albedo.dds",
+                                   path,
+                                   std::filesystem::copy_options::overwrite_existing);
+        EXPECT_EQ(failure_of(set, folder),
+                  "cannot read '" + path.string() +
+                      "': the file is an array of 4 layers, not a single image");
+    }
+}
+
 TEST(ArrayFiles, TheJsonDescribesLayers) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"height"});
