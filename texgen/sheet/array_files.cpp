@@ -108,7 +108,8 @@ StagedArray stage_array(const MapSequence& sequence,
     });
     array.opaque = std::ranges::all_of(opaque, [](char is_opaque) { return is_opaque != 0; });
     StagedArray staged{StagedFile(path, find_texture_format(path.string())->encode(array)),
-                       array.format};
+                       array.format,
+                       array.levels()};
     progress.add();
     return staged;
 }

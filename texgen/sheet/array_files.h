@@ -12,10 +12,11 @@
 
 namespace foam::texgen {
 
-/// An array texture whose file has been staged (StagedFile), and its pixel format.
+/// An array texture whose file has been staged (StagedFile).
 struct StagedArray {
     StagedFile file;
     PixelFormat format = PixelFormat::Rgba8;
+    int mip_levels = 1;
 };
 
 /// Reads the frames of a map and stages a file of an array texture, which has one layer per frame

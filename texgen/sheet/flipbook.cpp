@@ -164,7 +164,8 @@ Flipbook write_flipbook(const BakedSet& set,
         images.push_back({name, sequence});
         if (is_array(options)) {
             StagedArray array = stage_array(sequence, animation, to / name, progress);
-            images.back().pixel_format = facts_of(array.format).name;
+            images.back().texture =
+                ArrayTexture{std::string(facts_of(array.format).name), array.mip_levels};
             staged.push_back(std::move(array.file));
         } else {
             staged.push_back(stage_sheet(sequence, flipbook.layout, to / name, progress));

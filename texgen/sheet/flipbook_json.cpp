@@ -3,7 +3,6 @@
 #include "texgen/sheet/flipbook_json.h"
 
 #include "texgen/bake/frame_range.h"
-#include "texgen/image/pixel_format.h"
 #include "texgen/json/json_writer.h"
 #include "texgen/maps/height.h"
 
@@ -96,8 +95,9 @@ Json image_value(const SheetImage& image, const BakedSet& set, std::span<const i
     if (map.samples->range) {
         value["range"] = *map.samples->range;
     }
-    if (!image.pixel_format.empty()) {
-        value["pixel_format"] = image.pixel_format;
+    if (image.texture) {
+        value["pixel_format"] = image.texture->pixel_format;
+        value["mip_levels"] = image.texture->mip_levels;
     }
     if (map.name == kHeightMap.name || packs_height(map)) {
         value["displacement"] = displacement_value(set, frames, map.name);
@@ -112,7 +112,6 @@ bool all_tile(std::span<const SheetImage> images) {
 Json array_layout_value(const BakedSet& set, std::span<const int> frames) {
     return {{"frame_size", {set.width, set.height}},
             {"layers", frames.size()},
-            {"mip_levels", full_level_count(set.width, set.height)},
             {"order", "layer 0 is the first frame"}};
 }
 

@@ -7,17 +7,23 @@
 #include "texgen/sheet/layout.h"
 #include "texgen/sheet/map_sequence.h"
 
+#include <optional>
 #include <span>
 #include <string>
 
 namespace foam::texgen {
 
+/// The properties of an array texture.
+struct ArrayTexture {
+    std::string pixel_format;  // name of its PixelFormat
+    int mip_levels = 1;
+};
+
 /// The image of a sheet or an array texture, and the frames in it.
 struct SheetImage {
     std::string file;  // file name, relative to the folder of the JSON file
     MapSequence sequence;
-    // The name of the PixelFormat of an array texture; empty for a sheet.
-    std::string pixel_format = {};
+    std::optional<ArrayTexture> texture = {};  // nullopt for a sheet
 };
 
 /// Returns a JSON description of the sheets, for programs that play them. `frames` are the numbers

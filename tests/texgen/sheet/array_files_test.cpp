@@ -28,6 +28,11 @@ GpuTexture array_in(const TemporaryFolder& folder, const char* map) {
         read_file(folder.path() / ("small_array_" + std::string(map) + ".dds"), kImageInput));
 }
 
+nlohmann::json array_json_in(const TemporaryFolder& folder) {
+    std::ifstream file(folder.path() / "small_array.json");
+    return nlohmann::json::parse(file);
+}
+
 // A layer holds the pixels of its frame. Samples of 16 bits and ids are not compressed.
 TEST(ArrayFiles, EveryFrameIsALayer) {
     const TemporaryFolder folder;
@@ -103,14 +108,24 @@ TEST(ArrayFiles, TheJsonDescribesLayers) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"height"});
     write_flipbook(set, folder.path(), {.array_suffix = ".dds"}, folder.path());
-    std::ifstream file(folder.path() / "small_array.json");
-    const auto json = nlohmann::json::parse(file);
+    const auto json = array_json_in(folder);
     EXPECT_EQ(json["layout"]["layers"], 4);
-    EXPECT_EQ(json["layout"]["mip_levels"], 6);
     EXPECT_EQ(json["layout"]["frame_size"], (std::vector<int>{32, 24}));
     EXPECT_EQ(json["images"][0]["file"], "small_array_height.dds");
     EXPECT_EQ(json["images"][0]["pixel_format"], "R16_UNORM");
+    EXPECT_EQ(json["images"][0]["mip_levels"], 6);
     EXPECT_EQ(json["loop"]["closes"], true);
+}
+
+// Frames without mip levels become layers without mip levels.
+TEST(ArrayFiles, TheJsonHasTheMipLevelsOfTheFrames) {
+    const TemporaryFolder folder;
+    Preset preset = small_loop(folder.path(), ".dds");
+    preset.output.mip_levels = false;
+    const BakedSet set = baked(preset, {"height"});
+    write_flipbook(set, folder.path(), {.array_suffix = ".dds"}, folder.path());
+    EXPECT_EQ(array_in(folder, "height").levels(), 1);
+    EXPECT_EQ(array_json_in(folder)["images"][0]["mip_levels"], 1);
 }
 
 TEST(ArrayFiles, NumbersAreRejected) {
