@@ -149,8 +149,10 @@ std::size_t end_of_line(std::string_view text, std::size_t longest) {
     return separator == std::string_view::npos ? longest : separator + 1;
 }
 
-std::string_view without_end_spaces(std::string_view text) {
-    return text.substr(0, text.find_last_not_of(' ') + 1);
+/// Returns a text without the spaces at its beginning and its end.
+std::string_view without_outer_spaces(std::string_view text) {
+    const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+    return text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
 }  // namespace
@@ -163,10 +165,11 @@ std::vector<std::string> wrapped_label(std::string_view text, int width, int mag
     const auto longest =
         static_cast<std::size_t>(std::max(1, (width + magnification) / (kAdvance * magnification)));
     std::vector<std::string> lines;
+    text = without_outer_spaces(text);
     while (text.size() > longest) {
         const std::size_t end = end_of_line(text, longest);
-        lines.emplace_back(without_end_spaces(text.substr(0, end)));
-        text.remove_prefix(end);
+        lines.emplace_back(without_outer_spaces(text.substr(0, end)));
+        text = without_outer_spaces(text.substr(end));
     }
     lines.emplace_back(text);
     return lines;

@@ -20,7 +20,8 @@ inline constexpr int kLetterHeight = 7;
 int label_width(std::string_view text, int magnification = 1);
 
 /// Returns the lines of a text, none of which is wider than `width` pixels, unless `width` is less
-/// than the width of a character. Lines end after a space or one of "=,:_" if possible.
+/// than the width of a character. Lines end at a space or after one of "=,:_" if possible. Spaces
+/// at the beginning and at the end of lines are left out.
 std::vector<std::string> wrapped_label(std::string_view text, int width, int magnification = 1);
 
 /// Draws a text in a shade of gray. The pixel (left, bottom) is its lower left corner. Characters

@@ -68,6 +68,10 @@ TEST(Label, IsWrappedAtSeparators) {
     EXPECT_EQ(wrapped_label("abcdefgh", 17), (Lines{"abc", "def", "gh"}));
     EXPECT_EQ(wrapped_label("ab", 1), (Lines{"a", "b"}));
     EXPECT_EQ(wrapped_label("", 60), Lines{""});
+    // A space may follow directly after a full line.
+    EXPECT_EQ(wrapped_label("abc def", 17), (Lines{"abc", "def"}));
+    EXPECT_EQ(wrapped_label("abc   ", 17), Lines{"abc"});
+    EXPECT_EQ(wrapped_label("   ", 5), Lines{""});
 }
 
 TEST(Label, DrawsOtherCharactersAsQuestionMarks) {
