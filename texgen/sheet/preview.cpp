@@ -91,8 +91,9 @@ Bytes animation(const std::vector<Codes>& frames,
 }
 
 // Returns the name of the first baked map of colors. If there is none, returns the first baked map
-// of numbers. If there is no map of numbers either, returns the first baked map of kind "id", which
-// the class Previews rejects. Throws std::invalid_argument if no map was baked.
+// of numbers. If there is no map of numbers either, returns the first baked map of kind "id", or
+// the first map of vector files, which the class Previews rejects. Throws std::invalid_argument if
+// no map was baked.
 std::string default_map(const BakedSet& set) {
     for (const std::string_view kind : {"color", "number", "id"}) {
         for (const ManifestMap& map : set.maps) {
@@ -101,8 +102,10 @@ std::string default_map(const BakedSet& set) {
             }
         }
     }
-    if (!set.maps.front().vector_format.empty()) {
-        return set.maps.front().name;  // map_sequence rejects it, because it has no pixels
+    for (const ManifestMap& map : set.maps) {
+        if (!map.vector_format.empty()) {
+            return map.name;  // map_sequence rejects it, because it has no pixels
+        }
     }
     throw std::invalid_argument(fmt::format("no map of preset '{}' was baked", set.preset));
 }

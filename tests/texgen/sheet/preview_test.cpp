@@ -145,6 +145,27 @@ TEST(Preview, RejectsMapsThatCannotBeShown) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "shown"));  // nothing was written
 }
 
+// The first map of the set has no files yet, the second one has only drawings.
+TEST(Preview, RejectsDrawings) {
+    const TemporaryFolder folder;
+    BakedSet set = baked(small_loop(folder.path()), {"albedo", "height"});
+    set.maps[0].samples.reset();
+    set.maps[1].samples.reset();
+    set.maps[1].vector_format = "SVG";
+    const auto failure = [&] {
+        try {
+            write(set, folder, {});
+        } catch (const std::invalid_argument& error) {
+            return std::string(error.what());
+        }
+        return std::string("no failure");
+    };
+    EXPECT_EQ(failure(),
+              "'height' is in SVG files, which have no pixels; bake PNG or EXR files instead");
+    set.maps.clear();
+    EXPECT_EQ(failure(), "no map of preset 'small' was baked");
+}
+
 TEST(Preview, CountsAsManyPicturesAsItAnnounces) {
     const TemporaryFolder folder;
     const BakedSet set = baked(small_loop(folder.path()), {"albedo", "height"});
