@@ -152,7 +152,7 @@ WrittenFile FrameFiles::write_images(std::span<const DrawnImage> images, ShownLa
     write_file(written.path, stream);
     written.bytes = stream.size();
     const ImageFormat& format = pattern_.format();
-    written.pixels = pixel_hash(format.is_lossy ? format.decode(stream) : picture);
+    written.pixels = format.is_lossy ? pixel_hash(format.decode(stream)) : pixel_hash(picture);
     return written;
 }
 

@@ -2,14 +2,18 @@
 
 #include "texgen/image/exr_planes.h"
 
+#include "core/parallel/simd_level.h"
+#include "texgen/image/half_bits.h"
 #include "texgen/image/mip_level.h"
 
-#include <Imath/half.h>
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -17,50 +21,67 @@ namespace foam::texgen {
 
 namespace {
 
-/// Converts a number to the type of the file. Throws std::invalid_argument if the result is not
-/// finite.
-template <class Stored>
-Stored stored_number(float number, const std::string& channel) {
-    const Stored stored(number);
-    if (!std::isfinite(static_cast<float>(stored))) {
-        reject_exr(fmt::format("channel '{}' cannot store the value {}", channel, number));
+constexpr float kFloatLimit = std::numeric_limits<float>::infinity();
+constexpr float kHalfLimit = 65520.0F;  // this number and larger ones become infinite
+
+// Throws std::invalid_argument if a number of the channel is not finite, or would be infinite in
+// the type of the file.
+void check_numbers(const ImageView<const float>& view, const ExrChannel& channel) {
+    const float limit = channel.type == SampleType::Half ? kHalfLimit : kFloatLimit;
+    const auto step = static_cast<std::size_t>(view.channels());
+    const auto count = static_cast<std::size_t>(view.width());
+    for (int y = 0; y < view.height(); ++y) {
+        const float* const row = &view.row(y)[static_cast<std::size_t>(channel.channel_index)];
+        const bool is_valid = at_simd_level([=] {
+            unsigned outside = 0;
+            for (std::size_t x = 0; x < count; ++x) {
+                outside |= static_cast<unsigned>(!(std::abs(row[x * step]) < limit));
+            }
+            return outside == 0;
+        });
+        for (std::size_t x = 0; !is_valid && x < count; ++x) {
+            if (const float number = row[x * step]; !(std::abs(number) < limit)) {
+                reject_exr(
+                    fmt::format("channel '{}' cannot store the value {}", channel.name, number));
+            }
+        }
     }
-    return stored;
 }
 
-/// Returns the samples of a channel, each converted by `convert`, with the top row first.
+// Returns the samples of a channel, each converted by `convert`, with the top row first.
 template <class Sample, class Convert>
-Bytes stored_rows(ImageView<const Sample> view, int channel, const Convert& convert) {
+Bytes stored_rows(const ImageView<const Sample>& view, int channel, const Convert& convert) {
     using Stored = decltype(convert(Sample()));
     const auto step = static_cast<std::size_t>(view.channels());
-    const auto width = static_cast<std::size_t>(view.width());
-    Bytes rows(width * static_cast<std::size_t>(view.height()) * sizeof(Stored));
+    const auto count = static_cast<std::size_t>(view.width());
+    Bytes rows(count * static_cast<std::size_t>(view.height()) * sizeof(Stored));
     std::byte* to = rows.data();
-    for (int y = view.height() - 1; y >= 0; --y) {
-        const Sample* from = &view.row(y)[static_cast<std::size_t>(channel)];
-        for (std::size_t x = 0; x < width; ++x, to += sizeof(Stored)) {
-            const Stored stored = convert(from[x * step]);
-            std::memcpy(to, &stored, sizeof(Stored));
-        }
+    for (int y = view.height() - 1; y >= 0; --y, to += count * sizeof(Stored)) {
+        const Sample* const row = &view.row(y)[static_cast<std::size_t>(channel)];
+        at_simd_level([=] {
+            for (std::size_t x = 0; x < count; ++x) {
+                const Stored stored = convert(row[x * step]);
+                std::memcpy(to + x * sizeof(Stored), &stored, sizeof(Stored));
+            }
+        });
     }
     return rows;
 }
 
 Bytes stored_rows(const ExrChannel& channel) {
+    const auto unchanged = [](auto number) { return number; };
     if (channel.type == SampleType::Uint32) {
         return stored_rows(std::get<ImageView<const std::uint32_t>>(channel.pixels),
                            channel.channel_index,
-                           [](std::uint32_t id) { return id; });
+                           unchanged);
     }
     const auto view = std::get<ImageView<const float>>(channel.pixels);
+    check_numbers(view, channel);
     if (channel.type == SampleType::Half) {
-        return stored_rows(view, channel.channel_index, [&](float number) {
-            return stored_number<half>(number, channel.name);
-        });
+        const auto to_half = [](float number) { return half_bits(number); };
+        return stored_rows(view, channel.channel_index, to_half);
     }
-    return stored_rows(view, channel.channel_index, [&](float number) {
-        return stored_number<float>(number, channel.name);
-    });
+    return stored_rows(view, channel.channel_index, unchanged);
 }
 
 using Level = std::variant<Image<float>, Image<std::uint32_t>>;

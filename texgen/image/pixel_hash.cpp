@@ -2,7 +2,9 @@
 
 #include "texgen/image/pixel_hash.h"
 
-#include <Imath/half.h>
+#include "core/parallel/simd_level.h"
+#include "texgen/image/half_bits.h"
+
 #include <fmt/format.h>
 #include <xxhash.h>
 
@@ -74,10 +76,15 @@ void add_channel(const Image<Sample>& image, int channel, const Convert& convert
     std::vector<decltype(convert(Sample()))> row(static_cast<std::size_t>(image.width()));
     const auto step = static_cast<std::size_t>(image.channels());
     for (int y = image.height() - 1; y >= 0; --y) {
-        const Sample* from = &image.row(y)[static_cast<std::size_t>(channel)];
-        for (std::size_t x = 0; x < row.size(); ++x) {
-            row[x] = convert(from[x * step]);
-        }
+        at_simd_level([convert,
+                       step,
+                       from = &image.row(y)[static_cast<std::size_t>(channel)],
+                       to = row.data(),
+                       count = row.size()] {
+            for (std::size_t x = 0; x < count; ++x) {
+                to[x] = convert(from[x * step]);
+            }
+        });
         hasher.add(std::as_bytes(std::span(row)));
     }
 }
@@ -86,7 +93,7 @@ void add_numbers(const PictureChannel& channel, Hasher& hasher) {
     const ChannelGroup& group = *channel.group;
     hasher.add(block_line(channel.name, group));
     if (group.type == SampleType::Half) {
-        const auto bits = [](float number) { return half(number).bits(); };
+        const auto bits = [](float number) { return half_bits(number); };
         add_channel(std::get<Image<float>>(group.samples), channel.index, bits, hasher);
         return;
     }

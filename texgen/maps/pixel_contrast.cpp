@@ -2,28 +2,69 @@
 
 #include "texgen/maps/pixel_contrast.h"
 
+#include "core/parallel/simd_level.h"
 #include "texgen/maps/map_image.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace foam::texgen {
 
+namespace {
+
+// A row of pixels, the rows below and above it, and the distances of its pixels from films.
+// `padded` also has the left neighbor of the first pixel and the right neighbor of the last one.
+struct ContrastRow {
+    const float* padded;
+    const float* below;
+    const float* above;
+    const float* distances;
+};
+
+// Sets marks[k] to 1 if pixel k of the row needs several samples, otherwise to 0.
+void mark_contrasts(const ContrastRow& row, std::vector<std::uint8_t>& marks) {
+    at_simd_level([row, count = marks.size(), to = marks.data()] {
+        constexpr float kContrast = 0.025F;  // smallest relative difference
+        constexpr float kDark =
+            0.1F * static_cast<float>(kWhite);  // reduces differences in the dark
+        constexpr float kNear = 1.0F;           // pixels
+        for (std::size_t k = 0; k < count; ++k) {
+            const float middle = row.padded[k + 1];
+            const float limit = kContrast * (middle + kDark);
+            const float across = 0.5F * (row.padded[k] + row.padded[k + 2]) - middle;
+            const float along = 0.5F * (row.below[k] + row.above[k]) - middle;
+            const auto is_near = static_cast<unsigned>(row.distances[k] < kNear);
+            const auto bends_across = static_cast<unsigned>(std::abs(across) > limit);
+            const auto bends_along = static_cast<unsigned>(std::abs(along) > limit);
+            to[k] = static_cast<std::uint8_t>(is_near | bends_across | bends_along);
+        }
+    });
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> find_contrasts(std::span<const float> brightness,
                                           std::span<const float> distances,
                                           const PixelNeighbors& neighbors) {
-    constexpr float kContrast = 0.025F;                         // smallest relative difference
-    constexpr float kDark = 0.1F * static_cast<float>(kWhite);  // reduces differences in the dark
-    constexpr float kNear = 1.0F;                               // pixels
-    const auto bends = [&](std::size_t k, std::size_t before, std::size_t after) {
-        const float bend = 0.5F * (brightness[before] + brightness[after]) - brightness[k];
-        return std::abs(bend) > kContrast * (brightness[k] + kDark);
-    };
+    const std::size_t width = neighbors.width();
+    std::vector<float> padded(width + 2);
+    std::vector<std::uint8_t> marks(width);
     std::vector<std::uint32_t> pixels;
-    for (std::size_t k = 0; k < brightness.size(); ++k) {
-        if (distances[k] < kNear || bends(k, neighbors.left(k), neighbors.right(k)) ||
-            bends(k, neighbors.below(k), neighbors.above(k))) {
-            pixels.push_back(static_cast<std::uint32_t>(k));
+    for (std::size_t first = 0; first < brightness.size(); first += width) {
+        const auto row = brightness.subspan(first, width);
+        padded.front() = brightness[neighbors.left(first)];
+        std::ranges::copy(row, padded.begin() + 1);
+        padded.back() = brightness[neighbors.right(first + width - 1)];
+        mark_contrasts({padded.data(),
+                        &brightness[neighbors.below(first)],
+                        &brightness[neighbors.above(first)],
+                        &distances[first]},
+                       marks);
+        for (std::size_t k = 0; k < width; ++k) {
+            if (marks[k] != 0) {
+                pixels.push_back(static_cast<std::uint32_t>(first + k));
+            }
         }
     }
     return pixels;

@@ -20,6 +20,8 @@ class PixelNeighbors {
           wraps_x_(!domain.is_plane()),
           wraps_y_(!domain.is_plane() && shear_in_subpixels(grid, domain) == 0) {}
 
+    std::size_t width() const { return width_; }
+
     std::size_t left(std::size_t index) const {
         if (index % width_ > 0) {
             return index - 1;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace foam::texgen {
+
+/// Returns the bits of the half float (16 bits, IEEE 754) nearest to a number; of two half floats
+/// that are equally near, the one whose last bit is 0. Numbers of at least 65520 become infinite.
+/// The result is that of Imath::half, also for numbers that are not finite. Unlike Imath::half,
+/// the function has no branches, so that loops over it are vectorized.
+[[gnu::always_inline]] inline std::uint16_t half_bits(float number) {
+    constexpr std::uint32_t kSign = 0x80000000U;
+    constexpr std::uint32_t kTooLarge = 0x47800000U;        // 65536
+    constexpr std::uint32_t kInfinity = 0x7f800000U;        // of a float
+    constexpr std::uint32_t kSmallestNormal = 0x38800000U;  // 2^-14
+    constexpr std::uint32_t kHalfInfinity = 0x7c00U;
+    const auto bits = std::bit_cast<std::uint32_t>(number);
+    const std::uint32_t sign = (bits & kSign) >> 16U;
+    const std::uint32_t size = bits & ~kSign;
+
+    // The exponent is reduced by 112, and 13 bits are rounded away.
+    const std::uint32_t normal = (size - (112U << 23U) + 0xfffU + ((size >> 13U) & 1U)) >> 13U;
+
+    // The sum with 1/2 has the unit 2^-24 in its last place, which is that of small half floats.
+    const float sum = std::bit_cast<float>(size) + 0.5F;
+    const std::uint32_t small =
+        std::bit_cast<std::uint32_t>(sum) - std::bit_cast<std::uint32_t>(0.5F);
+
+    // The payload of a NaN is cut, but is never 0, which would be infinity.
+    const std::uint32_t payload = (size >> 13U) & 0x3ffU;
+    const std::uint32_t nan = kHalfInfinity | payload | (payload == 0U ? 1U : 0U);
+
+    std::uint32_t result = size < kSmallestNormal ? small : normal;
+    result = size >= kTooLarge ? kHalfInfinity : result;
+    result = size > kInfinity ? nan : result;
+    return static_cast<std::uint16_t>(sign | result);
+}
+
+}  // namespace foam::texgen
