@@ -131,18 +131,6 @@ std::vector<Chain> outer_chains(std::vector<Chain> chains) {
     return chains;
 }
 
-std::vector<Chain> tile_of(const Page& page) {
-    const std::array<Vec2, 4> corners{Vec2(0.0, 0.0),
-                                      Vec2(page.width, 0.0),
-                                      Vec2(page.width, page.height),
-                                      Vec2(0.0, page.height)};
-    Chain tile{corners[0], {}, true};
-    for (const std::size_t k : {1U, 2U, 3U, 0U}) {
-        tile.steps.push_back({corners[k], 0.0});
-    }
-    return {tile};
-}
-
 void check_triangles(std::span<const Chain> chains, const MeshOptions& options) {
     std::size_t corners = 0;
     for (const Chain& chain : chains) {
@@ -173,7 +161,7 @@ Mesh wall_mesh(const VectorSource& source) {
     std::vector<Chain> plate;
     if (layout.is_cut()) {
         walls = clipped_to_tile(walls, page.width, page.height);
-        plate = tile_of(page);
+        plate = {tile_outline(page.width, page.height)};
     } else if (options.base_mm > 0.0) {
         const auto all_films = layout.lines([](FilmId) { return true; });
         plate = outer_chains(wall_outlines(all_films, 2.0 * width));

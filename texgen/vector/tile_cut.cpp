@@ -208,6 +208,21 @@ void add_runs(std::span<const CellPiece> pieces, const Add& add) {
     }
 }
 
+// Returns the winding number of a closed chain around the tile, which is the cell (0, 0).
+// Precondition: the chain does not enter the tile. The winding number is the number of downward
+// minus the number of upward crossings of the line y = 0 to the left of the tile.
+int winding_around_tile(std::span<const CellPiece> pieces) {
+    int winding = 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const LatticeOffset from = pieces[k].cell;
+        const LatticeOffset to = pieces[(k + 1) % pieces.size()].cell;
+        if (std::min(from.i, to.i) < 0) {
+            winding += (from.j >= 0 ? 1 : 0) - (to.j >= 0 ? 1 : 0);
+        }
+    }
+    return winding;
+}
+
 }  // namespace
 
 std::vector<Chain> closed_in_cells(const Chain& chain, const Domain& torus) {
@@ -223,16 +238,31 @@ std::vector<Chain> closed_in_cells(const Chain& chain, const Domain& torus) {
     return closed;
 }
 
+Chain tile_outline(double width, double height) {
+    Chain tile{{0.0, 0.0}, {}, true};
+    for (const Vec2& corner :
+         {Vec2(width, 0.0), Vec2(width, height), Vec2(0.0, height), Vec2(0.0, 0.0)}) {
+        tile.steps.push_back({corner, 0.0});
+    }
+    return tile;
+}
+
 std::vector<Chain> clipped_to_tile(const std::vector<Chain>& chains, double width, double height) {
     const Domain tile{width, height, 0.0};
     std::vector<Chain> inside;
+    int winding = 0;
     for (const Chain& chain : chains) {
         const std::vector<CellPiece> pieces = pieces_of(chain, tile);
+        winding += winding_around_tile(pieces);
         add_runs(pieces, [&](const CellKey& cell, Chain run) {
             if (cell == CellKey{0, 0}) {
                 inside.push_back(std::move(run));
             }
         });
+    }
+    // If no chain crosses the border of the tile, all of the border is in the region or none of it.
+    if (winding > 0 && std::ranges::all_of(inside, &Chain::is_closed)) {
+        inside.push_back(tile_outline(width, height));
     }
     return closed_along_border(std::move(inside), width, height);
 }

@@ -28,9 +28,11 @@ std::vector<CellPiece> cut_at_cells(const DrawnArc& arc, const Domain& torus);
 /// Precondition: the chain is counter-clockwise and does not cross itself.
 std::vector<Chain> closed_in_cells(const Chain& chain, const Domain& torus);
 
+/// Returns the outline of the tile [0, width] x [0, height], counter-clockwise.
+Chain tile_outline(double width, double height);
+
 /// Returns the outlines of the part of a region that is inside the tile [0, width] x [0, height],
-/// closed along the border of the tile. The region is on the left of the given closed chains. If no
-/// chain has a part inside the tile, the result is empty, even if the region contains the tile.
+/// closed along the border of the tile. The region is on the left of the given closed chains.
 /// Precondition: the chains do not cross each other.
 std::vector<Chain> clipped_to_tile(const std::vector<Chain>& chains, double width, double height);
 

@@ -110,6 +110,19 @@ TEST(FrameMesh, WallsOfATileOnAPlate) {
     EXPECT_NEAR(volume(with_plate) - volume(subject.solid()), 1.5 * kMeshWidth * kMeshWidth, 0.05);
 }
 
+// Walls that cover the tile are a solid block, without and with a plate.
+TEST(FrameMesh, WideWallsOfATileAreABlock) {
+    Subject subject = torus();
+    subject.drawing.wall_width = 2.0 * kMeshWidth;
+    for (const double base : {0.0, 1.5}) {
+        subject.mesh = {.kind = MeshKind::Walls, .base_mm = base};
+        const Mesh mesh = subject.solid();
+        EXPECT_TRUE(is_closed(mesh));
+        const double height = base + subject.mesh.wall_mm;
+        EXPECT_NEAR(volume(mesh), height * kMeshWidth * kMeshWidth, 1e-3);
+    }
+}
+
 // Where a wall is cut at x = 0, it continues at x = 80, at the same height.
 TEST(FrameMesh, TilesFitTogether) {
     Subject subject = torus();

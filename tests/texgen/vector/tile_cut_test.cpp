@@ -114,5 +114,22 @@ TEST(TileCut, ClippingKeepsHoles) {
     EXPECT_NEAR(area_of(inside), kPi * 0.75, 1e-13);
 }
 
+// The arcs of a disk that contains the tile, or is beside it, are all outside of the tile. So are
+// those of a hole beside the tile, or around it.
+TEST(TileCut, ARegionMayContainTheTile) {
+    const double area = kTorus.width * kTorus.height;
+    const Chain around = circle({2.0, 1.5}, 10.0);
+    const auto area_in_tile = [](const std::vector<Chain>& chains) {
+        return area_of(clipped_to_tile(chains, kTorus.width, kTorus.height));
+    };
+    EXPECT_DOUBLE_EQ(area_in_tile({around}), area);
+    EXPECT_DOUBLE_EQ(area_in_tile({around, reversed(circle({8.0, 1.5}, 2.0))}), area);
+    EXPECT_NEAR(area_in_tile({around, reversed(circle({2.0, 1.5}, 1.0))}), area - kPi, 1e-13);
+    EXPECT_EQ(area_in_tile({around, reversed(circle({2.0, 1.5}, 5.0))}), 0.0);
+    for (const Vec2& center : {Vec2(-4.0, 1.5), Vec2(8.0, 1.5), Vec2(2.0, -4.0), Vec2(2.0, 7.0)}) {
+        EXPECT_EQ(area_in_tile({circle(center, 3.5)}), 0.0);
+    }
+}
+
 }  // namespace
 }  // namespace foam::texgen
