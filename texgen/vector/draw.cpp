@@ -7,6 +7,7 @@
 #include "texgen/maps/cell_color.h"
 #include "texgen/vector/appearance.h"
 #include "texgen/vector/foam_layout.h"
+#include "texgen/vector/net_nodes.h"
 #include "texgen/vector/number_text.h"
 #include "texgen/vector/solution_arcs.h"
 #include "texgen/vector/tile_copies.h"
@@ -106,35 +107,29 @@ LineWork films_work(const Appearance& look,
     return work;
 }
 
-// Returns a number that differs between the periodic copies of an arc.
-std::uint64_t copy_number(LatticeOffset by) {
-    constexpr std::int32_t kMiddle = 1 << 15;
-    return static_cast<std::uint64_t>(by.j + kMiddle) << 16 |
-           static_cast<std::uint64_t>(by.i + kMiddle);
-}
-
 // The number of biarcs between two films that the solution crosses. With four, the arcs differ from
 // the line of the map maze_solution by less than a hundredth of its width.
 constexpr int kPiecesPerStation = 4;
 
-// Adds an arc of the solution to `work`. The arc connects the nodes `node` and node + 1.
-void add_solution_arc(const DrawnArc& arc, std::uint64_t node, const Page& page, LineWork& work) {
-    constexpr std::uint64_t kUnique = std::uint64_t{1} << 32;  // above the numbers of other nodes
+// Adds an arc of the solution to `work`. The arc connects the points `k` and k + 1 of the solution.
+void add_solution_arc(
+    const DrawnArc& arc, std::size_t k, const Page& page, NetNodes& nodes, LineWork& work) {
     if (page.domain.is_plane()) {
-        work.lines.push_back({arc, node, node + 1});
-        work.near = work.lines;
+        work.lines.push_back({arc, nodes.of(k, {}), nodes.of(k + 1, {})});
+        work.near.push_back(work.lines.back());
         return;
     }
     const std::vector<CellPiece> pieces = cut_at_cells(arc, page.domain);
-    std::uint64_t unique = kUnique * (node + 1);
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-        const std::uint64_t tail = k == 0 ? node : unique++;
-        const std::uint64_t head = k + 1 == pieces.size() ? node + 1 : unique++;
-        work.lines.push_back({pieces[k].arc, tail, head});
+    for (std::size_t m = 0; m < pieces.size(); ++m) {
+        // If a point is on the border of the tile, the two arcs that meet there may be in different
+        // cells. In the tile, they then end on opposite sides.
+        const LatticeOffset cell = pieces[m].cell;
+        const std::uint64_t tail = m == 0 ? nodes.of(k, cell) : nodes.unique();
+        const std::uint64_t head = m + 1 == pieces.size() ? nodes.of(k + 1, cell) : nodes.unique();
+        work.lines.push_back({pieces[m].arc, tail, head});
     }
     for (const ArcCopy& copy : copies_near_tile(arc, page, work.width)) {
-        const std::uint64_t of_copy = kUnique * copy_number(copy.by);
-        work.near.push_back({copy.arc, of_copy + node, of_copy + node + 1});
+        work.near.push_back({copy.arc, nodes.of(k, copy.by), nodes.of(k + 1, copy.by)});
     }
     std::ranges::copy(parts_beyond_tile(arc, page, work.width), std::back_inserter(work.beyond));
 }
@@ -151,8 +146,9 @@ LineWork solution_work(FrameLayers& layers, const MazeOptions& options, const Pa
     if (!maze.solution.empty()) {
         const auto stations = solution_stations(layers.frame(), maze.solution);
         const auto arcs = smooth_arcs(refined(stations, kPiecesPerStation), page);
+        NetNodes nodes;
         for (std::size_t k = 0; k < arcs.size(); ++k) {
-            add_solution_arc(arcs[k], k, page, work);
+            add_solution_arc(arcs[k], k, page, nodes, work);
         }
     }
     return work;

@@ -3,6 +3,7 @@
 #include "texgen/vector/foam_layout.h"
 
 #include "core/foam/measure.h"
+#include "texgen/vector/net_nodes.h"
 #include "texgen/vector/tile_copies.h"
 #include "texgen/vector/tile_cut.h"
 
@@ -11,27 +12,6 @@
 #include <tuple>
 
 namespace foam::texgen {
-
-namespace {
-
-// Gives numbers to the nodes of a net. The copies of a junction are different nodes.
-class Nodes {
-  public:
-    std::uint64_t of(JunctionId junction, LatticeOffset copy) {
-        return numbers_.try_emplace({index_of(junction), copy.i, copy.j}, next_node())
-            .first->second;
-    }
-    /// Returns a node that no other arc shares.
-    std::uint64_t unique() { return unique_++; }
-
-  private:
-    std::uint64_t next_node() const { return numbers_.size(); }
-
-    std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, std::uint64_t> numbers_;
-    std::uint64_t unique_ = std::uint64_t{1} << 63;
-};
-
-}  // namespace
 
 FoamLayout::FoamLayout(const Frame& frame, const Page& page, VectorWrap wrap)
     : frame_(frame), page_(page), is_cut_(!page.domain.is_plane() && wrap == VectorWrap::Cut) {}
@@ -89,7 +69,7 @@ void FoamLayout::add_lone_bubbles(std::vector<NetArc>& lines) const {
 
 // Returns the parts of the films in the tile. A node at which a film is cut has only one arc.
 std::vector<NetArc> FoamLayout::cut_lines(const FilmFilter& is_chosen) const {
-    Nodes nodes;
+    NetNodes nodes;
     std::vector<NetArc> lines;
     for (const FilmId film : frame_.network.films()) {
         if (!is_chosen(film)) {
@@ -112,7 +92,7 @@ std::vector<NetArc> FoamLayout::cut_lines(const FilmFilter& is_chosen) const {
 
 // Returns the films of all bubbles that are drawn whole. No film occurs twice at the same position.
 std::vector<NetArc> FoamLayout::whole_lines(const FilmFilter& is_chosen) const {
-    Nodes nodes;
+    NetNodes nodes;
     std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, bool> drawn;
     std::vector<NetArc> lines;
     for (const BubbleId bubble : frame_.network.bubbles()) {
@@ -143,7 +123,7 @@ std::vector<NetArc> FoamLayout::lines_near_tile(const FilmFilter& is_chosen, dou
     if (!is_cut_) {
         return lines(is_chosen);
     }
-    Nodes nodes;
+    NetNodes nodes;
     std::vector<NetArc> lines;
     for (const FilmId film : frame_.network.films()) {
         if (!is_chosen(film)) {

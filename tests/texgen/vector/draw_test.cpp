@@ -2,6 +2,7 @@
 
 #include "texgen/vector/draw.h"
 
+#include "core/foam/honeycomb.h"
 #include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
@@ -137,6 +138,25 @@ TEST(Draw, TheSolutionIsALineOfArcs) {
     ASSERT_NE(solution, nullptr);
     EXPECT_EQ(solution->style.stroke, drawn.maps.maze.solution_color);
     EXPECT_GT(arcs_in(*solution), 4U);
+}
+
+// Films of a honeycomb are on the border of the tile, so that the solution crosses them there, in
+// points between two arcs. An arc is shorter than a bubble.
+TEST(Draw, AChainOfTheSolutionEndsAtTheBorder) {
+    Drawn drawn{.frame = test::fitted_frame(honeycomb(4, 4), kDrawPixels, kDrawPixels)};
+    int ends_on_border = 0;
+    for (int seed = 1; seed <= 8; ++seed) {
+        drawn.maps.maze.seed = seed;
+        const Drawing drawing = drawn.of(VectorContent::MazeSolution);
+        for (const Shape& shape : find_layer(drawing, "solution")->shapes) {
+            const Chain& chain = shape.chains.front();
+            ends_on_border += chain.head().x() == 0.0 || chain.head().x() == drawing.width ? 1 : 0;
+            for (const DrawnArc& arc : arcs_of(chain)) {
+                EXPECT_LT((arc.head - arc.tail).norm(), 0.25 * drawing.width);
+            }
+        }
+    }
+    EXPECT_GT(ends_on_border, 0);
 }
 
 TEST(Draw, OutlinesOfAMazeStayInTheTile) {
