@@ -27,9 +27,14 @@ constexpr const char* kCreationDate = "2000-01-01T00:00:00Z";
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 
+// Exceptions must not propagate through cairo.
 cairo_status_t append(void* text, const unsigned char* data, unsigned size) {
-    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), size);
-    return CAIRO_STATUS_SUCCESS;
+    try {
+        static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), size);
+        return CAIRO_STATUS_SUCCESS;
+    } catch (...) {
+        return CAIRO_STATUS_NO_MEMORY;
+    }
 }
 
 void check(cairo_status_t status) {
