@@ -142,7 +142,7 @@ StagedFile::StagedFile(std::filesystem::path target,
 
 StagedFile::StagedFile(StagedFile&& other) noexcept
     : target_(std::move(other.target_)),
-      temporary_(std::exchange(other.temporary_, {})),
+      name_(std::exchange(other.name_, {})),
       file_(std::exchange(other.file_, -1)) {}
 
 StagedFile::~StagedFile() {
@@ -157,12 +157,12 @@ void StagedFile::open() {
         return;
     }
     close();
-    const std::filesystem::path temporary = unique_sibling(target_);
+    std::filesystem::path temporary = unique_sibling(target_);
     file_ = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMode);
     if (file_ < 0) {
         fail(errno);
     }
-    temporary_ = temporary;
+    name_ = std::move(temporary);
 }
 
 void StagedFile::write(std::span<const std::byte> content) {
@@ -177,24 +177,27 @@ void StagedFile::write(std::span<const std::byte> content) {
 }
 
 // linkat does not replace an existing file. If a file with the name of the target exists, the new
-// file first gets a temporary name, and is then renamed, which replaces the existing file.
+// file first gets a temporary name, and is then renamed, which replaces the existing file. If
+// closing the file fails, its content may be lost. It is then not renamed; the destructor removes
+// it, even if it already has the name of the target.
 void StagedFile::publish() {
-    if (temporary_.empty() && !link_as(target_)) {
-        const std::filesystem::path temporary = unique_sibling(target_);
-        if (!link_as(temporary)) {
-            fail(EEXIST);
+    if (name_.empty()) {
+        std::filesystem::path name = target_;
+        if (!link_as(name)) {
+            name = unique_sibling(target_);
+            if (!link_as(name)) {
+                fail(EEXIST);
+            }
         }
-        temporary_ = temporary;
+        name_ = std::move(name);
     }
     if (::close(std::exchange(file_, -1)) != 0) {
         fail(errno);
     }
-    if (!temporary_.empty()) {
-        if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
-            fail(errno);
-        }
-        temporary_.clear();
+    if (name_ != target_ && std::rename(name_.c_str(), target_.c_str()) != 0) {
+        fail(errno);
     }
+    name_.clear();
 }
 
 // Gives a file without a name the given name. Returns false if a file of this name exists.
@@ -213,9 +216,9 @@ void StagedFile::close() {
     if (file_ >= 0) {
         ::close(std::exchange(file_, -1));
     }
-    if (!temporary_.empty()) {
-        unlink(temporary_.c_str());
-        temporary_.clear();
+    if (!name_.empty()) {
+        unlink(name_.c_str());
+        name_.clear();
     }
 }
 

@@ -79,8 +79,8 @@ class StagedFile {
     [[noreturn]] void fail(int error) const;
 
     std::filesystem::path target_;
-    std::filesystem::path temporary_;  // empty if the file has no name
-    int file_ = -1;                    // file descriptor, or -1
+    std::filesystem::path name_;  // empty if the file has no name or has been published
+    int file_ = -1;               // file descriptor, or -1
 };
 
 /// Writes a file atomically: stages and publishes it (StagedFile). Precondition: the folder exists.

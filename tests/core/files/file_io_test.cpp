@@ -5,10 +5,19 @@
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -81,6 +90,42 @@ TEST(FileIo, AFullDiskLeavesNeitherFileNorTemporary) {
         EXPECT_EQ(failure, "cannot write '" + path.string() + "': File too large");
         EXPECT_TRUE(folder.files().empty()) << size;
     }
+}
+
+// From now on, the system call close fails in this process, as on a network file system that could
+// not store a file. Returns false if the system does not support this.
+bool let_close_fail() {
+    std::array<sock_filter, 4> program{
+        {{BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
+         {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, SYS_close},
+         {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ERRNO | EDQUOT},
+         {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW}}};
+    const sock_fprog filter{program.size(), program.data()};
+    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
+// The file gets its name before it is closed.
+TEST(FileIo, AFailureToCloseLeavesNoFile) {
+    constexpr int kFailed = 3;
+    constexpr int kUnsupported = 4;
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "a.bin";
+    const std::string expected = "cannot write '" + path.string() + "': Disk quota exceeded";
+    const pid_t child = fork();
+    if (child == 0) {
+        _exit(!let_close_fail()                        ? kUnsupported
+              : failure_to_write(path, 10) == expected ? kFailed
+                                                       : 0);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == kUnsupported) {
+        GTEST_SKIP() << "the system does not filter system calls";
+    }
+    EXPECT_EQ(WEXITSTATUS(status), kFailed);
+    EXPECT_TRUE(folder.files().empty());
 }
 
 TEST(FileIo, AFolderInTheWayLeavesNoTemporary) {
