@@ -21,8 +21,9 @@ namespace foam {
 ///   its neighboring films across it exceeds their pull along it minus the tension of the film.
 /// - If an outer film is at a small hole (is_small_hole with the T1 distance of the thresholds),
 ///   the hole closes, if it can.
-/// - If an outer film of any length is at a hole in which bubbles overlap (is_overlapping_hole),
-///   the hole closes or, if it cannot close, the film flips, if it can.
+/// - If an outer film is at a hole in which bubbles overlap (is_overlapping_hole), the hole closes
+///   or, if it cannot close, the film flips, if it can. This does not depend on the length of the
+///   film, so callers must apply the rule only to films that they consider short.
 /// - A collapsed film (collapsed_length) is reopened (reopen_film).
 /// - Any other film that is shorter than its T1 distance (t1_distance_at) flips if it can and if it
 ///   would stay open afterwards (flipped_pulls_apart).

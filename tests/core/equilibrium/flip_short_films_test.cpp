@@ -2,6 +2,7 @@
 
 #include "core/equilibrium/flip_short_films.h"
 
+#include "core/foam/rafts.h"
 #include "core/foam/t1_rule.h"
 #include "tests/core/equilibrium/crossing.h"
 #include "tests/core/foams.h"
@@ -70,6 +71,36 @@ TEST(FlipShortFilms, IgnoresLongFilms) {
     Crossing c = crossing(60.0, 0.06);
     Unknowns part = all_unknowns(c.foam.network);
     EXPECT_TRUE(run(c.foam, part).calls.empty());
+}
+
+// Bends the films of the hole of a ring so that bubbles overlap in it, and returns one of them. The
+// test Rafts.BubblesOverlapInAHole shows that a half angle of 2 is enough.
+FilmId fill_hole(Foam& ring) {
+    FilmId found = kNone<FilmId>;
+    for (const FilmId film : ring.network.films()) {
+        const HalfEdgeId h = forward_side(film);
+        if (ring.network.is_outer(film)) {
+            set_half_angle(ring, h, ring.network.left(h) == ring.network.ghost() ? -2.2 : 2.2);
+            found = is_overlapping_hole(ring, film) ? film : found;
+        }
+    }
+    return found;
+}
+
+// The pulls would close the flipped film again, but they are not compared at such a hole.
+TEST(FlipShortFilms, FlipsOnlyShortFilmsOfAHoleInWhichBubblesOverlap) {
+    Foam foam = test::ring();
+    const FilmId film = fill_hole(foam);
+    Unknowns part = all_unknowns(foam.network);
+    EXPECT_TRUE(run(foam, part).calls.empty());
+    const HalfEdgeId h = forward_side(film);
+    place_junction(foam,
+                   foam.network.head(h),
+                   foam.positions[foam.network.tail(h)] + 0.04 * chord(foam, h).normalized());
+    ASSERT_TRUE(is_overlapping_hole(foam, film));
+    ASSERT_FALSE(flipped_pulls_apart(foam, film));
+    EXPECT_EQ(run(foam, part).t1, 1);
+    EXPECT_TRUE(test::is_valid(foam.network));
 }
 
 // Only one end of the film is a junction of bubble 2, but both ends are junctions of bubble 5.
