@@ -169,14 +169,22 @@ Side side_of_folder(const std::string& name) {
     return side;
 }
 
+// Returns what is known about the image with a path, which may not exist.
+SideImage image_of(const Side& side, const std::string& path) {
+    const auto found = side.images.find(path);
+    return found != side.images.end() ? found->second : SideImage{};
+}
+
 std::vector<ImagePair> pairs_of_sides(const Side& a, const Side& b) {
     std::vector<ImagePair> pairs;
     visit_keys(a.images, b.images, [&](const std::string& path, Presence presence) {
-        const auto left = a.images.find(path);
-        const auto right = b.images.find(path);
-        const bool known = left != a.images.end() && !left->second.map.empty();
-        const SideImage image = known || right == b.images.end() ? left->second : right->second;
-        pairs.push_back({a.folder / path, b.folder / path, presence, image.map, image.frame});
+        const SideImage left = image_of(a, path);
+        const SideImage right = image_of(b, path);
+        pairs.push_back({a.folder / path,
+                         b.folder / path,
+                         presence,
+                         left.map.empty() ? right.map : left.map,
+                         left.frame ? left.frame : right.frame});
     });
     return pairs;
 }

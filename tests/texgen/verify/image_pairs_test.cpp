@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace foam::texgen {
@@ -96,6 +97,22 @@ TEST_F(ImagePairs, ManifestsOfFoldersNameMapsAndFrames) {
     EXPECT_FALSE(found[0].frame.has_value());
     EXPECT_EQ(found[1].map, "height");
     EXPECT_EQ(found[1].frame, 3);
+}
+
+// The manifest gives an image of several maps no map, but a frame. It may be on either side.
+TEST_F(ImagePairs, AnImageOfSeveralMapsHasAFrame) {
+    add("a", {"p_height.3.png"});
+    add("b", {"p_height.3.png"});
+    BakedSet set = small_set("p", {3}, {3});
+    set.maps.push_back({"film", "mask", "0 to 1", "", {3}, {}});
+    set.files.front().maps = {"height", "film"};
+    add_manifest("a", set);
+    for (const auto& [left, right] : {std::pair("a", "b"), std::pair("b", "a")}) {
+        const std::vector<ImagePair> found = image_pairs(path(left), path(right), {});
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0].map, "");
+        EXPECT_EQ(found[0].frame, 3);
+    }
 }
 
 // The folder of the second manifest has a file that this manifest does not list.
