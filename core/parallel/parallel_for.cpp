@@ -26,14 +26,14 @@ class Chunks {
            const std::function<void(std::size_t, std::size_t)>& body)
         : items_(count), grain_(grain), body_(body) {}
 
-    std::size_t count() const { return (items_ + grain_ - 1) / grain_; }
+    std::size_t count() const { return chunk_count(items_, grain_); }
 
     // Processes chunks until none is left. May be called by any number of threads at once.
     void work() {
         for (std::size_t k = next_++; k < count(); k = next_++) {
             try {
                 const std::size_t first = k * grain_;
-                body_(first, std::min(items_, first + grain_));
+                body_(first, first + std::min(grain_, items_ - first));
             } catch (...) {
                 stop(std::current_exception());
             }

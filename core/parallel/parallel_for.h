@@ -15,6 +15,12 @@ namespace foam {
 /// documentation of the function says otherwise.
 int thread_count(int threads);
 
+/// Returns the number of chunks into which parallel_for divides `count` indices. Precondition:
+/// grain > 0.
+constexpr std::size_t chunk_count(std::size_t count, std::size_t grain) {
+    return count / grain + (count % grain == 0 ? 0 : 1);
+}
+
 /// Calls body(first, last) for each chunk of [0, count). The chunks are [0, grain),
 /// [grain, 2 * grain) and so on; the last one ends at `count`.
 ///

@@ -17,8 +17,8 @@ namespace foam {
 /// is not bool.
 template <class Make>
 auto parallel_map(std::size_t count, std::size_t grain, int threads, const Make& make) {
-    std::vector<std::invoke_result_t<Make, std::size_t, std::size_t>> results((count + grain - 1) /
-                                                                              grain);
+    std::vector<std::invoke_result_t<Make, std::size_t, std::size_t>> results(
+        chunk_count(count, grain));
     parallel_for(count, grain, threads, [&](std::size_t first, std::size_t last) {
         results[first / grain] = make(first, last);
     });

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <limits>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -34,6 +36,14 @@ TEST(ParallelFor, MakesTheSameChunksForAnyNumberOfThreads) {
         EXPECT_EQ(chunks_of(8, 4, threads), (std::set<Range>{{0, 4}, {4, 8}}));
         EXPECT_EQ(chunks_of(1, 100, threads), (std::set<Range>{{0, 1}}));
     }
+}
+
+// The sum of an index and such a grain would exceed the largest std::size_t.
+TEST(ParallelFor, AGrainMayBeTheLargestNumber) {
+    constexpr std::size_t kMax = std::numeric_limits<std::size_t>::max();
+    constexpr std::size_t kHalf = kMax / 2 + 1;
+    EXPECT_EQ(chunks_of(10, kMax, 2), (std::set<Range>{{0, 10}}));
+    EXPECT_EQ(chunks_of(kMax, kHalf, 2), (std::set<Range>{{0, kHalf}, {kHalf, kMax}}));
 }
 
 TEST(ParallelFor, VisitsEveryIndexOnceInEachOfManyCalls) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,8 @@ TEST(ParallelMap, ReturnsTheResultsInTheOrderOfTheChunks) {
         const std::vector<Range> ranges = parallel_map(10, 4, threads, make);
         EXPECT_EQ(ranges, (std::vector<Range>{{0, 4}, {4, 8}, {8, 10}}));
         EXPECT_TRUE(parallel_map(0, 4, threads, make).empty());
+        EXPECT_EQ(parallel_map(10, std::numeric_limits<std::size_t>::max(), threads, make),
+                  (std::vector<Range>{{0, 10}}));
     }
 }
 
