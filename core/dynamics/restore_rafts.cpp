@@ -154,7 +154,7 @@ EquilibriumSummary equilibrate_keeping_rafts(Solver solver,
     }
     const std::map<BubbleIdentity, Vec2> before = bubble_centers(foam);
     const EquilibriumSummary summary = equilibrate_with(solver, foam, options);
-    compact(foam);  // films that tore have left dead slots
+    compact(foam);  // torn films and closed holes may have left dead slots
     if (summary.converged()) {
         restore_rafts(foam, before);
     }

@@ -42,8 +42,9 @@ bool is_collapsed(const Foam& foam, BubbleId bubble) {
            film_of(third_film(network, h)) != film_of(third_film(network, network.next(h)));
 }
 
-// Returns the distance between the ends of a two-sided bubble in equilibrium. Each film has a half
-// angle of 60 degrees and encloses half of the area with its chord.
+// Returns the distance between the ends of a two-sided bubble in equilibrium if the pressures on
+// its two sides are equal: each film then has a half angle of 60 degrees and encloses half of the
+// area with its chord.
 double equilibrium_chord(double area) {
     const double of_unit_chord = 2.0 * segment_area({Vec2(1.0, 0.0), std::numbers::pi / 3.0});
     return std::sqrt(area / of_unit_chord);

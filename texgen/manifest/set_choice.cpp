@@ -82,7 +82,7 @@ const BakedSet& newest_set(const Manifest& manifest,
         for (const BakedSet& set : manifest.sets) {
             names.push_back(name_of(set));
         }
-        throw InputError(fmt::format("'{}' has no images of {}; must be one of: {}{}",
+        throw InputError(fmt::format("'{}' has no images of {}; it has images of: {}{}",
                                      manifest_path(path).string(),
                                      words_of(choice),
                                      fmt::join(names, ", "),

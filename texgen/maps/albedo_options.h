@@ -78,8 +78,8 @@ struct AlbedoOptions {
     // The width of the shade on each side of a film, in diameters of a mean bubble of the seeded
     // foam.
     double shade_width = 0.3;
-    // The factor on the grain (grain.h) of bubbles, as a fraction of the brightness; 0 draws no
-    // grain. The change of brightness rarely exceeds this fraction.
+    // The strength of the grain (grain.h) of bubbles: the change of brightness, as a fraction,
+    // rarely exceeds this number. 0 draws no grain.
     double grain = 0.0;
     // The size of the largest features of the grain, in the unit of shade_width.
     double grain_size = 0.4;

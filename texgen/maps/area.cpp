@@ -17,7 +17,7 @@ Keys<AreaOptions> area_keys() {
             "area that a PNG stores as its largest code, in the unit area.unit; \"auto\" fits the "
             "whole animation",
             &AreaOptions::full)
-            .in("mean bubble areas, selected by area.unit")};
+            .in("areas of a mean bubble, which area.unit selects")};
 }
 
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options) {

@@ -26,13 +26,14 @@ struct FlipbookOptions {
     /// expect a strip. No gutter is needed, because each frame becomes a separate layer of the
     /// texture.
     bool strip = false;
-    /// The suffix of the files of array textures (TextureFormat), which are written instead of
+    /// The suffix of the files of array textures, ".dds" or ".ktx2", which are written instead of
     /// sheets: each frame is a layer with its mip levels. Layers can repeat as tiles, which frames
-    /// in a sheet cannot. An array has no columns and no gutters. Empty for sheets.
+    /// in a sheet cannot. For arrays, `gutter` must be 0 and `columns` at most 1. Empty for sheets.
     std::string array_suffix = {};
-    /// The names of the files without suffix, in which {preset} and {map} are replaced. Empty for
-    /// {preset}_sheet_{map}, {preset}_strip_{map} or {preset}_array_{map}. The JSON file has the
-    /// same name without _{map}; a {map} without _ becomes "sheets".
+    /// The names of the files without suffix, in which {preset} and {map} are replaced. If this
+    /// text is empty, the names are {preset}_sheet_{map}; of a strip, {preset}_strip_{map}; of
+    /// arrays, {preset}_array_{map}. For the name of the JSON file, "_{map}" is removed; a {map}
+    /// that does not follow a "_" is replaced by "sheets".
     std::string names = {};
     /// Words that replace the names of maps in file names, by map.
     std::map<std::string, std::string> words = {};
@@ -42,8 +43,7 @@ struct FlipbookOptions {
 struct Flipbook {
     std::vector<std::filesystem::path> files;  // one image per map, then the JSON file
     SheetLayout layout;                        // the layout of all images
-    // The names of images of an earlier flipbook that the JSON file listed and that do not belong
-    // to this flipbook.
+    // The names of existing images that the JSON file listed before and does not list any more.
     std::vector<std::string> unlisted;
 };
 
@@ -66,8 +66,8 @@ Flipbook write_flipbook(const BakedSet& set,
 
 /// Returns the preset with its sheets moved to the folder of its images, if the sheets are in the
 /// default folder "out" and the images are not. An option that moves the images thus moves the
-/// sheets, too. Throws std::invalid_argument if the preset has sheets and its file pattern is
-/// malformed.
+/// sheets, too. Throws std::invalid_argument if the sheets are in "out" and the file pattern of the
+/// images is malformed.
 Preset with_sheets_beside_images(Preset preset);
 
 /// Checks the sheets of a preset before a bake. Throws std::invalid_argument if the files of the
@@ -76,9 +76,9 @@ Preset with_sheets_beside_images(Preset preset);
 /// (placeholder_text in preset/placeholder.h). Does nothing if output.sheets is None.
 void check_sheets(const Preset& preset);
 
-/// Joins the frames of a bake of a preset, which has just ended, as output.sheets says. `frames`
-/// are the numbers of the frames. Throws the exceptions of read_manifest and write_flipbook.
-/// Precondition: output.sheets is not None, and check_sheets does not throw.
+/// Joins the frames of the latest bake of a preset, as output.sheets says. Call this function after
+/// the bake. `frames` are the numbers of the frames. Throws the exceptions of read_manifest and
+/// write_flipbook. Precondition: output.sheets is not None, and check_sheets does not throw.
 Flipbook write_sheets(const Preset& preset,
                       std::vector<int> frames,
                       const ProgressCallback& on_progress = {});

@@ -18,12 +18,13 @@ struct Sweep {
 /// Parses the argument of `--sweep`: KEY=VALUES. VALUES are separated by commas; commas within
 /// brackets or quotes do not separate. A value LOW..HIGH:COUNT stands for COUNT evenly spaced
 /// numbers, both ends included. Throws PresetError if the argument is malformed or has more than
-/// kMostValues values. Does not check that the key exists and allows the values; `assign` does.
+/// kMostValues (preset/key_values.h) values. Does not check that the key exists and allows the
+/// values; `assign` does.
 Sweep read_sweep(const std::string& argument);
 
 /// Returns the sweep of foam.seed for the argument of `--seeds`, in the notation of
-/// parse_frame_range. Throws PresetError if the argument is malformed or has more than kMostValues
-/// seeds.
+/// parse_frame_range (bake/frame_range.h). Throws PresetError if the argument is malformed or has
+/// more than kMostValues seeds.
 Sweep read_seeds(const std::string& argument);
 
 }  // namespace foam::texgen

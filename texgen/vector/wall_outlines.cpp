@@ -15,9 +15,11 @@
 #include <utility>
 #include <vector>
 
-// The complement of the walls is the inset (raster/outline/inset.h) of the plane without the lines.
-// The border of the plane without the lines consists of loops that pass along both sides of each
-// line. At a node, a loop turns into the next line, so that no line begins on its left side.
+// The complement of the walls consists of the points that are at least half the width away from
+// every line. It is an inset (raster/outline/inset.h) at this distance, of the region that is the
+// plane minus the lines. The border of this region consists of loops that pass along both sides of
+// each line. At a node, a loop continues along the leftmost line, so that no other line begins on
+// the left of the loop.
 
 namespace foam::texgen {
 
@@ -39,8 +41,9 @@ double leaving_angle(const DrawnArc& arc) {
     return ieee::atan2(sine, cosine);
 }
 
-// Returns, for each side, the side that follows it in a loop: of the sides that leave the node at
-// its head, the first one clockwise from its reverse.
+// Returns, for each side, the side that follows it in a loop. Of the sides that leave the node
+// where the side ends, this is the first one that is met when turning clockwise from the opposite
+// side of the same line.
 std::vector<SideIndex> following_sides(std::span<const NetArc> lines) {
     std::map<std::uint64_t, std::vector<std::pair<double, SideIndex>>> leaving;
     for (SideIndex side = 0; side < 2 * lines.size(); ++side) {

@@ -65,7 +65,7 @@ TEST(PreviewCommand, ABadRequestIsOneLine) {
     EXPECT_EQ(seed.code, static_cast<int>(ExitCode::BadInput));
     EXPECT_EQ(
         seed.err,
-        "foamtex: 'out/manifest.json' has no images of seed 3; must be one of: sea_foam (seed "
+        "foamtex: 'out/manifest.json' has no images of seed 3; it has images of: sea_foam (seed "
         "1, 48 x 32)\n");
     EXPECT_EQ(run_program("preview out --as film", folder).code,
               static_cast<int>(ExitCode::BadRequest));

@@ -46,17 +46,17 @@ TEST(SetChoice, TakesTheNewestOfTheSelectedSets) {
 TEST(SetChoice, AMissingSetIsAnErrorThatListsAllSets) {
     EXPECT_EQ(error_of({}, {}), "'out' lists no images");
     EXPECT_EQ(error_of(three_sets(), {.preset = "c", .seed = 1, .width = 2, .height = 3}),
-              "'out' has no images of preset 'c', seed 1, width 2, height 3; must be one of: a "
+              "'out' has no images of preset 'c', seed 1, width 2, height 3; it has images of: a "
               "(seed 12, 64 x 32), b (seed 12, 64 x 32), a (seed 13, 128 x 32)");
     Manifest manifest = three_sets();
     manifest.sets.resize(1);
     manifest.sets[0].preset = "sea_foam";
     EXPECT_EQ(error_of(manifest, {.preset = "sea_fom"}),
-              "'out' has no images of preset 'sea_fom'; must be one of: sea_foam (seed 12, 64 x "
+              "'out' has no images of preset 'sea_fom'; it has images of: sea_foam (seed 12, 64 x "
               "32); did you mean 'sea_foam'?");
     // The preset is right; only the seed is wrong.
     EXPECT_EQ(error_of(manifest, {.preset = "sea_foam", .seed = 1}),
-              "'out' has no images of preset 'sea_foam', seed 1; must be one of: sea_foam (seed "
+              "'out' has no images of preset 'sea_foam', seed 1; it has images of: sea_foam (seed "
               "12, 64 x 32)");
 }
 
