@@ -138,7 +138,7 @@ BezierPath rectangle(const Node& node) {
 // Returns the path of a basic shape, or nullopt if the element is no basic shape.
 std::optional<BezierPath> path_of(const Node& node) {
     const std::string_view name = element_name(node);
-    const Vec2 center(length(node, "cx"), length(node, "cy"));
+    const auto center = [&] { return Vec2(length(node, "cx"), length(node, "cy")); };
     if (name == "path") {
         return parse_svg_path(node.attribute("d").value());
     }
@@ -149,10 +149,10 @@ std::optional<BezierPath> path_of(const Node& node) {
         return rectangle(node);
     }
     if (name == "circle") {
-        return ellipse(center, Vec2::Constant(length(node, "r")));
+        return ellipse(center(), Vec2::Constant(length(node, "r")));
     }
     if (name == "ellipse") {
-        return ellipse(center, {length(node, "rx"), length(node, "ry")});
+        return ellipse(center(), {length(node, "rx"), length(node, "ry")});
     }
     return std::nullopt;
 }
@@ -207,8 +207,8 @@ class ShapeReader {
             throw InputError(
                 "text has no outline; convert it to paths (in Inkscape: Path > Object "
                 "to Path), or remove it");
-        } else if (const std::optional<BezierPath> path = path_of(node)) {
-            add(*path, style);
+        } else if (style.is_filled && style.is_visible) {
+            add_if_shape(node, style);
         }
     }
 
@@ -241,17 +241,18 @@ class ShapeReader {
         }
     }
 
-    void add(const BezierPath& path, const Style& style) {
-        if (!style.is_filled || !style.is_visible) {
+    void add_if_shape(const Node& node, const Style& style) {
+        const std::optional<BezierPath> path = path_of(node);
+        if (!path) {
             return;
         }
-        for (const Subpath& part : path) {
+        for (const Subpath& part : *path) {
             curves_ += part.curves.size();
         }
         if (curves_ > kMaxCurves) {
             throw InputError(fmt::format("it has more than {} lines and curves", kMaxCurves));
         }
-        shapes.push_back({mapped(path, style.map), style.is_even_odd});
+        shapes.push_back({mapped(*path, style.map), style.is_even_odd});
     }
 
     std::map<std::string, Node> by_id_;

@@ -124,7 +124,11 @@ TEST(OutlineFile, SkipsWhatIsNotFilled) {
           "<svg width='0' height='10'><rect x='20' width='10' height='10'/></svg>",
           "<defs><rect x='20' width='10' height='10'/></defs>",
           "<clipPath><rect x='20' width='10' height='10'/></clipPath>",
-          "<line x1='20' x2='30'/>"}) {
+          "<line x1='20' x2='30'/>",
+          // Lengths of elements that are not drawn may have any unit.
+          "<radialGradient id='g' cx='50%' cy='50%' r='50%'/>",
+          "<rect width='100%' height='100%' fill='none'/>",
+          "<circle r='50%' visibility='hidden'/>"}) {
         EXPECT_EQ(outlines(square + skipped).size(), 1U) << skipped;
     }
 }
