@@ -11,6 +11,8 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace foam::texgen {
@@ -107,7 +109,7 @@ void visit_loops(std::span<const Edge> edges, const Visit& visit, const End& end
 }
 
 // Receives the triangles of GLU. An exception must not pass through GLU, which is written in C, so
-// it is kept.
+// the first one is kept. (If on_combine throws, GLU then calls on_error.)
 class Tessellation {
   public:
     explicit Tessellation(PointTable& points) : points_(points) {}
@@ -115,7 +117,12 @@ class Tessellation {
     void add_corner(std::uint32_t point) {
         corners_[count_++] = point;
         if (count_ == corners_.size()) {
-            triangles.push_back(corners_);
+            const auto& [a, b, c] = corners_;
+            // Crossings can be rounded to the same point as a corner of the triangle. The triangle
+            // is then an edge, which its neighbors share.
+            if (a != b && b != c && c != a) {
+                triangles.push_back(corners_);
+            }
             count_ = 0;
         }
     }
@@ -126,7 +133,7 @@ class Tessellation {
         try {
             action();
         } catch (...) {
-            failure = std::current_exception();
+            failure = failure ? failure : std::current_exception();
         }
     }
 
@@ -139,17 +146,20 @@ class Tessellation {
     std::size_t count_ = 0;
 };
 
-// GLU passes on pointers, which are here indices.
+// GLU passes on pointers, which are here indices plus 1: a null pointer that on_combine returned
+// would mean that it has no point.
 void* as_pointer(std::uint32_t index) {
     return reinterpret_cast<void*>(  // NOLINT(performance-no-int-to-ptr): never dereferenced
-        static_cast<std::uintptr_t>(index));
+        std::uintptr_t{index} + 1);
+}
+
+std::uint32_t as_index(const void* pointer) {
+    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(pointer) - 1);
 }
 
 void on_vertex(void* vertex, void* tessellation) {
     auto& target = *static_cast<Tessellation*>(tessellation);
-    target.keep_exception([&] {
-        target.add_corner(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(vertex)));
-    });
+    target.keep_exception([&] { target.add_corner(as_index(vertex)); });
 }
 
 void on_combine(
@@ -161,9 +171,14 @@ void on_combine(
 // This callback makes GLU produce separate triangles instead of fans and strips.
 void on_edge_flag(GLboolean /*is_border*/, void* /*tessellation*/) {}
 
-void on_error(GLenum, void* tessellation) {
+void on_error(GLenum error, void* tessellation) {
     auto& target = *static_cast<Tessellation*>(tessellation);
-    target.failure = std::make_exception_ptr(std::bad_alloc());
+    target.keep_exception([&] {
+        if (error == GLU_OUT_OF_MEMORY) {
+            throw std::bad_alloc();
+        }
+        throw std::logic_error("the tessellator of GLU reports error " + std::to_string(error));
+    });
 }
 
 using Callback = void (*)();

@@ -57,9 +57,9 @@ std::vector<Edge> without_opposites(std::vector<Edge> edges);
 
 /// Returns counter-clockwise triangles of the region in which the winding number of the edges is
 /// positive. The tessellator of GLU, which is a sweep, adds a point where edges cross; all other
-/// points of the triangles are points of the edges. Precondition: the edges are in ascending order,
-/// and at each point, as many edges end as begin. Throws std::bad_alloc if the machine has too
-/// little memory.
+/// points of the triangles are points of the edges. The corners of a triangle are different points,
+/// but they can be on one line. Precondition: the edges are in ascending order, and at each point,
+/// as many edges end as begin. Throws std::bad_alloc if the machine has too little memory.
 std::vector<Triangle> triangles_of(std::span<const Edge> edges, PointTable& points);
 
 }  // namespace foam::texgen

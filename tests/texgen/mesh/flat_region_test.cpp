@@ -71,6 +71,29 @@ TEST(FlatRegion, CrossingRingsAreJoined) {
     EXPECT_EQ(points.size(), 10U);
 }
 
+// On a grid of step 1, the crossing of the edge from (-3, -1) to (4, 2) with the edge from (1, -3)
+// to (0, 1) is rounded to the point (0, 0), whose index is 0.
+TEST(FlatRegion, ACrossingMayBeTheFirstPoint) {
+    PointTable points{PrintGrid(1 << 22)};
+    const std::vector<Edge> edges = edges_of_all({{{0, 0}, {-20, 2}, {-20, -2}},
+                                                  {{-3, -1}, {4, 2}, {-3, 30}},
+                                                  {{1, -3}, {0, 1}, {-1, 1}, {30, -40}}},
+                                                 points);
+    EXPECT_FALSE(triangles_of(edges, points).empty());
+}
+
+// On a grid of step 1, the edge from (11, 0) to (5, 1) crosses the side of the square at (10, 1/6),
+// which is rounded to the corner (10, 0). The edge from (5, 1) to (11, -4) crosses the lower side at
+// (6.2, 0), which is rounded to (6, 0). The triangle (6, 0), (11, -4), (11, 0) is outside.
+TEST(FlatRegion, ACrossingMayBeACorner) {
+    PointTable points{PrintGrid(1 << 22)};
+    const std::vector<Edge> edges =
+        edges_of_all({square(0.0, 10.0), {{5, 1}, {11, -4}, {11, 0}}}, points);
+    const std::vector<Triangle> triangles = triangles_of(edges, points);
+    EXPECT_TRUE(are_distinct(sorted_edges(triangles)));
+    EXPECT_EQ(area_of(triangles, points), 100.0 + 0.5 * 5.0 * 4.0);
+}
+
 TEST(FlatRegion, ClockwiseRingsAloneAreEmpty) {
     PointTable points{PrintGrid(10.0)};
     Ring ring = square(0.0, 1.0);
