@@ -4,6 +4,7 @@
 
 #include "core/parallel/counting_sort.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -48,6 +49,7 @@ class NormalsOfPoint {
             areas_.push_back(area_vector(mesh_, mesh_.triangles[corner / 3]));
             directions_.push_back(normalized(areas_.back()));
         }
+        give_direction_to_flat_triangles();
         const std::size_t first = to.positions.size();
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const Point3 normal = to_float(normalized(sum_of_similar(k)));
@@ -59,6 +61,16 @@ class NormalsOfPoint {
     }
 
   private:
+    // Gives the triangles without area, which have no direction of their own, the direction of the
+    // first triangle with an area. They are invisible, so that any direction will do.
+    void give_direction_to_flat_triangles() {
+        const auto found =
+            std::ranges::find_if(areas_, [](const Vector3& area) { return area != Vector3{}; });
+        if (found != areas_.end()) {
+            std::ranges::replace(directions_, Vector3{}, normalized(*found));
+        }
+    }
+
     Vector3 sum_of_similar(std::size_t k) const {
         Vector3 sum{0.0, 0.0, 0.0};
         for (std::size_t m = 0; m < areas_.size(); ++m) {

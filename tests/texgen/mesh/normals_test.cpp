@@ -2,8 +2,12 @@
 
 #include "texgen/mesh/normals.h"
 
+#include "texgen/mesh/extrusion.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace foam::texgen {
@@ -44,6 +48,20 @@ TEST(Normals, TrianglesKeepTheirPositions) {
             EXPECT_EQ(result.positions[result.triangles[t][k]],
                       mesh.positions[mesh.triangles[t][k]]);
         }
+    }
+}
+
+// The tessellator makes triangles without area of the points on the edge from (3, 0) to (3, 3): two
+// in each horizontal face.
+TEST(Normals, TrianglesWithoutAreaHaveNormals) {
+    const Ring ring{{0, 0}, {3, 0}, {3, 1}, {3, 2}, {3, 3}, {0, 3}, {0, 2}, {0, 1}};
+    const Mesh mesh = extruded({.walls = {ring}, .wall_height = 1.0});
+    EXPECT_EQ(std::ranges::count(mesh.triangles,
+                                 std::array<double, 3>{},
+                                 [&](const Triangle& one) { return area_vector(mesh, one); }),
+              4);
+    for (const auto& [x, y, z] : with_normals(mesh).normals) {
+        EXPECT_EQ(x * x + y * y + z * z, 1.0F);
     }
 }
 
