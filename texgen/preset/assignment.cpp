@@ -121,19 +121,6 @@ void collect_node(const toml::node& node,
     }
 }
 
-// Returns the index of the closing quote of a TOML string; `begin` is the index of the opening
-// quote. If the line has no closing quote, returns the index of the last character of the line.
-// Strings of several lines are not recognized: all lines after the first are scanned as if they
-// were TOML.
-std::size_t end_of_text(std::string_view toml, std::size_t begin) {
-    std::size_t k = begin + 1;
-    while (k < toml.size() && toml[k] != '\n' && toml[k] != toml[begin]) {
-        const bool is_escape = toml[begin] == '"' && toml[k] == '\\';
-        k += is_escape && k + 1 < toml.size() && toml[k + 1] != '\n' ? 2U : 1U;
-    }
-    return k < toml.size() && toml[k] == toml[begin] ? k : k - 1;
-}
-
 // Returns the line of the first key of more than kMaxKeyParts parts, or nullopt if there is none.
 std::optional<int> find_long_key(std::string_view toml) {
     constexpr std::string_view kSeparators = ",=[]{}\n";
@@ -143,7 +130,9 @@ std::optional<int> find_long_key(std::string_view toml) {
     for (std::size_t k = 0; k < toml.size(); ++k) {
         const char c = toml[k];
         if (c == '"' || c == '\'') {
-            k = end_of_text(toml, k);
+            const std::size_t end = end_of_string(toml, k);
+            line += static_cast<int>(std::ranges::count(toml.substr(k, end - k), '\n'));
+            k = end;
         } else if (c == '#') {
             k = std::min(toml.find('\n', k), toml.size()) - 1;
         } else if (kSeparators.find(c) != std::string_view::npos) {
@@ -173,6 +162,27 @@ toml::table parse(std::string_view toml, const std::string& source) {
 }
 
 }  // namespace
+
+std::size_t end_of_string(std::string_view toml, std::size_t begin) {
+    const std::size_t width = toml.substr(begin, 3) == std::string(3, toml[begin]) ? 3 : 1;
+    const std::string_view quotes = toml.substr(begin, width);
+    const auto is_open_end = [&](std::size_t k) {
+        return k >= toml.size() || (width == 1 && toml[k] == '\n');
+    };
+    std::size_t k = begin + width;
+    while (!is_open_end(k) && toml.substr(k, width) != quotes) {
+        const bool is_escape = quotes[0] == '"' && toml[k] == '\\';
+        k += is_escape && !is_open_end(k + 1) ? 2U : 1U;
+    }
+    if (is_open_end(k)) {
+        return k - 1;
+    }
+    // One or two quotes before the closing three belong to the content.
+    for (int extra = 0; extra < 2 && width == 3 && toml.substr(k + 1, width) == quotes; ++extra) {
+        ++k;
+    }
+    return k + width - 1;
+}
 
 std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source) {
     std::vector<Located> found;

@@ -4,6 +4,7 @@
 
 #include "texgen/keys/value.h"
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -31,6 +32,11 @@ struct Assignment {
 /// Locations are `source`, a colon and the line. Throws PresetError for malformed TOML, and for
 /// keys of more than 32 parts.
 std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source);
+
+/// Returns the index of the last character of the TOML string that begins with the quote at index
+/// `begin`: of its last quote, or if the string is not closed, of the last character of the line
+/// or, after three opening quotes, of the text.
+std::size_t end_of_string(std::string_view toml, std::size_t begin);
 
 /// Parses a value from the command line. A text that is not a TOML value becomes a string, so that
 /// words need no quotes. A table also becomes a string: only documents have tables.

@@ -20,26 +20,24 @@ namespace foam::texgen {
 namespace {
 
 /// Splits a text at the commas that are outside of brackets and quotes.
-std::vector<std::string> split(std::string_view text) {
-    std::vector<std::string> parts(1);
+std::vector<std::string_view> split(std::string_view text) {
+    std::vector<std::string_view> parts;
     int depth = 0;
-    char quote = 0;
-    for (const char c : text) {
-        if (quote != 0) {
-            quote = c == quote ? '\0' : quote;
-        } else if (c == '"' || c == '\'') {
-            quote = c;
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const char c = text[k];
+        if (c == '"' || c == '\'') {
+            k = end_of_string(text, k);
         } else if (c == '[' || c == '{') {
             ++depth;
         } else if (c == ']' || c == '}') {
             --depth;
-        }
-        if (c == ',' && depth == 0 && quote == 0) {
-            parts.emplace_back();
-        } else {
-            parts.back() += c;
+        } else if (c == ',' && depth == 0) {
+            parts.push_back(text.substr(begin, k - begin));
+            begin = k + 1;
         }
     }
+    parts.push_back(text.substr(begin));
     return parts;
 }
 
@@ -91,12 +89,13 @@ std::optional<NumberRange> range_in(std::string_view text) {
 
 KeyValues parse_key_values(std::string_view text) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string_view::npos || equals == 0 || equals + 1 == text.size()) {
+    const std::string_view key = trimmed(text.substr(0, equals));
+    if (equals == std::string_view::npos || key.empty() || equals + 1 == text.size()) {
         throw std::invalid_argument(
             "must be KEY=VALUES, such as foam.lloyd=0,1,2 or loop.current=0..0.6:4");
     }
-    KeyValues parsed{.key = std::string(text.substr(0, equals)), .values = {}};
-    for (const std::string& spaced : split(text.substr(equals + 1))) {
+    KeyValues parsed{.key = std::string(key), .values = {}};
+    for (const std::string_view spaced : split(text.substr(equals + 1))) {
         const std::string part(trimmed(spaced));
         if (part.empty()) {
             throw std::invalid_argument("has an empty value");

@@ -30,9 +30,9 @@ struct KeyValues {
 inline constexpr int kMostValues = 400;
 
 /// Parses KEY=VALUES. VALUES are separated by commas; commas within brackets or quotes do not
-/// separate. Spaces around a value are ignored. LOW..HIGH is a range of numbers, and
-/// LOW..HIGH:COUNT a range with a count from 2 to kMostValues. Throws std::invalid_argument if the
-/// text has another form. Does not check whether the key exists and allows the values.
+/// separate. Spaces around the key and around a value are ignored. LOW..HIGH is a range of numbers,
+/// and LOW..HIGH:COUNT a range with a count from 2 to kMostValues. Throws std::invalid_argument if
+/// the text has another form. Does not check whether the key exists and allows the values.
 KeyValues parse_key_values(std::string_view text);
 
 /// Returns a number as a value. The number is rounded to twelve significant digits, which hides

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace foam::texgen {
@@ -34,12 +36,18 @@ TEST(Assignment, TablesAreFlattenedInTheOrderOfTheFile) {
               "f:6 a.x = \"t\"\n");
 }
 
+/// Returns a.a.a and so on.
+std::string key_of_parts(int count) {
+    std::string key = "a";
+    for (int k = 1; k < count; ++k) {
+        key += ".a";
+    }
+    return key;
+}
+
 // toml++ would need more stack than there is for longer keys.
 TEST(Assignment, KeysHaveALimitedNumberOfParts) {
-    std::string long_key = "a";
-    for (int k = 0; k < 200'000; ++k) {
-        long_key += ".a";
-    }
+    const std::string long_key = key_of_parts(200'001);
     const std::string reason = "malformed TOML: a key must have at most 32 parts";
     EXPECT_EQ(failure("b = \"x.y\" # z.\n" + long_key + " = 1"), "a.toml:2: " + reason);
     EXPECT_EQ(failure("[" + long_key + "]\nb = 1"), "a.toml:1: " + reason);
@@ -48,6 +56,30 @@ TEST(Assignment, KeysHaveALimitedNumberOfParts) {
     const std::string dots(100, '.');
     EXPECT_EQ(flat(read_assignments("a = \"" + dots + "\\\"" + dots + "\" # " + dots, "f")),
               "f:1 a = \"" + dots + "\\\"" + dots + "\"\n");
+}
+
+// Periods in a string of several lines are no parts of keys. One or two quotes before the three
+// that close the string belong to its content.
+TEST(Assignment, StringsOfSeveralLinesMayHavePeriods) {
+    std::string periods;
+    for (int k = 0; k < 40; ++k) {
+        periods += "a. ";
+    }
+    for (const char quote : {'"', '\''}) {
+        const std::string quotes(3, quote);
+        for (std::size_t extra = 0; extra < 3; ++extra) {
+            const std::string content = periods + std::string(extra, quote);
+            const std::string text = "a = " + quotes + "x\n" + content + quotes + "\n";
+            const auto found = read_assignments(text + "b = 1\n", "f");
+            ASSERT_EQ(found.size(), 2U) << text;
+            EXPECT_EQ(std::get<std::string>(found[0].value.data), "x\n" + content);
+            EXPECT_EQ(failure(text + key_of_parts(33) + " = 1"),
+                      "a.toml:3: malformed TOML: a key must have at most 32 parts")
+                << text;
+        }
+    }
+    // Escaped quotes do not close a string.
+    EXPECT_EQ(read_assignments("a = \"\"\"\\\"\"\"" + periods + "\"\"\"", "f").size(), 1U);
 }
 
 TEST(Assignment, KeysThatTomlWouldQuoteStayQuoted) {

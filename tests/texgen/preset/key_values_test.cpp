@@ -39,6 +39,16 @@ TEST(KeyValues, AreSeparatedByCommasOutsideOfBracketsAndQuotes) {
               "a.b | [\"#112233\"] | [\"#445566\"]");
 }
 
+TEST(KeyValues, MayContainEscapedQuotes) {
+    EXPECT_EQ(parsed(R"(a.b="x\",y",z)"), R"(a.b | "x\",y" | "z")");
+    EXPECT_EQ(parsed(R"(a.b='x\','y')"), R"(a.b | "x\\" | "y")");
+    EXPECT_EQ(parsed(R"(a.b=["x\"]", 1],2)"), R"(a.b | ["x\"]", 1] | 2)");
+}
+
+TEST(KeyValues, SpacesAroundTheKeyAreIgnored) {
+    EXPECT_EQ(parsed(" foam.lloyd = 0, 1"), "foam.lloyd | 0 | 1");
+}
+
 TEST(KeyValues, MayBeRanges) {
     EXPECT_EQ(parsed("loop.amplitude=0.1..0.4,0.9,1..2:5"),
               "loop.amplitude | 0.1..0.4 | 0.9 | 1..2:5");
@@ -66,6 +76,7 @@ TEST(KeyValues, LargeWholeNumbersAreExact) {
 TEST(KeyValues, AMalformedTextIsRejected) {
     for (const char* text : {"foam.lloyd",
                              "=3",
+                             " =3",
                              "a.b=",
                              "a.b=1,,2",
                              "a.b=1, ",
