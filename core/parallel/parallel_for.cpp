@@ -15,8 +15,6 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kMaxThreads = 256;  // no loop runs on more threads than this
-
 // The chunks of one parallel_for. A thread claims the next chunk by incrementing a shared atomic
 // counter.
 class Chunks {
@@ -81,8 +79,8 @@ void parallel_for(std::size_t count,
         return;
     }
     Chunks chunks(count, grain, body);
-    const auto wanted = static_cast<std::size_t>(thread_count(threads));
-    const std::size_t used = std::min({wanted, chunks.count(), kMaxThreads});
+    const auto allowed = static_cast<std::size_t>(std::min(thread_count(threads), kMaxThreads));
+    const std::size_t used = std::min(allowed, chunks.count());
     WorkerPool::shared().run(static_cast<int>(used) - 1, [&chunks] { chunks.work(); });
     chunks.rethrow();
 }

@@ -9,6 +9,10 @@
 
 namespace foam {
 
+/// The largest number of threads of a parallel loop, and the largest value of the option
+/// `--threads` and of the arguments `threads` of the installed libraries.
+inline constexpr int kMaxThreads = 256;
+
 /// Returns the number of threads that `threads` requests: the value itself if it is positive,
 /// otherwise the number of threads that the hardware runs at once. The result is at least 1. Every
 /// `threads` option has this meaning. Every argument `threads` of type int has it too, unless the
@@ -25,12 +29,12 @@ constexpr std::size_t chunk_count(std::size_t count, std::size_t grain) {
 /// [grain, 2 * grain) and so on; the last one ends at `count`.
 ///
 /// The calls are made on the caller's thread and on further threads. The total number of threads is
-/// at most thread_count(threads), and at most 256. Chunks run in no particular order. The division
-/// into chunks does not depend on the number of threads. So a body that writes only to the elements
-/// of its own chunk gives the same result for any number of threads. Returns when all calls of
-/// `body` have returned. If a call throws, chunks that have not begun are skipped, and the first
-/// exception is rethrown to the caller. `body` may itself call parallel_for.
-/// Precondition: grain > 0.
+/// at most thread_count(threads), and at most kMaxThreads. Chunks run in no particular order. The
+/// division into chunks does not depend on the number of threads. So a body that writes only to the
+/// elements of its own chunk gives the same result for any number of threads. Returns when all
+/// calls of `body` have returned. If a call throws, chunks that have not begun are skipped, and the
+/// first exception is rethrown to the caller. `body` may itself call parallel_for. Precondition:
+/// grain > 0.
 void parallel_for(std::size_t count,
                   std::size_t grain,
                   int threads,

@@ -2,6 +2,7 @@
 
 #include "texgen/cli/options.h"
 
+#include "core/parallel/parallel_for.h"
 #include "texgen/keys/nearest.h"
 
 #include <CLI/CLI.hpp>
@@ -14,7 +15,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kMaxThreads = 1024;
 constexpr const char* kJsonProgress = "json";
 constexpr const char* kRangeExamples =
     ": 5, 1-10, 1-10x2 (every second), 1-10y3 (all but every third) or 1-3,7";

@@ -32,7 +32,7 @@ TEST(Options, ReadTheirValues) {
     EXPECT_EQ(maps, "a,b");
     EXPECT_EQ(set, "x");
     EXPECT_EQ(out, "y");
-    EXPECT_THROW(app.parse("--threads 1025"), CLI::ParseError);
+    EXPECT_THROW(app.parse("--threads 257"), CLI::ParseError);
 }
 
 TEST(Options, AllowOnlyWords) {

@@ -64,7 +64,7 @@ TEST(Program, ABadCommandLineIsOneLineAndCode2) {
     expect_rejected("bake sea_foam --bogus",
                     "bake has no option '--bogus' (see foamtex bake --help)");
     expect_rejected("bake sea_foam --threads -1",
-                    "--threads: Value -1 not in range 0 to 1024 (see foamtex bake --help)");
+                    "--threads: Value -1 not in range 0 to 256 (see foamtex bake --help)");
     expect_rejected("bake sea_foam -q -v", "--quiet excludes --verbose (see foamtex bake --help)");
 }
 
