@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/dynamics/displacement.h"
 #include "core/dynamics/shear.h"
 #include "core/dynamics/shear_modulus.h"
 #include "core/dynamics/step.h"
@@ -10,10 +11,12 @@
 #include "core/foam/stress.h"
 #include "core/io/foam_file.h"
 #include "core/io/foam_json.h"
-#include "core/library/check_threads.h"
 #include "core/library/foam_records.h"
+#include "core/library/require.h"
 #include "core/library/with_public_errors.h"
+#include "core/parallel/parallel_for.h"
 
+#include <fmt/core.h>
 #include <foamtex/foam.h>
 
 #include <algorithm>
@@ -22,6 +25,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace foamtex {
@@ -32,11 +36,8 @@ struct Foam::State {
 
 namespace {
 
-void require(bool holds, const std::string& message) {
-    if (!holds) {
-        throw ArgumentError(message);
-    }
-}
+using foam::require;
+using foam::require_from;
 
 // The largest strain of one call, and the largest displacement of a push along x and y, in radii.
 // Larger ones would take too many substeps of the step or small steps of the push.
@@ -46,20 +47,19 @@ constexpr int kMaxBubbles = 10'000'000;
 constexpr int kMaxLloydIterations = 1000;
 constexpr double kMaxAreaRatio = 1e6;
 
-bool is_from(double number, double low, double high) {
-    return number >= low && number <= high;  // false for NaN
+void require_positive(std::string_view name, double number) {
+    require(std::isfinite(number) && number > 0.0, name, "a positive number", number);
 }
 
-bool is_positive(double number) {
-    return std::isfinite(number) && number > 0.0;
+void require_not_negative(std::string_view name, double number) {
+    require(std::isfinite(number) && number >= 0.0, name, "finite and at least 0", number);
 }
 
 void check(const StepSettings& settings) {
-    require(std::isfinite(settings.kappa) && settings.kappa >= 0.0,
-            "kappa: must be finite and at least 0");
-    require(is_positive(settings.tolerance), "tolerance: must be a positive number");
-    require(is_positive(settings.t1_distance), "t1_distance: must be a positive number");
-    require(is_positive(settings.t2_area), "t2_area: must be a positive number");
+    require_not_negative("kappa", settings.kappa);
+    require_positive("tolerance", settings.tolerance);
+    require_positive("t1_distance", settings.t1_distance);
+    require_positive("t2_area", settings.t2_area);
 }
 
 foam::StepOptions options_of(const StepSettings& settings) {
@@ -75,24 +75,51 @@ foam::Vec2 vector_of(const Point& point) {
     return {point.x, point.y};
 }
 
+std::string text_of(const Point& point) {
+    return fmt::format("({}, {})", point.x, point.y);
+}
+
 void check(const SeedOptions& options) {
-    require(options.bubbles <= kMaxBubbles, "bubbles: must be at most 10 million");
-    require(is_from(options.aspect, 1.0 / foam::kMaxAspect, foam::kMaxAspect),
-            "aspect: must be from 1/16384 to 16384");
-    require(is_from(options.lloyd_iterations, 0, kMaxLloydIterations),
-            "lloyd_iterations: must be from 0 to 1000");
-    require(options.area_ratio == 0.0 || is_from(options.area_ratio, 1.0, kMaxAreaRatio),
-            "area_ratio: must be 0 or from 1 to 1e6");
-    require(is_positive(options.surface_tension), "surface_tension: must be a positive number");
+    require(options.bubbles <= kMaxBubbles, "bubbles", "at most 10 million", options.bubbles);
+    require_from("aspect", options.aspect, 1.0 / foam::kMaxAspect, foam::kMaxAspect);
+    require_from("lloyd_iterations", options.lloyd_iterations, 0, kMaxLloydIterations);
+    require(options.area_ratio == 0.0 ||
+                (options.area_ratio >= 1.0 && options.area_ratio <= kMaxAreaRatio),
+            "area_ratio",
+            "0 or from 1 to 1e6",
+            options.area_ratio);
+    require_positive("surface_tension", options.surface_tension);
+}
+
+// Returns the push as a Displacement. Throws ArgumentError if a value is not allowed.
+foam::Displacement push_of(const Push& push, const foam::Domain& domain) {
+    require_positive("radius", push.radius);
+    const double largest = 0.5 * std::min(domain.width, domain.height);
+    require(domain.is_plane() || push.radius <= largest,
+            "radius",
+            fmt::format("at most {} (half of the shorter side of the torus)", largest),
+            push.radius);
+    const foam::Vec2 center = vector_of(push.center);
+    require(center.allFinite(), "center", "finite", text_of(push.center));
+    const foam::Vec2 by = vector_of(push.by);
+    const double limit = kMaxPush * push.radius;
+    require((by.array().abs() <= limit).all(),
+            "by",
+            fmt::format("at most {} (1000 radii) along x and y", limit),
+            text_of(push.by));
+    return {center, push.radius, by};
 }
 
 // Returns the drive as a StateChange. Throws ArgumentError if a value is not allowed.
 foam::StateChange change_of(const Drive& drive, const foam::Domain& domain) {
-    require(is_from(drive.strain, -kMaxStrain, kMaxStrain), "strain: must be from -100 to 100");
-    require(drive.strain == 0.0 || !domain.is_plane(), "strain: only a torus can be sheared");
+    require_from("strain", drive.strain, -kMaxStrain, kMaxStrain);
+    require(drive.strain == 0.0 || !domain.is_plane(),
+            "strain",
+            "0 for a patch, since only a torus can be sheared",
+            drive.strain);
     foam::StateChange change{.strain = drive.strain};
     for (const DrivenArea& driven : drive.areas) {
-        require(is_positive(driven.target_area), "target_area: must be a positive number");
+        require_positive("target_area", driven.target_area);
         if (driven.identity < 0 ||
             driven.identity > std::numeric_limits<foam::BubbleIdentity>::max()) {
             continue;  // no bubble has such an identity
@@ -101,15 +128,7 @@ foam::StateChange change_of(const Drive& drive, const foam::Domain& domain) {
                                  .target_area = driven.target_area});
     }
     for (const Push& push : drive.pushes) {
-        require(is_positive(push.radius), "radius: must be a positive number");
-        require(domain.is_plane() || push.radius <= 0.5 * std::min(domain.width, domain.height),
-                "radius: on a torus, must be at most half of its shorter side");
-        require(std::isfinite(push.center.x) && std::isfinite(push.center.y),
-                "center: both coordinates must be finite");
-        const double limit = kMaxPush * push.radius;
-        require(is_from(push.by.x, -limit, limit) && is_from(push.by.y, -limit, limit),
-                "by: each coordinate must be at most 1000 radii");
-        change.pushes.push_back({vector_of(push.center), push.radius, vector_of(push.by)});
+        change.pushes.push_back(push_of(push, domain));
     }
     return change;
 }
@@ -199,7 +218,7 @@ void Foam::write(const std::string& file) const {
 }
 
 Equilibrium Foam::relax(int threads, const std::function<void()>& poll) {
-    foam::check_threads(threads);
+    require_from("threads", threads, 0, foam::kMaxThreads);
     return foam::with_public_errors(
         [&] { return result_of(foam::equilibrate_given(state_->foam, threads, poll)); });
 }
@@ -208,9 +227,9 @@ Equilibrium Foam::step(double time,
                        const Drive& drive,
                        const StepSettings& settings,
                        const std::function<void()>& poll) {
-    require(std::isfinite(time) && time >= 0.0, "time: must be finite and at least 0");
+    require_not_negative("time", time);
     check(settings);
-    foam::check_threads(settings.threads);
+    require_from("threads", settings.threads, 0, foam::kMaxThreads);
     const foam::StateChange change = change_of(drive, state_->foam.domain);
     if (time == 0.0 && change.empty()) {
         return present_errors(state_->foam, settings.tolerance);
@@ -227,8 +246,10 @@ Equilibrium Foam::step(double time,
 }
 
 void Foam::shear(double strain) {
-    require(is_from(strain, -kMaxStrain, kMaxStrain), "strain: must be from -100 to 100");
-    require(extent().is_torus(), "shear: only a torus can be sheared");
+    require_from("strain", strain, -kMaxStrain, kMaxStrain);
+    if (!extent().is_torus()) {
+        throw ArgumentError("shear: only a torus can be sheared, but this foam is a patch");
+    }
     foam::shear(state_->foam, strain);
 }
 
@@ -254,7 +275,7 @@ double Foam::energy() const {
 }
 
 std::optional<double> Foam::shear_modulus(int threads) const {
-    foam::check_threads(threads);
+    require_from("threads", threads, 0, foam::kMaxThreads);
     return foam::with_public_errors([&] { return foam::shear_modulus(state_->foam, threads); });
 }
 

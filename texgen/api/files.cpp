@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "core/library/check_threads.h"
+#include "core/library/require.h"
+#include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_text.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"
@@ -14,6 +15,7 @@
 #include <foamtex/texture.h>
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -56,16 +58,16 @@ foam::texgen::ProgressCallback progress_of(const BakeSettings& settings) {
     };
 }
 
-bool is_limit(const std::optional<double>& limit) {
-    return !limit || *limit >= 0.0;  // false for NaN
+void require_limit(std::string_view name, const std::optional<double>& limit) {
+    foam::require(!limit || *limit >= 0.0, name, "at least 0", limit.value_or(0.0));
 }
 
 // Throws ArgumentError if a limit is not allowed.
 foam::texgen::DifferenceLimits limits_of(const Limits& limits) {
-    if (!is_limit(limits.sample) || !is_limit(limits.rms) || !is_limit(limits.angle) ||
-        !(limits.allowed_percent >= 0.0 && limits.allowed_percent <= 100.0)) {
-        throw ArgumentError("limits: must be at least 0, and allowed_percent from 0 to 100");
-    }
+    require_limit("limits.sample", limits.sample);
+    require_limit("limits.rms", limits.rms);
+    require_limit("limits.angle", limits.angle);
+    foam::require_from("limits.allowed_percent", limits.allowed_percent, 0.0, 100.0);
     return {.sample = limits.sample,
             .angle = limits.angle,
             .allowed_percent = limits.allowed_percent,
@@ -101,7 +103,7 @@ std::vector<std::string> bake(const Preset& preset,
                               const std::string& out,
                               const BakeSettings& settings) {
     return with_texture_errors([&] {
-        foam::check_threads(settings.threads);
+        foam::require_from("threads", settings.threads, 0, foam::kMaxThreads);
         const foam::texgen::Preset baked = preset_to_bake(preset, out);
         foam::texgen::check_scenes(baked);
         foam::texgen::check_sheets(baked);

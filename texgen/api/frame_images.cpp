@@ -2,7 +2,7 @@
 
 #include "texgen/api/frame_images.h"
 
-#include "core/library/check_threads.h"
+#include "core/library/require.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/drawable_frame.h"
 #include "texgen/maps/all_maps.h"
@@ -25,7 +25,7 @@ namespace {
 constexpr int kBitsPerByte = 8;
 
 MapImage draw_map(const foamtex::Frame::State& state, const Map& map, int threads) {
-    check_threads(threads);
+    require_from("threads", threads, 0, kMaxThreads);
     const Preset& preset = state.preset.state().preset;
     const SimulatedFrame& shown = state.shown;
     if (map.needs_next && shown.next == nullptr) {

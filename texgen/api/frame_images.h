@@ -16,7 +16,7 @@ foamtex::ImageShape shape_of(const foamtex::Frame::State& frame,
                              bool integers);
 
 /// Draws a map of a frame as numbers in the unit of the map, or as linear light that is multiplied
-/// by the opacity. `threads` is from 0 to 256, and as for thread_count. Throws
+/// by the opacity. `threads` is from 0 to kMaxThreads, and as for thread_count. Throws
 /// std::invalid_argument for an unknown map, and if the map needs the next frame but `frame` was
 /// simulated without it. Throws foamtex::ArgumentError if `threads` is out of range.
 Image<float> number_image(const foamtex::Frame::State& frame,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/io/foam_json.h"
-#include "core/library/check_threads.h"
+#include "core/library/require.h"
+#include "core/parallel/parallel_for.h"
 #include "texgen/animation/seed.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"
@@ -104,7 +105,7 @@ Foam Preset::seeded_foam() const {
 
 void Preset::fit_ranges(int threads) {
     state_ = with_texture_errors([&] {
-        foam::check_threads(threads);
+        foam::require_from("threads", threads, 0, foam::kMaxThreads);
         foam::texgen::Preset preset = state_->preset;
         // fit_automatic_ranges fits the ranges of all maps only for integer files, such as PNGs.
         const std::string pattern = std::exchange(preset.output.pattern, "{map}.####.png");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "core/library/check_threads.h"
+#include "core/library/require.h"
+#include "core/parallel/parallel_for.h"
 #include "texgen/animation/simulate_frames.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"
@@ -133,7 +134,7 @@ struct Simulation::Stream {
 
 Simulation::Simulation(const Preset& preset, const std::string& frames, int threads)
     : stream_(foam::texgen::with_texture_errors([&] {
-          foam::check_threads(threads);
+          foam::require_from("threads", threads, 0, foam::kMaxThreads);
           return std::make_unique<Stream>(
               preset, foam::texgen::frames_or_all(frames, preset.frame_count()), threads);
       })) {}

@@ -111,6 +111,49 @@ TEST(LibraryFoam, RejectsBadArguments) {
     EXPECT_EQ(foam.state(), before);
 }
 
+template <class Call>
+std::string fault_of(const Call& call) {
+    try {
+        call();
+        return "none";
+    } catch (const ArgumentError& error) {
+        return error.what();
+    }
+}
+
+// The largest radius is half of the side of a torus of 16 bubbles, whose area is 16.
+TEST(LibraryFoam, GivesTheValueInErrors) {
+    Foam torus = Foam::torus({.bubbles = 16});
+    Foam disk = Foam::disk({.bubbles = 9});
+    EXPECT_EQ(fault_of([&] { torus.step(-1.0); }),
+              "time: must be finite and at least 0, but is -1");
+    EXPECT_EQ(fault_of([&] { torus.step(0.0, {}, {.tolerance = 0.0}); }),
+              "tolerance: must be a positive number, but is 0");
+    EXPECT_EQ(fault_of([&] { torus.relax(257); }), "threads: must be from 0 to 256, but is 257");
+    EXPECT_EQ(fault_of([&] { torus.shear(-200.0); }),
+              "strain: must be from -100 to 100, but is -200");
+    EXPECT_EQ(fault_of([&] { disk.step(0.0, {.strain = 0.1}); }),
+              "strain: must be 0 for a patch, since only a torus can be sheared, but is 0.1");
+    EXPECT_EQ(fault_of([&] { disk.shear(0.1); }),
+              "shear: only a torus can be sheared, but this foam is a patch");
+    EXPECT_EQ(fault_of([] { Foam::torus({.area_ratio = 0.5}); }),
+              "area_ratio: must be 0 or from 1 to 1e6, but is 0.5");
+    const auto fault_of_push = [&](const Push& push) {
+        return fault_of([&] { torus.step(0.0, {.pushes = {push}}); });
+    };
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(fault_of_push({{0.0, 0.0}, 3.0, {1.0, 0.0}}),
+              "radius: must be at most 2 (half of the shorter side of the torus), but is 3");
+    EXPECT_EQ(fault_of_push({{kNaN, 0.0}, 1.0, {1.0, 0.0}}),
+              "center: must be finite, but is (nan, 0)");
+    for (const Point& by : {Point{0.0, -3000.0}, Point{kNaN, 0.0}}) {
+        const std::string fault = fault_of_push({{0.0, 0.0}, 2.0, by});
+        EXPECT_TRUE(
+            fault.starts_with("by: must be at most 2000 (1000 radii) along x and y, but is ("))
+            << fault;
+    }
+}
+
 TEST(LibraryFoam, NamesFilesInErrors) {
     const foam::TemporaryFolder folder;
     try {

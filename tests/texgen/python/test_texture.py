@@ -204,9 +204,9 @@ def test_compare_finds_the_largest_difference(tmp_path):
     assert not found and (found.x, found.y, found.channel) == (3, 1, "B")
     assert found.largest == pytest.approx(0.2) and found.reasons and (tmp_path / "d.png").exists()
     assert all(foamtex.compare(str(tmp_path / "a.png"), str(tmp_path / "b.png"), sample=0.21))
-    for limits in ({"sample": float("nan")}, {"rms": -1}, {"allowed_percent": float("nan")}):
-        with pytest.raises(foamtex.ArgumentError, match="limits"):
-            foamtex.compare(tmp_path / "a.png", tmp_path / "b.png", **limits)
+    for name, limit in (("sample", float("nan")), ("rms", -1), ("angle", -2), ("allowed_percent", 101)):
+        with pytest.raises(foamtex.ArgumentError, match=rf"limits\.{name}: must be .*, but is {limit}$"):
+            foamtex.compare(tmp_path / "a.png", tmp_path / "b.png", **{name: limit})
     foamtex.write_png(tmp_path / "c.png", pickle.loads(pickle.dumps(b)))
     assert all(foamtex.compare(tmp_path / "b.png", tmp_path / "c.png"))
     with pytest.raises(foamtex.InputError, match="missing.png"):
