@@ -35,8 +35,10 @@ void merge_maps(BakedSet& into, const std::vector<ManifestMap>& more) {
             continue;
         }
         merge_numbers(old->frames, map.frames);
-        old->note = map.note;
-        old->samples = map.samples ? map.samples : old->samples;
+        if (map.samples) {
+            old->note = map.note;
+            old->samples = map.samples;
+        }
     }
 }
 
@@ -53,9 +55,11 @@ void merge_into(BakedSet& into, const BakedSet& more) {
     const std::optional<double> closing_error = into.loop.closing_error;
     into.loop = more.loop;
     into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
-    // The conventions contain the motion multiplier. If the multiplier is automatic, only a bake of
-    // the map motion determines it. A bake without this map does not change the conventions.
-    if (more.find_map(kMotionMap.name) != nullptr) {
+    // The conventions contain the motion multiplier. If the multiplier is automatic, it is known
+    // only after ranges have been fitted, that is, once a bake has written a file of the map
+    // motion.
+    const ManifestMap* const motion = more.find_map(kMotionMap.name);
+    if (motion != nullptr && motion->samples) {
         into.conventions = more.conventions;
     }
     merge_maps(into, more.maps);

@@ -186,10 +186,11 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// statistics of a frame replace its old statistics, except that old measurements stay if there are
 /// no new ones. The members `toml`, `loop` and `failure` of `set` replace the old ones, with two
 /// exceptions: the old closing error stays if `set` has none, and there is no failure if the merged
-/// set is complete. The scene files of the old set stay. The conventions are replaced if `set` has
-/// the map motion. If the manifest has no set with the same parameters, `set` is appended. In
-/// either case, the set becomes the last one of the manifest. Other sets that have no files left
-/// are removed.
+/// set is complete. The scene files of the old set stay. The note of a map is replaced if a file of
+/// the map has been written, that is, if the map has ManifestMap::samples in `set`. The conventions
+/// are replaced if a file of the map motion has been written. If the manifest has no set with the
+/// same parameters, `set` is appended. In either case, the set becomes the last one of the
+/// manifest. Other sets that have no files left are removed.
 void merge(Manifest& manifest, const BakedSet& set);
 
 /// The number of files of a set that a bake of another set replaces.

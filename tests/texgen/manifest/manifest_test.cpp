@@ -50,6 +50,29 @@ TEST(Manifest, MapsOfTheSameParametersBecomeOneSet) {
     EXPECT_EQ(set.find_file("film", 2)->path, "a_film.2.png");
 }
 
+// Automatic ranges are not fitted before the first file is written. Until then, the note and the
+// motion multiplier of a bake say nothing about the existing files.
+TEST(Manifest, ABakeThatWritesNoFileKeepsTheNotesAndTheConventions) {
+    Manifest manifest;
+    BakedSet written = small_set("a", {1}, {1});
+    written.maps.front().name = "motion";
+    written.maps.front().note = "the largest code is 0.2";
+    written.conventions.motion_multiplier = 0.2;
+    written.files.front().maps = {"motion"};
+    merge(manifest, written);
+    BakedSet later = written;
+    later.files.clear();
+    later.maps.front().samples.reset();
+    later.maps.front().note = "the largest code is 0.005";
+    later.conventions.motion_multiplier = 0.005;
+    merge(manifest, later);
+    EXPECT_EQ(manifest.sets, std::vector{written});
+    later.maps.front().samples = written.maps.front().samples;
+    merge(manifest, later);
+    EXPECT_EQ(manifest.sets.front().maps, later.maps);
+    EXPECT_EQ(manifest.sets.front().conventions, later.conventions);
+}
+
 // A file that is overwritten belongs to the set of the later bake. A set that has no files left is
 // removed.
 TEST(Manifest, FilesBelongToTheirLastWriter) {

@@ -97,6 +97,22 @@ TEST(RecordedBake, AutomaticRangesFitTheWholeAnimation) {
     EXPECT_EQ(set.conventions.motion_multiplier, set.find_map("motion")->samples->range->at(1));
 }
 
+// The foam moves by 1/8 of the image width per frame. With the margin of 1 %, 0.16 is the next
+// preferred number.
+TEST(RecordedBake, AResumedBakeWithNothingToDoKeepsTheMotionMultiplier) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / kPattern);
+    preset.frames.count = 8;
+    preset.loop.kind = LoopKind::Drift;
+    preset.loop.drift = {1, 0};
+    preset.image.maps = {"motion"};
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {});
+    const BakedSet before = only_set(folder.path());
+    EXPECT_DOUBLE_EQ(before.conventions.motion_multiplier, 0.16);
+    bake_recorded(preset, {.frames = {1}, .threads = 1}, {}, {Resume::Yes});
+    EXPECT_EQ(only_set(folder.path()), before);
+}
+
 // Ranges are fitted to all frames before the first one is drawn. Both use one simulation.
 TEST(RecordedBake, SimulatesOnceForRangesAndImages) {
     const TemporaryFolder folder;
