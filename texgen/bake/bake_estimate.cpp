@@ -6,6 +6,7 @@
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/seconds_since.h"
 #include "texgen/bake/estimated_memory.h"
+#include "texgen/bake/file_pattern.h"
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/reduced_image.h"
 #include "texgen/preset/drawn_images.h"
@@ -70,7 +71,10 @@ BakeEstimate estimate_bake(const Preset& preset,
     const ScratchFolder scratch;
     Preset first = preset;
     const std::string suffix = std::filesystem::path(preset.output.pattern).extension().string();
-    first.output.pattern = (scratch.path() / ("{map}.######" + suffix)).string();
+    // As in the bake, all maps of a frame may be layers of one file.
+    const bool is_layered = FilePattern(preset).stores_all_maps_in_one_file();
+    const std::string name = (is_layered ? "######" : "{map}.######") + suffix;
+    first.output.pattern = (scratch.path() / name).string();
     BakeOptions some = options;
     some.frames.resize(std::min(options.frames.size(), kEstimatedFrames));
 

@@ -3,17 +3,27 @@
 #include "texgen/bake/bake_estimate.h"
 
 #include "tests/support/temporary_folder.h"
+#include "tests/texgen/small_preset.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/preset/load_preset.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
 namespace foam::texgen {
 namespace {
+
+std::uint64_t size_of(const std::vector<std::filesystem::path>& files) {
+    std::uint64_t bytes = 0;
+    for (const std::filesystem::path& path : files) {
+        bytes += std::filesystem::file_size(path);
+    }
+    return bytes;
+}
 
 TEST(BakeEstimate, HasTheFilesOfABakeAndLeavesNone) {
     const TemporaryFolder folder;
@@ -34,11 +44,22 @@ TEST(BakeEstimate, HasTheFilesOfABakeAndLeavesNone) {
 
     const BakeSummary baked = bake(preset, options);
     EXPECT_EQ(estimate.files, baked.files.size());
-    double bytes = 0.0;
-    for (const std::filesystem::path& path : baked.files) {
-        bytes += static_cast<double>(std::filesystem::file_size(path));
-    }
+    const auto bytes = static_cast<double>(size_of(baked.files));
     EXPECT_LT(std::abs(static_cast<double>(estimate.bytes) / bytes - 1.0), 0.1);
+}
+
+// All maps of a frame are layers of one file, so the two frames are exactly the estimated files.
+TEST(BakeEstimate, CountsALayeredExrOnce) {
+    const TemporaryFolder folder;
+    Preset preset = small_preset(folder.path() / "layers.####.exr");
+    preset.image.maps = {"albedo", "film"};
+    preset.output.texts =
+        FileTexts::LeftOut;  // they contain the pattern, which the estimate changes
+    const BakeOptions options{.frames = {1, 2}, .threads = 1};
+    const BakeEstimate estimate = estimate_bake(preset, options, {});
+    const BakeSummary baked = bake(preset, options);
+    EXPECT_EQ(estimate.files, 2U);
+    EXPECT_EQ(estimate.bytes, size_of(baked.files));
 }
 
 TEST(BakeEstimate, OfASingleFrameIsThatFrame) {
