@@ -5,6 +5,7 @@
 #include "texgen/animation/progress_text.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"
+#include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/manifest/recorded_bake.h"
 #include "texgen/material/scene_files.h"
@@ -26,8 +27,8 @@ namespace {
 
 using foam::texgen::with_texture_errors;
 
-// Returns the pattern of the files of a bake: `out` if it names files, otherwise the names of the
-// preset's own pattern in the folder `out`.
+// Returns the pattern of the files of a bake: `out` if it names files, otherwise the preset's own
+// pattern with `out` instead of the folders that all files share.
 std::string pattern_of(const foam::texgen::Preset& preset, const std::string& out) {
     const std::filesystem::path path(out);
     const bool is_pattern = path.has_extension() || out.find_first_of("{#@%") != std::string::npos;
@@ -35,7 +36,7 @@ std::string pattern_of(const foam::texgen::Preset& preset, const std::string& ou
     if (is_pattern && !std::filesystem::is_directory(path, error)) {
         return out;
     }
-    return (path / std::filesystem::path(preset.output.pattern).filename()).string();
+    return (path / foam::texgen::without_shared_folders(preset.output.pattern)).string();
 }
 
 foam::texgen::Preset preset_to_bake(const Preset& preset, const std::string& out) {

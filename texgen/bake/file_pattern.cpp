@@ -53,6 +53,13 @@ std::string with_table(std::string_view pattern) {
     return complete;
 }
 
+// Returns the position in a pattern after the folders that the files of all maps and frames share.
+std::size_t end_of_shared_folders(std::string_view pattern) {
+    const std::size_t varying = std::min(pattern.find("{map}"), pattern.find_first_of("#@%"));
+    const std::size_t slash = pattern.substr(0, varying).rfind('/');
+    return slash == std::string_view::npos ? 0 : slash + 1;
+}
+
 std::string padded(int number, int digits) {
     return fmt::format("{:0{}}", number, digits);
 }
@@ -195,11 +202,13 @@ std::string with_size_folder(std::string_view pattern) {
     constexpr std::string_view kSize = "{size}";
     std::string complete(pattern);
     if (pattern.find(kSize) == std::string_view::npos) {
-        const std::size_t varying = std::min(pattern.find("{map}"), pattern.find_first_of("#@%"));
-        const std::size_t slash = pattern.substr(0, varying).rfind('/');
-        complete.insert(slash == std::string_view::npos ? 0 : slash + 1, fmt::format("{}/", kSize));
+        complete.insert(end_of_shared_folders(pattern), fmt::format("{}/", kSize));
     }
     return complete;
+}
+
+std::string without_shared_folders(std::string_view pattern) {
+    return std::string(pattern.substr(end_of_shared_folders(pattern)));
 }
 
 }  // namespace foam::texgen

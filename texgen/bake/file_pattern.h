@@ -99,4 +99,8 @@ class FilePattern {
 /// maps and frames. For example, "out/{map}/####.png" becomes "out/{size}/{map}/####.png".
 std::string with_size_folder(std::string_view pattern);
 
+/// Returns a pattern without the folders that the files of all maps and frames share. For example,
+/// "out/{map}/####.png" becomes "{map}/####.png".
+std::string without_shared_folders(std::string_view pattern);
+
 }  // namespace foam::texgen

@@ -169,6 +169,19 @@ TEST(LibraryBake, WritesFilesAndTheManifest) {
     EXPECT_THROW(compare(files[0], "missing.png"), InputError);
 }
 
+// The folder replaces "out", but not the folders of the maps.
+TEST(LibraryBake, AFolderKeepsTheFoldersOfMaps) {
+    const foam::TemporaryFolder folder;
+    const Preset preset("sea_foam",
+                        small({{"image.maps", "[\"albedo\", \"film\"]"},
+                               {"output.pattern", "out/{map}/####.png"}}));
+    const std::vector<std::string> files = bake(preset, folder.path().string(), {.frames = "1"});
+    ASSERT_EQ(files.size(), 2U);
+    EXPECT_EQ(files[0], (folder.path() / "albedo" / "0001.png").string());
+    EXPECT_EQ(files[1], (folder.path() / "film" / "0001.png").string());
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "manifest.json"));
+}
+
 TEST(LibraryInformation, NamesPresetsMapsAndKeys) {
     const std::string wanted = FOAMTEX_VERSION;
     EXPECT_EQ(version(), wanted);

@@ -168,5 +168,13 @@ TEST(WithSizeFolder, AddsAFolderAboveAllMapsAndFrames) {
     EXPECT_EQ(with_size_folder("out/{map}_{size}.png"), "out/{map}_{size}.png");
 }
 
+TEST(WithoutSharedFolders, KeepsFoldersOfMapsAndFrames) {
+    EXPECT_EQ(without_shared_folders("out/{preset}_{map}.####.png"), "{preset}_{map}.####.png");
+    EXPECT_EQ(without_shared_folders("out/{map}/####.png"), "{map}/####.png");
+    EXPECT_EQ(without_shared_folders("/a/{preset}/b%04d/{map}.png"), "b%04d/{map}.png");
+    EXPECT_EQ(without_shared_folders("a/b.svg"), "b.svg");
+    EXPECT_EQ(without_shared_folders("####.png"), "####.png");
+}
+
 }  // namespace
 }  // namespace foam::texgen

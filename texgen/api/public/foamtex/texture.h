@@ -210,11 +210,12 @@ struct BakeSettings {
 /// Writes the images of a preset, and what else `foamtex bake` writes: the manifest, sheets and
 /// scene files. `out` is a folder, or a pattern of file names such as "out/{map}.####.exr". It is a
 /// pattern if it has an extension or contains `{`, `#`, `@` or `%`, unless it is an existing
-/// folder. In a folder, files have the names of the preset's own pattern (output.pattern), without
-/// its folders. Returns the names of all images. Throws ArgumentError if an argument is not
-/// allowed, InputError if an existing manifest is unreadable, OutputError if a file cannot be
-/// written, and EquilibriumError if the animation fails; the frames before the failure have been
-/// written then.
+/// folder. A folder replaces the folders that all files of the preset's own pattern
+/// (output.pattern) share: with the pattern "out/{map}/####.png" and `out` = "foam", images are
+/// written to "foam/{map}/####.png". Returns the names of all images. Throws ArgumentError if an
+/// argument is not allowed, InputError if an existing manifest is unreadable, OutputError if a file
+/// cannot be written, and EquilibriumError if the animation fails; the frames before the failure
+/// have been written then.
 FOAMTEX_EXPORT std::vector<std::string> bake(const Preset& preset,
                                              const std::string& out,
                                              const BakeSettings& settings = {});
