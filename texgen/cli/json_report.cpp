@@ -22,8 +22,8 @@ const char* word_of(RunStatus status) {
 
 }  // namespace
 
-Json json_report() {
-    return {{"status", "complete"}};
+Json json_report(bool is_complete) {
+    return {{"status", is_complete ? "complete" : "failed"}};
 }
 
 Json json_report(const RunOutcome& outcome) {

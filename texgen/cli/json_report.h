@@ -9,9 +9,9 @@ namespace foam::texgen {
 
 /// Returns the JSON object (--json) of a command that simulates nothing, such as `maps`, or whose
 /// parts have outcomes of their own: the variations of `vary` and the jobs of `run`. The only
-/// member is `status`, which is "complete" whatever these outcomes are. The command adds further
+/// member is `status`: "complete", or "failed" if a part is not complete. The command adds further
 /// members.
-Json json_report();
+Json json_report(bool is_complete = true);
 
 /// Returns the JSON object of a run that simulates or draws frames. The command adds further
 /// members to these members:

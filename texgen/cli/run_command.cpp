@@ -78,7 +78,7 @@ void print_summary(const std::vector<FinishedJob>& finished,
     const auto failed = std::ranges::count_if(
         finished, [](const FinishedJob& job) { return job.code != ExitCode::Success; });
     if (arguments.json) {
-        Json report = json_report();
+        Json report = json_report(failed == 0);
         report["failed"] = failed;
         report["jobs"] = Json::array();
         for (const FinishedJob& job : finished) {

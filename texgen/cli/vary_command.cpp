@@ -136,7 +136,10 @@ void print(const VaryArguments& arguments,
            const std::string& preset,
            const WrittenVariations& written) {
     if (arguments.json) {
-        Json report = json_report();
+        Json report =
+            json_report(std::ranges::all_of(written.variations, [](const WrittenVariation& one) {
+                return one.preset.has_value();
+            }));
         report["preset"] = preset;
         report["files"] = path_list(written.files());
         report["variations"] = Json::array();

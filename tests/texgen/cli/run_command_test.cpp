@@ -5,6 +5,7 @@
 #include "texgen/cli/exit_code.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -56,6 +57,16 @@ TEST_F(RunCommand, KeepsFramesThatExist) {
     const Outcome again = run_program("run jobs.toml --json", folder_);
     EXPECT_EQ(std::filesystem::last_write_time(file), time);
     EXPECT_NE(again.out.find("\"failed\":1"), std::string::npos) << again.out;
+}
+
+TEST_F(RunCommand, TheReportIsCompleteIfAllJobsAre) {
+    const auto status = [&](const std::string& arguments) {
+        const Outcome outcome = run_program("run jobs.toml --json" + arguments, folder_);
+        return nlohmann::json::parse(outcome.out).at("status").get<std::string>();
+    };
+    EXPECT_EQ(status(" --job 3"), "complete");
+    EXPECT_EQ(status(" --job 2"), "failed");
+    EXPECT_EQ(status(""), "failed");
 }
 
 TEST_F(RunCommand, AMissingFileIsOneLine) {

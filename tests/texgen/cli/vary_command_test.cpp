@@ -147,6 +147,7 @@ TEST(VaryCommand, TheReportListsTheValuesOfEveryVariation) {
                     kSmall);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["status"], "complete");
     ASSERT_EQ(report["variations"].size(), 2U);
     const auto& second = report["variations"][1];
     EXPECT_EQ(second["number"], 2);
@@ -159,13 +160,16 @@ TEST(VaryCommand, TheReportListsTheValuesOfEveryVariation) {
 
 TEST(VaryCommand, AFoamWithoutEquilibriumLeavesTheOthers) {
     const TemporaryFolder folder;
-    const Outcome outcome = run_program(
+    const std::string command =
         "vary sea_foam --sweep loop.amplitude=0,0.9 --set foam.bubbles=40 --set loop.cycles=1 "
-        "--set frames.count=6 --set image.size=[64,64] --width 32 --threads 1",
-        folder);
+        "--set frames.count=6 --set image.size=[64,64] --width 32 --threads 1";
+    const Outcome outcome = run_program(command, folder);
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::NoEquilibrium)) << outcome.err;
     EXPECT_EQ(outcome.out, "out/sea_foam_variations.png\nout/sea_foam_1.toml\n");
     EXPECT_NE(outcome.err.find("variation 2 (amplitude=0.9): "), std::string::npos) << outcome.err;
+    const auto report = nlohmann::json::parse(run_program(command + " --json", folder).out);
+    EXPECT_EQ(report["status"], "failed");
+    EXPECT_EQ(report["variations"][0]["status"], "complete");
 }
 
 }  // namespace
