@@ -2,10 +2,12 @@
 
 #include "tests/support/temporary_folder.h"
 #include "tests/texgen/cli/run_program.h"
+#include "texgen/image/png.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace foam::texgen {
@@ -35,6 +37,22 @@ TEST(SimulateCommand, ReplacesTheCacheOfAnotherFoamOnlyIfForced) {
               std::string::npos);
     EXPECT_NE(other.err.find("foam.seed"), std::string::npos) << other.err;
     EXPECT_EQ(run_program(kSmall + cache + "--seed 5 --force").code, 0);
+}
+
+TEST(SimulateCommand, SaysThatAPictureHasChanged) {
+    const TemporaryFolder folder;
+    const std::string command = std::string(kSmall) + "--set foam.density=x.png --cache foam -q";
+    Image<std::uint8_t> picture(2, 2, 1);
+    write_png(folder.path() / "x.png", picture.view());
+    EXPECT_EQ(run_program(command, folder).code, 0);
+    picture.pixel(1, 0)[0] = 200;
+    write_png(folder.path() / "x.png", picture.view());
+    const Outcome changed = run_program(command, folder);
+    EXPECT_EQ(changed.code, 2);
+    EXPECT_EQ(changed.err,
+              "foamtex: the cache 'foam' contains a different foam of the preset sea_foam: the "
+              "file that foam.density or foam.outline names has changed; --force replaces this "
+              "cache\n");
 }
 
 TEST(SimulateCommand, FindsAnOutputThatCannotBeWrittenBeforeItSimulates) {
