@@ -107,9 +107,14 @@ VariationSet variations_of(const VaryArguments& arguments, const Preset& preset)
 }
 
 /// Prints a note for each remark (remarks_on) that holds for all variations, for example on a key
-/// without effect.
-void print_remarks(const std::vector<Preset>& presets, const std::vector<Variation>& variations) {
+/// without effect. Leaves out the remarks in `printed`.
+void print_remarks(const std::vector<Preset>& presets,
+                   const std::vector<Variation>& variations,
+                   const std::vector<std::string>& printed) {
     std::vector<std::string> lines = remarks_on(presets.front(), variations.front().assignments);
+    std::erase_if(lines, [&](const std::string& line) {
+        return std::ranges::find(printed, line) != printed.end();
+    });
     for (std::size_t k = 1; k < presets.size(); ++k) {
         const std::vector<std::string> others = remarks_on(presets[k], variations[k].assignments);
         std::erase_if(lines, [&](const std::string& line) {
@@ -183,7 +188,8 @@ ExitCode run_vary(const VaryArguments& arguments) {
     const VariationSet set = variations_of(arguments, base);
     const std::vector<Preset> presets = presets_of(base, set.variations);
     if (!arguments.run.quiet) {
-        print_remarks(presets, set.variations);
+        // preset_of has printed the remarks on the preset itself.
+        print_remarks(presets, set.variations, remarks_on(base, set.assignments));
     }
     const std::filesystem::path folder = arguments.out.value_or("out");
     check_writable(folder);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -87,6 +88,21 @@ TEST(VaryCommand, NotesKeysWithoutEffect) {
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.err.find("note: vector.width_mm has no effect"), std::string::npos)
         << outcome.err;
+}
+
+// The picture is square, but the foam is not.
+TEST(VaryCommand, NotesAStretchedPictureOnce) {
+    const TemporaryFolder folder;
+    write_png(folder.path() / "x.png", Image<std::uint8_t>(2, 2, 1).view());
+    const Outcome outcome = run_program(std::string("vary sea_foam --seeds 4-5") + kSmall +
+                                            " --set foam.density=x.png --set image.size=[64,32]",
+                                        folder);
+    const std::string note =
+        "foamtex: note: foam.density: 'x.png' of 2 x 2 pixels is stretched to the aspect ratio of "
+        "the foam, 2\n";
+    const std::size_t found = outcome.err.find(note);
+    ASSERT_NE(found, std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find(note, found + 1), std::string::npos) << outcome.err;
 }
 
 TEST(VaryCommand, ABadRequestIsOneLineAndWritesNothing) {
