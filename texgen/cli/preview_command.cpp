@@ -19,6 +19,7 @@
 #include "texgen/sheet/video.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -197,6 +198,11 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
 ExitCode run_preview(const PreviewArguments& arguments) {
     std::error_code ignored;  // a path that is not a folder is a preset
     const bool is_folder = std::filesystem::is_directory(arguments.run.preset, ignored);
+    if (!arguments.shown_preset.empty() && !is_folder) {
+        throw std::invalid_argument(
+            fmt::format("--preset is only allowed with a folder, but '{}' is not a folder",
+                        arguments.run.preset));
+    }
     if (arguments.watch && is_folder) {
         throw std::invalid_argument("--watch is only allowed with a preset, not with a folder");
     }

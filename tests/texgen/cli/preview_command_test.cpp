@@ -61,6 +61,10 @@ TEST(PreviewCommand, ABadRequestIsOneLine) {
     const Outcome set = run_program("preview out --set foam.seed=3", folder);
     EXPECT_EQ(set.code, static_cast<int>(ExitCode::BadRequest));
     EXPECT_EQ(set.err, "foamtex: --set is only allowed with a preset, not with a folder\n");
+    const Outcome preset = run_program("preview sea_foam --preset lava", folder);
+    EXPECT_EQ(preset.code, static_cast<int>(ExitCode::BadRequest));
+    EXPECT_EQ(preset.err,
+              "foamtex: --preset is only allowed with a folder, but 'sea_foam' is not a folder\n");
     const Outcome seed = run_program("preview out --seed 3", folder);
     EXPECT_EQ(seed.code, static_cast<int>(ExitCode::BadInput));
     EXPECT_EQ(
