@@ -17,6 +17,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -52,7 +53,10 @@ class NoPages : public std::exception {};
 void open_browser(const std::string& url) {
     std::thread([url] {
         try {
-            if (!run_external({"xdg-open", url}, {.shows_errors = false})) {
+            const std::optional<int> code =
+                run_external({"xdg-open", url}, {.shows_errors = false});
+            // The code is below 0 if a signal ended the program: Ctrl-C ends the studio, too.
+            if (code.value_or(1) > 0) {
                 print_stderr("foamtex: no browser was found; open the address by hand");
             }
         } catch (const OutputError&) {
