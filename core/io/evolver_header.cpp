@@ -48,7 +48,13 @@ const std::map<std::string, const char*>& rejected_keywords() {
 // edge.
 struct Method {
     std::string name;
-    bool global = false;  // true if it applies to all elements
+    double modulus = 1.0;   // the factor of the values
+    bool global = false;    // true if it applies to all elements
+    bool weighted = false;  // true if each element has a factor of its own (ELEMENT_MODULUS)
+
+    bool is_length_of_all_edges() const {
+        return global && !weighted && (name == "circular_arc_length" || name == "edge_length");
+    }
 };
 
 class HeaderReader {
@@ -181,13 +187,11 @@ class HeaderReader {
         header_.parameters[name] = take_expression(tokens_, header_.parameters);
     }
 
-    // Reads METHOD_INSTANCE name METHOD method [GLOBAL].
+    // Reads METHOD_INSTANCE name METHOD method [MODULUS number] [GLOBAL] ...
     void read_method_instance() {
         const std::string name = lower(tokens_.take_word("the name of a method instance"));
-        if (tokens_.at_word("method")) {
-            tokens_.take();
-            methods_[name] = {lower(tokens_.take_word("the name of a method")),
-                              tokens_.at_word("global")};
+        if (at_method()) {
+            methods_[name] = take_method();
         }
         skip_statement();
     }
@@ -207,45 +211,60 @@ class HeaderReader {
         skip_statement();
     }
 
-    // Reads a QUANTITY that is declared ENERGY. Adds its modulus to the film tension if the
-    // quantity is the length of all edges. Rejects every other quantity of this kind, unless its
-    // modulus is 0.
+    // Reads a QUANTITY that is declared ENERGY: the sum of the values of its methods, times its
+    // modulus. Adds the moduli of its methods, times its modulus, to the film tension if every
+    // method is the length of all edges. Rejects every other method, unless its modulus or that of
+    // the quantity is 0.
     void read_energy(const std::string& name) {
         double modulus = 1.0;
-        Method method;
+        std::vector<Method> methods;
         tokens_.take();
-        while (!at_statement_end() || at_quantity_word()) {
-            const std::string word = lower(tokens_.take().text);
-            if (word == "modulus") {
+        while (in_quantity()) {
+            if (at_method()) {
+                methods.push_back(take_method());
+            } else if (lower(tokens_.take().text) == "modulus") {
                 modulus = take_expression(tokens_, header_.parameters);
-            } else if (word == "method" || word == "global_method") {
-                const Method used = method_named(lower(tokens_.take_word("the name of a method")));
-                method = {used.name, method.global || used.global || word == "global_method"};
-            } else if (word == "global") {
-                method.global = true;
             }
         }
-        const bool length = method.name == "circular_arc_length" || method.name == "edge_length";
-        if (modulus != 0.0 && !(length && method.global)) {
+        bool supported = !methods.empty();
+        for (const Method& method : methods) {
+            supported = supported && (method.modulus == 0.0 || method.is_length_of_all_edges());
+            header_.added_tension += modulus * method.modulus;
+        }
+        if (modulus != 0.0 && !supported) {
             tokens_.fail(line_,
                          fmt::format("quantity '{}' adds an energy that is not supported; only the "
                                      "length of all edges is supported",
                                      name));
         }
-        header_.added_tension += modulus;
     }
 
-    // Returns true if the next token continues the statement of a quantity, even on a new line.
-    bool at_quantity_word() const {
-        return tokens_.at_word("modulus") || tokens_.at_word("method") ||
-               tokens_.at_word("global_method") || tokens_.at_word("global");
-    }
-
-    // Returns the method of the instance with this name. If there is no such instance, the name is
-    // the name of a method, and this method is returned.
-    Method method_named(const std::string& name) const {
+    // Reads METHOD name or GLOBAL_METHOD name: a method with the words that follow it, or the name
+    // of an instance. A MODULUS after the name of an instance is the modulus of the quantity.
+    Method take_method() {
+        const bool global = lower(tokens_.take().text) == "global_method";
+        const std::string name = lower(tokens_.take_word("the name of a method"));
         const auto instance = methods_.find(name);
-        return instance == methods_.end() ? Method{name, false} : instance->second;
+        Method method = instance == methods_.end() ? Method{name} : instance->second;
+        method.global = method.global || global;
+        while (instance == methods_.end() && in_quantity() && !at_method()) {
+            const std::string word = lower(tokens_.take().text);
+            if (word == "modulus") {
+                method.modulus = take_expression(tokens_, header_.parameters);
+            }
+            method.global = method.global || word == "global";
+            method.weighted = method.weighted || word == "element_modulus";
+        }
+        return method;
+    }
+
+    bool at_method() const { return tokens_.at_word("method") || tokens_.at_word("global_method"); }
+
+    // Returns true if the next token belongs to the statement of a quantity or of a method
+    // instance, which may continue on a new line.
+    bool in_quantity() const {
+        return !at_statement_end() || at_method() || tokens_.at_word("modulus") ||
+               tokens_.at_word("global");
     }
 
     void check_model() const {

@@ -82,8 +82,9 @@ class FoamBuilder {
             }
         }
         const double tension = first.tension + header_.added_tension;
-        if (!(tension > 0.0)) {
-            fail(first.line, fmt::format("the film tension must be positive, not {}", tension));
+        if (!(tension > 0.0 && std::isfinite(tension))) {
+            fail(first.line,
+                 fmt::format("the film tension must be positive and finite, not {}", tension));
         }
         return tension;
     }

@@ -96,6 +96,29 @@ TEST(EvolverHeader, AnEnergyOfAllLengthsAddsToTheTension) {
     EXPECT_EQ(header_with("quantity q energy modulus 0 method gravity_method").added_tension, 0.0);
 }
 
+TEST(EvolverHeader, AddsEveryMethodOfAnEnergyTimesItsModulus) {
+    EXPECT_EQ(header_with("method_instance m method edge_length modulus 2\n"
+                          "quantity q energy modulus 3 global_method m")
+                  .added_tension,
+              6.0);
+    EXPECT_EQ(header_with("method_instance m method edge_length modulus 2 global\n"
+                          "quantity q energy method m modulus 3")
+                  .added_tension,
+              6.0);
+    EXPECT_EQ(header_with("quantity q energy global_method edge_length\n"
+                          " global_method edge_length")
+                  .added_tension,
+              2.0);
+    EXPECT_EQ(header_with("quantity q energy modulus 7 method edge_length global modulus 2\n"
+                          "method circular_arc_length global\nmodulus 3")
+                  .added_tension,
+              35.0);
+    EXPECT_EQ(header_with("quantity q energy global_method edge_length\n"
+                          " global_method gravity_method modulus 0")
+                  .added_tension,
+              1.0);
+}
+
 TEST(EvolverHeader, RejectsOtherEnergies) {
     const std::string start = "STRING SPACE_DIMENSION 2 TORUS\n";
     const std::string what =
@@ -104,6 +127,12 @@ TEST(EvolverHeader, RejectsOtherEnergies) {
     expect_rejected(start + "quantity q energy method circular_arc_length\nvertices", what);
     expect_rejected(start + "quantity q energy method vertex_scalar_integral global\nvertices",
                     what);
+    expect_rejected(start +
+                        "quantity q energy global_method gravity_method global_method edge_length\n"
+                        "vertices",
+                    what);
+    expect_rejected(
+        start + "quantity q energy global_method edge_length element_modulus w\nvertices", what);
     expect_rejected(start + "square_curvature 0.1\nvertices",
                     "a.fe:2: square_curvature adds an energy that is not supported; the energy of "
                     "a foam is the length of its films");

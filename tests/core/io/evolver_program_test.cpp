@@ -209,6 +209,25 @@ TEST_F(EvolverProgram, TakesStraightFilms) {
     EXPECT_NEAR(session.values[0] / energy(foam), 1.0, kTolerance);  // all pressures are 0
 }
 
+TEST_F(EvolverProgram, AddsTheSameEnergiesToTheTension) {
+    for (const char* energies :
+         {"METHOD_INSTANCE len METHOD edge_length MODULUS 2\nQUANTITY qq ENERGY GLOBAL_METHOD len",
+          "METHOD_INSTANCE len METHOD edge_length MODULUS 2 GLOBAL\n"
+          "QUANTITY qq ENERGY METHOD len MODULUS 3",
+          "QUANTITY qq ENERGY MODULUS 7 GLOBAL_METHOD edge_length MODULUS 2\n"
+          "GLOBAL_METHOD edge_length MODULUS 3",
+          "METHOD_INSTANCE len METHOD edge_length MODULUS 2\n"
+          "QUANTITY qq ENERGY MODULUS 11 GLOBAL_METHOD len MODULUS 3 GLOBAL_METHOD edge_length"}) {
+        const std::string text =
+            test::edited(test::kSmallTorus, "vertices", std::string(energies) + "\nvertices");
+        const Session session =
+            run_evolver(text, "printf \"value %.17g\\n\",total_energy/total_length\n");
+        ASSERT_EQ(session.values.size(), 1U) << session.log;
+        EXPECT_NEAR(read_evolver(text, "a.fe").foam.film_tension, session.values[0], kTolerance)
+            << energies;
+    }
+}
+
 // The dump contains elements that users may add: fixed vertices, constraints, colors, attributes
 // and quantities.
 TEST_F(EvolverProgram, ItsDumpsCanBeRead) {

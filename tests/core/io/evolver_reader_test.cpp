@@ -125,6 +125,10 @@ TEST(EvolverReader, PressuresAndTensions) {
     EXPECT_EQ(read_evolver(text, "a.fe").foam.film_tension, 2.0);
     text = test::edited(text, "STRING", "STRING quantity q energy global_method edge_length");
     EXPECT_EQ(read_evolver(text, "a.fe").foam.film_tension, 3.0);
+    text = test::edited(text, "edge_length", "edge_length modulus 1e200");
+    text = test::edited(text, "energy", "energy modulus 1e200");
+    test::expect_format_error([&] { read_evolver(text, "a.fe"); },
+                              "a.fe:11: the film tension must be positive and finite, not inf");
 }
 
 TEST(EvolverReader, OneVolumeMayBeMissing) {
