@@ -3,22 +3,24 @@
 #include "core/foam/lattice.h"
 
 #include <cmath>
-#include <cstdint>
 
 namespace foam {
 
-void reduce_lattice(Foam& foam) {
-    Domain& domain = foam.domain;
-    if (std::abs(domain.shear) <= 0.5 * domain.width) {
-        return;
+ReducedLattice reduced_lattice(const Domain& domain) {
+    ReducedLattice result{domain};
+    if (std::abs(domain.shear) > 0.5 * domain.width) {
+        result.widths = static_cast<std::int32_t>(std::lround(domain.shear / domain.width));
+        result.domain.shear -= result.widths * domain.width;
     }
-    // The old period (shear, height) equals the new one plus this many periods (width, 0).
-    const auto widths = static_cast<std::int32_t>(std::lround(domain.shear / domain.width));
-    domain.shear -= widths * domain.width;
+    return result;
+}
+
+void reduce_lattice(Foam& foam) {
+    const ReducedLattice lattice = reduced_lattice(foam.domain);
+    foam.domain = lattice.domain;
     for (const FilmId film : foam.network.films()) {
         const HalfEdgeId h = forward_side(film);
-        const LatticeOffset offset = foam.network.offset(h);
-        foam.network.set_offset(h, {offset.i + widths * offset.j, offset.j});
+        foam.network.set_offset(h, lattice.reduced(foam.network.offset(h)));
     }
 }
 

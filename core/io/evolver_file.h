@@ -21,7 +21,7 @@ struct EvolverFoam {
 /// cluster, with straight edges or arcs. Bubbles are the faces, films are the edges (vertices of
 /// two edges are dissolved), and junctions are the vertices of three edges, all in the order of the
 /// file. On a torus, the magnitude of the shear is reduced to at most half of the width
-/// (reduce_lattice). Target areas are the volumes of the bodies; pressures are the Lagrange
+/// (reduced_lattice). Target areas are the volumes of the bodies; pressures are the Lagrange
 /// multipliers of the bodies, by default 0. README.md lists all elements that are read, ignored or
 /// rejected. Throws FormatError, with `file` as the name in its message, if the file is not valid
 /// or not supported.

@@ -2,7 +2,9 @@
 
 #include "core/io/evolver_loops.h"
 
+#include "core/foam/lattice.h"
 #include "core/io/format_error.h"
+#include "core/network/validate.h"
 
 #include <fmt/core.h>
 
@@ -29,7 +31,7 @@ using Loop = std::vector<EdgeSide>;
 class LoopBuilder {
   public:
     LoopBuilder(const Mesh& mesh, const Domain& domain, const std::string& file)
-        : mesh_(mesh), domain_(domain), file_(file) {}
+        : mesh_(mesh), lattice_(reduced_lattice(domain)), domain_(lattice_.domain), file_(file) {}
 
     std::vector<FilmLoop> build() {
         check_points();
@@ -78,7 +80,8 @@ class LoopBuilder {
         }
     }
 
-    // Sets the wrap of every edge. In the plane all wraps are zero.
+    // Sets the wrap of every edge, as an offset of the reduced lattice. In the plane all wraps are
+    // zero.
     void resolve_wraps() {
         const bool wrapped = std::any_of(mesh_.edges.begin(),
                                          mesh_.edges.end(),
@@ -88,7 +91,8 @@ class LoopBuilder {
                 wraps_.emplace_back();
                 continue;
             }
-            wraps_.push_back(wrapped ? edge.wrap.value_or(LatticeOffset{}) : nearest_copy(edge));
+            wraps_.push_back(wrapped ? lattice_.reduced(edge.wrap.value_or(LatticeOffset{}))
+                                     : nearest_copy(edge));
         }
     }
 
@@ -132,6 +136,13 @@ class LoopBuilder {
                                  id(loop[k])));
             }
             around = around + wrap(loop[k]);
+            if (exceeds_max_periods(around)) {
+                fail(face.line,
+                     fmt::format("face {}: its edges lead more than {} periods away from its first "
+                                 "vertex",
+                                 face.id,
+                                 kMaxPeriods));
+            }
         }
         if (around != LatticeOffset{}) {
             fail(face.line,
@@ -243,7 +254,8 @@ class LoopBuilder {
     }
 
     const Mesh& mesh_;
-    const Domain& domain_;
+    ReducedLattice lattice_;
+    const Domain& domain_;  // with its shear reduced
     const std::string& file_;
     std::vector<LatticeOffset> wraps_;  // per edge
     std::vector<Loop> loops_;           // per face

@@ -36,7 +36,7 @@ class FoamBuilder {
         : header_(header), mesh_(mesh), file_(file) {}
 
     Foam build() {
-        foam_.domain = header_.domain;
+        foam_.domain = reduced_lattice(header_.domain).domain;
         foam_.film_tension = film_tension();
         loops_ = film_loops(mesh_, header_.domain, file_);
         add_junctions();
@@ -54,8 +54,6 @@ class FoamBuilder {
         set_areas_and_pressures();
         if (foam_.domain.is_plane()) {
             complete_patch(foam_);
-        } else {
-            reduce_lattice(foam_);
         }
         return std::move(foam_);
     }

@@ -26,11 +26,6 @@ Fault fault(const char* kind, Id id, const char* what) {
     return text.str();
 }
 
-bool exceeds_max_periods(LatticeOffset offset) {
-    return std::max(offset.i, offset.j) > kMaxPeriods ||
-           std::min(offset.i, offset.j) < -kMaxPeriods;
-}
-
 Fault half_edge_fault(const Network& network, HalfEdgeId h) {
     const HalfEdgeId next = network.next(h);
     if (index_of(next) >= 2 * network.film_slots() || !network.is_live(film_of(next))) {

@@ -4,6 +4,7 @@
 
 #include "core/network/network.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +15,12 @@ namespace foam {
 /// The limit also applies to the sum of the offsets along the loop of a bubble, from its first
 /// half-edge to any other. Sums of two offsets within this limit do not overflow.
 inline constexpr std::int32_t kMaxPeriods = 1'000'000;
+
+/// Returns true if a component of the offset exceeds kMaxPeriods in magnitude.
+constexpr bool exceeds_max_periods(LatticeOffset offset) {
+    return std::max(offset.i, offset.j) > kMaxPeriods ||
+           std::min(offset.i, offset.j) < -kMaxPeriods;
+}
 
 /// Returns a description of the first broken invariant, or nothing if the network is valid. The
 /// invariants, for V junctions, E films and F bubbles (without the ghost), are:

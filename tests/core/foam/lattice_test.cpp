@@ -23,6 +23,7 @@ TEST(Lattice, TheReducedLatticeIsTheSame) {
         const LatticeOffset offset = foam.network.offset(forward_side(film));
         foam.network.set_offset(forward_side(film), {offset.i - offset.j, offset.j});
     }
+    EXPECT_EQ(reduced_lattice(foam.domain).widths, 1);
     reduce_lattice(foam);
     EXPECT_NEAR(foam.domain.shear, before.domain.shear, 1e-15 * width);
     for (const FilmId film : foam.network.films()) {

@@ -107,6 +107,13 @@ TEST(EvolverLoops, RejectsJunctionsOfMoreOrFewerFilms) {
                               "a.fe:18: face 2 has no vertex that joins three edges");
 }
 
+TEST(EvolverLoops, RejectsFacesThatLeadFarAway) {
+    expect_rejected("0 2\nvertices",
+                    "3e6 2\nvertices",
+                    "a.fe:15: face 1: its edges lead more than 1000000 periods away from its first "
+                    "vertex");
+}
+
 TEST(EvolverLoops, RejectsVerticesFarAway) {
     expect_rejected("2 1 1\n",
                     "2 1 1e99\n",

@@ -7,6 +7,7 @@
 #include "tests/core/foams.h"
 #include "tests/core/io/small_torus.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -111,6 +112,28 @@ TEST(EvolverReader, WithoutWrapsFilmsGoToTheNearestCopy) {
     const std::string bare = std::regex_replace(text, std::regex(" [-+*] [-+*]\n"), "\n");
     ASSERT_NE(bare, text);
     EXPECT_TRUE(test::are_same(read_evolver(bare, "a.fe").foam, read_evolver(text, "a.fe").foam));
+}
+
+// The period (shear, height) is (1e6 width, height), so that (0, height) is also a period.
+TEST(EvolverReader, FilmsOfAStronglyShearedTorusMayLeadFarAway) {
+    const Foam honey = honeycomb(4, 4);
+    std::string text = write_evolver(honey, EvolverEdges::Straight);
+    text = std::regex_replace(text, std::regex(" [-+*] [-+*]\n"), "\n");
+    const double height = honey.domain.height;
+    text = test::edited(text,
+                        fmt::format("0 {}\n", height),
+                        fmt::format("{} {}\n", 1e6 * honey.domain.width, height));
+    const Vec2 first = honey.positions[JunctionId{0}];
+    text = test::edited(text,
+                        fmt::format("\n1 {} {}\n", first.x(), first.y()),
+                        fmt::format("\n1 {} {}\n", first.x(), first.y() + 5000.0 * height));
+    const Foam foam = read_evolver(text, "a.fe").foam;
+    EXPECT_EQ(foam.domain.shear, 0.0);
+    for (const FilmId film : honey.network.films()) {
+        const HalfEdgeId h = forward_side(film);
+        EXPECT_TRUE(foam.network.offset(h) == honey.network.offset(h));
+        EXPECT_LT((chord(foam, h) - chord(honey, h)).norm(), 1e-9);
+    }
 }
 
 TEST(EvolverReader, PressuresAndTensions) {
