@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -202,6 +203,7 @@ class Reader {
                                           {item.value(1).number(), item.value(2).number()},
                                           item.value(3).positive()});
         });
+        std::ranges::sort(foam_.lone_bubbles, {}, &LoneBubble::identity);
     }
 
     static double half_angle(const JsonItem& item) {

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <unordered_set>
@@ -111,6 +112,9 @@ Fault fault_of_bubbles(const Frame& frame) {
                                bubble.pressure,
                                bubble.area);
         }
+    }
+    if (!std::ranges::is_sorted(frame.lone_bubbles, {}, &LoneBubble::identity)) {
+        return "the bubbles without neighbors are not in the order of their identities";
     }
     for (const LoneBubble& bubble : frame.lone_bubbles) {
         if (Fault fault = fault_of_bubble(bubble.identity, bubble.target_area, identities)) {

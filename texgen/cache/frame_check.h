@@ -18,7 +18,8 @@ bool is_plausible(double number);
 /// are:
 ///
 /// - All numbers are plausible (is_plausible). Target areas and the film tension are positive.
-/// - Each identity occurs once and is below kMaxIdentity.
+/// - Each identity occurs once and is below kMaxIdentity. Lone bubbles are in the order of their
+///   identities.
 /// - The half angle of each film is between -pi and pi.
 /// - The domain is the plane if there is a ghost bubble. Otherwise it is a torus whose sides have a
 ///   moderate ratio (has_moderate_shape). The absolute value of its shear is at most its width.

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace foam {
 namespace {
 
@@ -152,6 +154,15 @@ TEST(FoamJsonReader, KeepsAPatch) {
         EXPECT_TRUE(test::are_same(back, foam));
         EXPECT_EQ(write_foam_json(back), text);
     }
+}
+
+TEST(FoamJsonReader, SortsLoneBubblesByIdentity) {
+    Foam foam = test::double_bubble(1.0, 2.0);
+    foam.next_identity = 9;
+    foam.lone_bubbles = {{7, {0.0, 9.0}, 1.0}, {8, {9.0, 0.0}, 2.0}};
+    Foam disordered = foam;
+    std::swap(disordered.lone_bubbles[0], disordered.lone_bubbles[1]);
+    EXPECT_TRUE(test::are_same(read(write_foam_json(disordered)), foam));
 }
 
 TEST(FoamJsonReader, RejectsInvalidPatches) {

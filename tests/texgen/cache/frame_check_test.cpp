@@ -82,6 +82,17 @@ TEST(FrameCheck, TheFaultNamesTheElement) {
               "the torus has an impossible size, ");
 }
 
+TEST(FrameCheck, LoneBubblesMustBeInTheOrderOfTheirIdentities) {
+    EXPECT_EQ(fault_after([](Frame& frame) {
+                  frame.lone_bubbles = {{100, {0.0, 0.0}, 1.0}, {101, {2.0, 0.0}, 1.0}};
+              }),
+              "");
+    EXPECT_EQ(fault_after([](Frame& frame) {
+                  frame.lone_bubbles = {{101, {0.0, 0.0}, 1.0}, {100, {2.0, 0.0}, 1.0}};
+              }),
+              "the bubbles without neighbors are not in the order of their identities");
+}
+
 // Films that wind around the torus many times would exceed the coordinates of the rasterizer.
 TEST(FrameCheck, FilmsMustNotBeLongerThanTheTorus) {
     EXPECT_NE(error_after([](Frame& frame) {
