@@ -7,6 +7,7 @@
 #include "texgen/maps/frame_layers.h"
 #include "texgen/raster/coords/raster_grid.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,8 +21,8 @@ namespace foam::texgen {
 /// that the frame shows, before any transform for display (display_transform.h) and any current
 /// (current.h).
 struct FrameEffort {
-    int t1 = 0;                           // number of T1s
-    int t2 = 0;                           // number of T2s
+    std::int64_t t1 = 0;                  // number of T1s
+    std::int64_t t2 = 0;                  // number of T2s
     double area_error = 0.0;              // largest |A / A_target - 1| (E2)
     double angle_error = 0.0;             // largest deviation from 120 degrees (E2), radians
     double seconds = 0.0;                 // wall time of the simulation

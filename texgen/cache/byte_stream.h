@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -63,6 +64,16 @@ class ByteReader {
         const auto count = take<std::uint32_t>();
         check_left(count, bytes_each);
         return count;
+    }
+
+    /// Reads an integer of 32 bits. Throws BadContent if it is not from `low` to `high`.
+    std::int32_t take_integer(std::int64_t low,
+                              std::int64_t high = std::numeric_limits<std::int32_t>::max()) {
+        const auto integer = take<std::int32_t>();
+        if (integer < low || integer > high) {
+            throw BadContent("an integer is out of range");
+        }
+        return integer;
     }
 
     /// Reads an index of 32 bits. Throws BadContent if the index is not below `limit`.

@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 
 // An encoded state consists of its frame (frame_codec.h), its effort (FrameEffort) and its record
@@ -38,8 +39,8 @@ double take_number(ByteReader& reader, const char* what) {
 }
 
 void write_effort(const FrameEffort& effort, ByteWriter& writer) {
-    writer.put(std::int32_t{effort.t1});
-    writer.put(std::int32_t{effort.t2});
+    writer.put(static_cast<std::int32_t>(effort.t1));
+    writer.put(static_cast<std::int32_t>(effort.t2));
     writer.put(effort.area_error);
     writer.put(effort.angle_error);
     writer.put(effort.seconds);
@@ -47,11 +48,11 @@ void write_effort(const FrameEffort& effort, ByteWriter& writer) {
 
 FrameEffort read_effort(ByteReader& reader) {
     FrameEffort effort;
-    effort.t1 = reader.take<std::int32_t>();
-    effort.t2 = reader.take<std::int32_t>();
-    effort.area_error = reader.take<double>();
-    effort.angle_error = reader.take<double>();
-    effort.seconds = reader.take<double>();
+    effort.t1 = reader.take_integer(0);
+    effort.t2 = reader.take_integer(0);
+    effort.area_error = take_number(reader, "the largest error of an area");
+    effort.angle_error = take_number(reader, "the largest error of an angle");
+    effort.seconds = take_number(reader, "the computing time");
     return effort;
 }
 
@@ -96,12 +97,13 @@ TopologyEventKind read_event_kind(ByteReader& reader) {
     return static_cast<TopologyEventKind>(kind);
 }
 
-std::vector<RecordedEvent> read_events(ByteReader& reader) {
+// Reads the events of the record of a frame. They must be of the last kRecordedFrames frames.
+std::vector<RecordedEvent> read_events(std::int64_t record_frame, ByteReader& reader) {
     constexpr std::size_t kEvent = 1 + sizeof(std::int32_t) + 2 * sizeof(double);
     std::vector<RecordedEvent> events(reader.take_count(kEvent));
     for (RecordedEvent& event : events) {
         event.kind = read_event_kind(reader);
-        event.frame = reader.take<std::int32_t>();
+        event.frame = reader.take_integer(record_frame - kRecordedFrames + 1, record_frame);
         event.position.x() = take_number(reader, "the position of an event");
         event.position.y() = take_number(reader, "the position of an event");
     }
@@ -179,7 +181,7 @@ FoamRecord read_record(const Frame& frame,
     record.frame = reader.take<std::int32_t>();
     record.births = read_by_identity(bubbles, reader);
     record.changes = read_by_identity(bubbles, reader);
-    record.events = read_events(reader);
+    record.events = read_events(record.frame, reader);
     const bool known = reader.take<std::uint8_t>() != 0;
     if (known && first_pressures.empty()) {
         throw BadContent("'pressures.foam' is missing in the cache");

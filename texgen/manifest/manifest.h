@@ -86,8 +86,8 @@ struct FrameStatistics {
     double time = 0.0;   // foam time
     int bubbles = 0;
     double mean_area = 0.0;
-    int t1 = 0;                // number of T1s
-    int t2 = 0;                // number of T2s
+    std::int64_t t1 = 0;       // number of T1s
+    std::int64_t t2 = 0;       // number of T2s
     double area_error = 0.0;   // largest |A / A_target - 1|; NaN if the manifest has null
     double angle_error = 0.0;  // largest deviation from 120 degrees, radians; NaN for null
     double simulating = 0.0;   // wall time, seconds

@@ -154,14 +154,19 @@ std::string measurements_in(const JsonValue& value) {
     return measurements ? measurements->object_text() : std::string();
 }
 
+// Returns a number of T1s or T2s.
+std::int64_t changes_in(const JsonValue& value) {
+    return value.integer(0, std::numeric_limits<std::int64_t>::max());
+}
+
 FrameStatistics frame_in(const JsonValue& value) {
     return {.frame = value["frame"].count(),
             .tiles = value["tiles"].flag(),
             .time = value["time"].number(),
             .bubbles = value["bubbles"].count(),
             .mean_area = value["mean_area"].number(),
-            .t1 = value["t1"].count(),
-            .t2 = value["t2"].count(),
+            .t1 = changes_in(value["t1"]),
+            .t2 = changes_in(value["t2"]),
             .area_error = number_in(value.find("area_error")),
             .angle_error = number_in(value.find("angle_error")),
             .simulating = value["simulating"].number(),

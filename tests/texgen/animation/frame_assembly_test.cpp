@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -22,7 +24,7 @@ SimulatedFrame state_of(int number) {
 struct Shown {
     int number;
     int next;  // 0 without a next frame
-    int t1;
+    std::int64_t t1;
     friend bool operator==(const Shown&, const Shown&) = default;
 };
 
@@ -62,6 +64,21 @@ TEST(FrameAssembly, APatchNeedsItsFirstState) {
     Preset preset;
     preset.shape.kind = FoamKind::Patch;
     EXPECT_EQ(assembled(preset, {3}, NextFrames::Omitted, {1, 3}), (std::vector<Shown>{{3, 0, 4}}));
+}
+
+// A cache may contain such efforts.
+TEST(FrameAssembly, AddsTheLargestEfforts) {
+    constexpr int kMax = std::numeric_limits<std::int32_t>::max();
+    std::vector<std::int64_t> counts;
+    FrameAssembly assembly({}, {2, 3}, NextFrames::Omitted, [&](const SimulatedFrame& frame) {
+        counts.insert(counts.end(), {frame.effort.t1, frame.effort.t2});
+    });
+    for (const int number : assembly.states()) {
+        SimulatedFrame state = state_of(number);
+        state.effort.t1 = state.effort.t2 = kMax;
+        assembly.add(state);
+    }
+    EXPECT_EQ(counts, (std::vector<std::int64_t>{2LL * kMax, 2LL * kMax, kMax, kMax}));
 }
 
 // A frame has the events since the frame before it. A state that is shown again has none. The

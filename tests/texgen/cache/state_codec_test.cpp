@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
@@ -60,6 +61,36 @@ SimulatedFrame honeycomb_state() {
     record.changes.assign(16, 0.0);
     state.record = std::make_shared<const FoamRecord>(record);
     return state;
+}
+
+TEST(StateCodec, ImpossibleEffortsAreBadContent) {
+    const auto reject = [](void (*change)(FrameEffort&)) {
+        SimulatedFrame state = honeycomb_state();
+        change(state.effort);
+        EXPECT_THROW(unpack_state(pack_state(state, {}), {}), BadContent);
+    };
+    reject([](FrameEffort& effort) { effort.t1 = -1; });
+    reject([](FrameEffort& effort) { effort.t2 = std::numeric_limits<std::int32_t>::min(); });
+    reject([](FrameEffort& effort) { effort.area_error = std::nan(""); });
+    reject([](FrameEffort& effort) { effort.angle_error = -1e300; });
+    reject([](FrameEffort& effort) { effort.seconds = std::numeric_limits<double>::infinity(); });
+}
+
+TEST(StateCodec, EventsMustBeAmongTheRecordedFrames) {
+    const auto unpack = [](int frame, int event_frame) {
+        SimulatedFrame state = honeycomb_state();
+        FoamRecord record = *state.record;
+        record.frame = frame;
+        record.events = {{TopologyEventKind::T1, event_frame, {0.5, 0.5}}};
+        state.record = std::make_shared<const FoamRecord>(record);
+        return unpack_state(pack_state(state, {}), {}).record->events.front().frame;
+    };
+    EXPECT_EQ(unpack(3, 3), 3);
+    EXPECT_EQ(unpack(3, 3 - kRecordedFrames + 1), 3 - kRecordedFrames + 1);
+    EXPECT_THROW(unpack(3, 3 - kRecordedFrames), BadContent);
+    EXPECT_THROW(unpack(3, 4), BadContent);
+    EXPECT_THROW(unpack(std::numeric_limits<int>::max(), -1), BadContent);
+    EXPECT_THROW(unpack(std::numeric_limits<int>::min(), 1), BadContent);
 }
 
 TEST(StateCodec, MeasurementsRoundTrip) {

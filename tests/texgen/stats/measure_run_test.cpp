@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace foam::texgen {
@@ -48,8 +49,8 @@ TEST(MeasureRun, HasARecordForEachFrameAskedForInOrder) {
 TEST(MeasureRun, EventsAddUp) {
     const std::vector<FrameRecord> all = measure({1, 2, 3, 4, 5, 6, 7, 8}).run.frames;
     const std::vector<FrameRecord> last = measure({8}).run.frames;
-    int t1 = 0;
-    int t2 = 0;
+    std::int64_t t1 = 0;
+    std::int64_t t2 = 0;
     for (const FrameRecord& record : all) {
         t1 += record.effort.t1;
         t2 += record.effort.t2;
