@@ -160,18 +160,15 @@ bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts) {
         return true;
     }
     const int max_flips = 2 * foam.network.sides(bubble);
-    for (int flips = 0; flips < max_flips; ++flips) {
-        if (can_vanish(foam.network, bubble)) {
-            apply_t2(foam, bubble);
-            ++counts.t2;
-            return true;
-        }
-        if (!flip_shortest(foam, bubble)) {
+    for (int flips = 0; !can_vanish(foam.network, bubble); ++flips) {
+        if (flips == max_flips || !flip_shortest(foam, bubble)) {
             return false;
         }
         ++counts.t1;
     }
-    return false;
+    apply_t2(foam, bubble);
+    ++counts.t2;
+    return true;
 }
 
 TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
@@ -182,11 +179,12 @@ TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
             collapse_or_keep(foam, bubble, min_area, counts);
         }
     }
-    counts.t2 += collapse_lone(
-        foam, [&](const LoneBubble& bubble) { return bubble.target_area <= thresholds.t2_area; });
     // Bubbles that vanished with a negative target area may have left their neighbors with too
-    // little gas.
+    // little gas. A bubble that vanishes from a raft of two leaves a lone bubble.
     for (int before = -1; counts.t2 != before;) {
+        counts.t2 += collapse_lone(foam, [&](const LoneBubble& bubble) {
+            return bubble.target_area <= thresholds.t2_area;
+        });
         before = counts.t2;
         for (const BubbleId bubble : foam.network.bubbles()) {
             if (foam.target_areas[bubble] < min_area) {

@@ -213,6 +213,19 @@ TEST(CollapseDue, RemovesARaftOfTwoWithoutGas) {
     }
 }
 
+// Only the last bubble of a raft of three is due. Each of the others loses a third of its negative
+// gas and is left with 0.03 - 0.2/3. When one of them vanishes from the raft of two, the last one
+// becomes a lone bubble without gas.
+TEST(CollapseDue, RemovesALoneBubbleThatALaterCollapseLeaves) {
+    Foam foam = test::triple_bubble(0.03);
+    foam.target_areas[BubbleId{2}] = -0.2;
+    EXPECT_EQ(collapse_due(foam, {.t2_area = 0.01}).t2, 3);
+    EXPECT_EQ(foam.network.bubble_count() + foam.lone_bubbles.size(), 0U);
+    for (const TopologyEvent& event : foam.events) {
+        EXPECT_TRUE(event.position.allFinite());
+    }
+}
+
 TEST(CollapseDue, KeepsAFoamWithoutDueBubbles) {
     Foam foam = honeycomb(4, 4);
     const Foam before = foam;
