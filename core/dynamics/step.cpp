@@ -151,6 +151,19 @@ void add(StepSummary& sum, const EquilibriumSummary& substep_summary) {
     ++sum.substeps;
 }
 
+// Takes the events out of a foam, so that copies of the foam do not contain them. The destructor
+// puts them back.
+struct EventsSetAside {
+    explicit EventsSetAside(Foam& the_foam)
+        : foam(the_foam), events(std::exchange(the_foam.events, {})) {}
+    EventsSetAside(const EventsSetAside&) = delete;
+    EventsSetAside& operator=(const EventsSetAside&) = delete;
+    ~EventsSetAside() { foam.events = std::move(events); }
+
+    Foam& foam;
+    std::vector<TopologyEvent> events;
+};
+
 // Makes a substep of the given length. While no equilibrium is found, halves the length and tries
 // again, at most `max_halvings` times. Returns the length of the successful substep, or 0 if no
 // substep succeeded. `make_substep` takes the foam and the length. The length may be a time or a
@@ -161,19 +174,17 @@ double try_substep(Foam& foam,
                    const StepOptions& options,
                    StepSummary& summary,
                    const MakeSubstep& make_substep) {
-    std::vector<TopologyEvent> events = std::exchange(foam.events, {});  // not copied below
+    EventsSetAside earlier(foam);
     for (int halvings = 0;; ++halvings, length *= 0.5) {
         Foam next = foam;
         const EquilibriumSummary equilibrium = make_substep(next, length);
         if (equilibrium.converged()) {
-            events.insert(events.end(), next.events.begin(), next.events.end());
+            earlier.events.insert(earlier.events.end(), next.events.begin(), next.events.end());
             foam = std::move(next);
-            foam.events = std::move(events);
             add(summary, equilibrium);
             return length;
         }
         if (halvings == options.max_halvings) {
-            foam.events = std::move(events);
             summary.equilibrium.status = equilibrium.status;
             return 0.0;
         }

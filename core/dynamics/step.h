@@ -33,8 +33,9 @@ struct StepSummary {
 /// most a quarter of the mean may lose all of its area. The rafts of a patch stay where they are
 /// (restore_rafts.h). A substep that finds no equilibrium is halved and tried again. If it still
 /// fails after `max_halvings` halvings, the step ends: the summary is not converged, and the foam
-/// is left in the last equilibrium that was reached. If the time is 0, no substep is made and the
-/// summary is not converged. Every substep removes all dead slots (compact).
+/// is left in the last equilibrium that was reached. The same holds if EquilibriumOptions::on_round
+/// throws an exception, which is passed on. If the time is 0, no substep is made and the summary is
+/// not converged. Every substep removes all dead slots (compact).
 StepSummary step(Foam& foam, double time, const StepOptions& options);
 
 /// Advances the foam in the same way while a change from outside (E9) is imposed evenly over the

@@ -14,6 +14,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 namespace foam {
@@ -88,6 +89,17 @@ TEST(Step, AStepOfNoTimeTakesNoTime) {
     const Foam before = foam;
     EXPECT_EQ(step(foam, 0.0, {}).substeps, 0);
     EXPECT_TRUE(are_same(foam, before));
+}
+
+TEST(Step, AnExceptionLeavesTheFoamUnchanged) {
+    Foam foam = equilibrated_foam(30, 1);
+    foam.events = {{TopologyEventKind::T2, 0.5, {1.0, 2.0}, {40, 3, 5, 7}}};
+    const Foam before = foam;
+    StepOptions options;
+    options.equilibrium.on_round = [] { throw std::runtime_error("interrupted"); };
+    EXPECT_THROW(step(foam, 1.0, options), std::runtime_error);
+    EXPECT_TRUE(are_same(foam, before));
+    EXPECT_EQ(foam.events, before.events);
 }
 
 TEST(Step, AdvancesTheTimeExactly) {
