@@ -23,9 +23,9 @@ struct BoilingBubble {
     // The position at which the bubble last vanished. Before the bubble has vanished for the first
     // time, this is the mean position of the junctions that it had when it was chosen.
     Vec2 last_position{0.0, 0.0};
-    // The bubbles between which the bubble last vanished. Empty until it has vanished, and if it
-    // last vanished as a lone bubble.
-    std::set<BubbleIdentity> neighbors{};
+    // The bubbles between which the bubble last vanished. Empty if it last vanished as a lone
+    // bubble; nothing until it has vanished.
+    std::optional<std::set<BubbleIdentity>> neighbors{};
     // False if the bubble has vanished between the same bubbles the last two times.
     bool neighbors_changed = true;
 };

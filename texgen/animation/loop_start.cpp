@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <set>
 
 namespace foam::texgen {
 
@@ -23,7 +24,7 @@ Json boiling_to_json(const BoilingBubble& bubble) {
             {"area_rise", bubble.area_rise},
             {"min_area_rise", bubble.min_area_rise},
             {"last_position", {bubble.last_position.x(), bubble.last_position.y()}},
-            {"neighbors", bubble.neighbors}};
+            {"neighbors", bubble.neighbors.value_or(std::set<BubbleIdentity>())}};
 }
 
 BubbleIdentity identity_in(const JsonValue& json) {
@@ -48,8 +49,9 @@ BoilingBubble boiling_in(const JsonValue& json) {
         json["last_position"].reject("two numbers");
     }
     bubble.last_position = {position[0], position[1]};
+    bubble.neighbors.emplace();
     for (const JsonValue& neighbor : json["neighbors"].items()) {
-        bubble.neighbors.insert(identity_in(neighbor));
+        bubble.neighbors->insert(identity_in(neighbor));
     }
     bubble.neighbors_changed = false;  // the loop had closed
     return bubble;

@@ -97,7 +97,7 @@ TEST(Boiling, IsBornWhereTheSameBubblesMeet) {
     BoilingBubble bubble{.identity = 7};
     record_end(bubble, foam.events.back(), {0.1, -0.2});
     EXPECT_EQ(bubble.last_position, Vec2(foam.events.back().position + Vec2(0.1, -0.2)));
-    EXPECT_EQ(bubble.neighbors.size(), 3U);
+    EXPECT_EQ(bubble.neighbors->size(), 3U);
     EXPECT_TRUE(bubble.neighbors_changed);
     bubble.last_position += Vec2(2.0, 2.0);
     ASSERT_TRUE(give_birth(foam, bubble, 0.02));
@@ -108,12 +108,22 @@ TEST(Boiling, IsBornWhereTheSameBubblesMeet) {
     EXPECT_FALSE(bubble.neighbors_changed);
 }
 
+// A lone bubble vanishes between no bubbles.
+TEST(Boiling, NeighborsAreTheSameAfterTwoVanishingsAsALoneBubble) {
+    const TopologyEvent end{TopologyEventKind::T2, 1.0, {0.0, 0.0}, {7}};
+    BoilingBubble bubble{.identity = 7};
+    record_end(bubble, end, {0.0, 0.0});
+    EXPECT_TRUE(bubble.neighbors_changed);
+    record_end(bubble, end, {0.0, 0.0});
+    EXPECT_FALSE(bubble.neighbors_changed);
+}
+
 TEST(Boiling, IsBornAtTheNearestJunctionIfItsNeighborsHaveParted) {
     Foam foam = test::equilibrated_foam(40, 1);
     const JunctionId junction{11};
     const BoilingBubble bubble{.identity = foam.next_identity++,
                                .last_position = foam.positions[junction] + Vec2(0.01, 0.0),
-                               .neighbors = {0, 1, 39}};
+                               .neighbors = std::set<BubbleIdentity>{0, 1, 39}};
     ASSERT_TRUE(give_birth(foam, bubble, 0.02));
     const std::optional<BubbleId> born = find_bubble(foam, bubble.identity);
     ASSERT_TRUE(born);
