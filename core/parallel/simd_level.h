@@ -15,7 +15,7 @@ namespace foam {
 enum class SimdLevel {
     Baseline,  // the baseline of the architecture: SSE2 on x86-64
     Avx2,
-    Avx512,  // the AVX-512 subsets of x86-64-v4: F, BW, CD, DQ and VL
+    Avx512,  // the AVX-512 subsets F, BW, CD, DQ and VL
 };
 
 /// Returns the levels that this machine can run, lowest first.
@@ -78,7 +78,9 @@ template <SimdLevel Level, class Kernel>
 }
 
 // These functions run a kernel at one level. The attribute `flatten` inlines the kernel and all
-// functions that the kernel calls, so that all of this code is compiled for the level.
+// functions that the kernel calls, so that all of this code is compiled for the level. The targets
+// name exactly the instruction sets for which available_simd_levels() tests. A processor name would
+// not do: x86-64-v4, for example, also contains BMI2, which a virtual machine may lack.
 template <class Kernel>
 [[gnu::flatten, gnu::noinline]] auto run_at_baseline(Kernel kernel) {
     return call_kernel<SimdLevel::Baseline>(kernel);
@@ -89,7 +91,8 @@ template <class Kernel>
     return call_kernel<SimdLevel::Avx2>(kernel);
 }
 template <class Kernel>
-[[gnu::target("arch=x86-64-v4"), gnu::flatten, gnu::noinline]] auto run_at_avx512(Kernel kernel) {
+[[gnu::target("avx512f,avx512bw,avx512cd,avx512dq,avx512vl"), gnu::flatten, gnu::noinline]] auto
+run_at_avx512(Kernel kernel) {
     return call_kernel<SimdLevel::Avx512>(kernel);
 }
 #endif
