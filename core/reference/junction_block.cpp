@@ -131,10 +131,6 @@ void JunctionBlock::add_sides(const Foam& foam, BubbleId bubble) {
     } while (h != first);
 }
 
-std::array<Vec2, 3> JunctionBlock::chords() const {
-    return {leaving_[0].chord, leaving_[1].chord, leaving_[2].chord};
-}
-
 double JunctionBlock::pressure_change_at(const BlockVector& change, int index) const {
     return index == kFixed ? 0.0 : pressure_units_[static_cast<std::size_t>(index)] * change[index];
 }

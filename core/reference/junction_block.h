@@ -56,10 +56,6 @@ class JunctionBlock {
         return static_cast<Eigen::Index>(bubble_count_ + outer_films_.size()) + 2;
     }
 
-    /// Returns the chords of the junction's films in foam units, in the order of Network::leaving.
-    /// The chords point away from the junction.
-    std::array<Vec2, 3> chords() const;
-
     /// Returns true if a film of the junction has length 0. The angles between the films, and so
     /// the constraints, are then undefined.
     bool is_degenerate() const { return move_unit_ == 0.0; }
