@@ -24,11 +24,11 @@ void for_each_value(BubbleValues& averages, const BubbleValues& values, const Ch
 
 }  // namespace
 
-History::History(const Foam& foam, double smoothing)
-    : smoothing_(smoothing), time_(foam.time), domain_(foam.domain) {}
+History::History(const Foam& foam, double smoothing) : smoothing_(smoothing), time_(foam.time) {}
 
-void History::record_events(Foam& foam, int frame) {
-    shear_recorded_events(foam.domain);
+void History::record_events(Foam& foam, int frame, double strain) {
+    shear_recorded_events(strain - strain_);
+    strain_ = strain;
     record_.births.resize(foam.next_identity, time_);
     record_.changes.resize(foam.next_identity, time_);
     newborn_.clear();
@@ -56,18 +56,10 @@ void History::renumber(int frames) {
     }
 }
 
-// The shear of a torus is the displacement of its upper border. shear_since determines the change
-// of the shear only up to multiples of the torus's width. The result is right if the change since
-// the previous frame is less than half of the width.
-void History::shear_recorded_events(const Domain& domain) {
-    if (domain.is_plane()) {
-        return;
-    }
-    const double shear = domain.shear_since(domain_);
+void History::shear_recorded_events(double strain) {
     for (RecordedEvent& event : record_.events) {
-        event.position.x() += shear * event.position.y() / domain.height;
+        event.position.x() += strain * event.position.y();
     }
-    domain_ = domain;
 }
 
 void History::record_pressures(const Foam& foam) {

@@ -18,8 +18,10 @@ class History {
 
     /// Moves the foam's topology events, which happened during the step to the given frame, into
     /// the record. Also records when bubbles were born and when their neighbors last changed. Drops
-    /// events whose frame is at least kRecordedFrames frames before the given frame.
-    void record_events(Foam& foam, int frame);
+    /// events whose frame is at least kRecordedFrames frames before the given frame. `strain` is
+    /// the total strain of the foam (Simulation::strain), with which earlier events move.
+    /// Domain::shear would not do: it determines the strain only up to a whole width.
+    void record_events(Foam& foam, int frame, double strain = 0.0);
 
     /// Removes all events from the record.
     void forget_events() { record_.events.clear(); }
@@ -48,15 +50,14 @@ class History {
     const FoamRecord& record() const { return record_; }
 
   private:
-    // Moves the positions of recorded events with the foam if the domain has been sheared since the
-    // previous frame.
-    void shear_recorded_events(const Domain& domain);
+    // Moves the positions of recorded events with a foam that has been sheared by the given strain.
+    void shear_recorded_events(double strain);
 
     FoamRecord record_;
     std::vector<BubbleIdentity> newborn_;  // bubbles born in the step to the present frame
     double smoothing_;
-    double time_ = 0.0;  // foam time of the previous frame
-    Domain domain_;      // domain of the positions of the recorded events
+    double time_ = 0.0;    // foam time of the previous frame
+    double strain_ = 0.0;  // total strain of the previous frame
 };
 
 }  // namespace foam::texgen

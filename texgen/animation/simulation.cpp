@@ -116,7 +116,7 @@ bool Simulation::reach_first_frame() {
 // events of this advance() and to the history.
 void Simulation::record_events(int frame) {
     events_.insert(events_.end(), foam_.events.begin(), foam_.events.end());
-    history_.record_events(foam_, frame);
+    history_.record_events(foam_, frame, strain_);
 }
 
 Frame Simulation::frame() const {

@@ -150,20 +150,25 @@ TEST(History, ClosedAveragesRepeatAfterOneCycle) {
 }
 
 // Each shear displaces an event by the strain times its y coordinate. The shear of the domain wraps
-// around at a whole width; this wrap must not displace events.
+// around at a whole width; this wrap must not displace events. Steps of more than half of the width
+// occur in tall tori.
 TEST(History, CarriesEventsAlongWithAShear) {
     Foam foam = honeycomb(4, 4);
     History history(foam);
     history.record_events(foam, 1);
     const double top = foam.domain.height;
+    const double whole_width = foam.domain.width / top;
+    double strain = 0.0;
     foam.events = {event_at(0.0, {1.0, 0.0}), event_at(0.0, {1.0, 0.5 * top})};
     history.record_events(foam, 2);
     for (int frame = 3; frame <= 12; ++frame) {
-        shear(foam, 0.1);
-        history.record_events(foam, frame);
+        const double step = (frame % 2 == 0 ? 0.1 : 0.94) * whole_width;
+        shear(foam, step);
+        strain += step;
+        history.record_events(foam, frame, strain);
     }
     EXPECT_NEAR(history.record().events[0].position.x(), 1.0, 1e-12);
-    EXPECT_NEAR(history.record().events[1].position.x(), 1.0 + 0.5 * top, 1e-12);
+    EXPECT_NEAR(history.record().events[1].position.x(), 1.0 + 0.5 * top * strain, 1e-12);
 }
 
 }  // namespace
