@@ -101,9 +101,9 @@ FrameAssembly::Request FrameAssembly::request_of(int number, const Preset& prese
     }
     if (shown.is_cross_fade()) {
         request.states.push_back(shown.fading_in);
-        if (includes_next_) {
-            request.states.push_back(shown.next_fading_in());
-        }
+    }
+    if (includes_next_ && shown.next_fading_in > 0) {
+        request.states.push_back(shown.next_fading_in);
     }
     std::ranges::sort(request.states);
     return request;
@@ -190,6 +190,9 @@ void FrameAssembly::emit(const Request& request) {
     if (shown.is_cross_fade()) {
         add_cross_fade(request, frame);
     }
+    if (includes_next_ && shown.next_fading_in > 0) {
+        move_next(shown, frame);
+    }
     on_frame_(frame);
 }
 
@@ -199,7 +202,7 @@ void FrameAssembly::emit(const Request& request) {
 void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame) const {
     const ShownStates& shown = request.shown;
     const double passed = shown.fade_progress;
-    frame.fading_in = drawn(shown.fading_in, shown.next_fading_in());
+    frame.fading_in = drawn(shown.fading_in, shown.next_fading_in);
     frame.fading_in.frame = renumbered(frame.fading_in.frame, request.number);
     const std::vector<std::optional<Vec2>> shared =
         displacements_of_shared(*frame.fading_in.frame, *frame.frame);
@@ -208,9 +211,17 @@ void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame
         frame.fade_growth.push_back(shared[k] ? std::floor(growth + 0.5) : growth);
     }
     move_together(passed, frame.frame, frame.fading_in.frame);
-    if (includes_next_) {
-        const double step = 1.0 / (states_before_first_frame(loop_, count_) + 1);
-        move_together(std::min(passed + step, 1.0), frame.next, frame.fading_in.next);
+}
+
+// Moves the next frame and, in a cross-fade, the frame after the foam that fades in, as they are
+// moved when they are shown. The frame before the fade is no cross-fade, but its next frame is.
+void FrameAssembly::move_next(const ShownStates& shown, SimulatedFrame& frame) const {
+    const double passed =
+        static_cast<double>(shown.next_fading_in) / (states_before_first_frame(loop_, count_) + 1);
+    std::shared_ptr<const Frame> in = kept_.at(shown.next_fading_in).frame;
+    move_together(passed, frame.next, in);
+    if (shown.is_cross_fade()) {
+        frame.fading_in.next = std::move(in);
     }
 }
 

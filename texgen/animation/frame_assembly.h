@@ -58,6 +58,7 @@ class FrameAssembly {
     Request request_of(int number, const Preset& preset) const;
     void emit(const Request& request);
     void add_cross_fade(const Request& request, SimulatedFrame& frame) const;
+    void move_next(const ShownStates& shown, SimulatedFrame& frame) const;
     DrawnState drawn(int state, int next) const;
     void release(const Request& request);
     FrameEffort effort_since_last(const FrameEffort& total, std::size_t event_count);

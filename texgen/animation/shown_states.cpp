@@ -26,13 +26,11 @@ ShownStates shown_in_flow(int number, const LoopOptions& loop, int count) {
     const int before = states_before_first_frame(loop, count);
     const int index = (number - 1) % count;
     const int state = before + 1 + index;
-    const int fading_in = state - count;
-    if (fading_in < 1) {
-        return {.state = state, .next = state + 1};
-    }
+    const int fading_in = std::max(state - count, 0);
     return {.state = state,
             .next = state + 1,
             .fading_in = fading_in,
+            .next_fading_in = std::max(state + 1 - count, 0),
             .fade_progress = static_cast<double>(fading_in) / (before + 1)};
 }
 

@@ -11,10 +11,11 @@ struct ShownStates {
     int state = 1;
     int next = 2;       // the state that follows `state` in the animation, for maps that need it
     int fading_in = 0;  // the state into which `state` fades; 0 without a cross-fade
+    // The state into which `next` fades. In the last frame of a loop, `next` has faded completely.
+    // 0 without a cross-fade.
+    int next_fading_in = 0;
     double fade_progress = 0.0;  // fraction of the fade that has passed, from 0 to 1
 
-    /// Returns the state that follows `fading_in`. Precondition: is_cross_fade().
-    int next_fading_in() const { return fading_in + 1; }
     bool is_cross_fade() const { return fading_in > 0; }
 
     friend bool operator==(const ShownStates&, const ShownStates&) = default;

@@ -28,16 +28,17 @@ TEST(ShownStates, AFlowFadesIntoTheStatesAheadOfItsFirst) {
     const LoopOptions loop{.kind = LoopKind::Flow, .fade = 0.375};
     EXPECT_EQ(states_before_first_frame(loop, 8), 3);
     EXPECT_EQ(shown_states(1, loop, 8), (ShownStates{.state = 4, .next = 5}));
-    EXPECT_EQ(shown_states(5, loop, 8), (ShownStates{.state = 8, .next = 9}));
+    EXPECT_EQ(shown_states(4, loop, 8), (ShownStates{.state = 7, .next = 8}));
+    EXPECT_EQ(shown_states(5, loop, 8), (ShownStates{.state = 8, .next = 9, .next_fading_in = 1}));
     for (int k = 1; k <= 3; ++k) {
         const ShownStates shown = shown_states(5 + k, loop, 8);
         EXPECT_EQ(shown.state, 8 + k);
         EXPECT_EQ(shown.next, 9 + k);
         EXPECT_EQ(shown.fading_in, k);
-        EXPECT_EQ(shown.next_fading_in(), k + 1);
+        EXPECT_EQ(shown.next_fading_in, k + 1);
     }
     EXPECT_EQ(shown_states(9, loop, 8), shown_states(1, loop, 8));
-    EXPECT_EQ(shown_states(8, loop, 8).next_fading_in(), shown_states(9, loop, 8).state);
+    EXPECT_EQ(shown_states(8, loop, 8).next_fading_in, shown_states(9, loop, 8).state);
     EXPECT_EQ(frame_of_state(11, loop, 8), 8);
     EXPECT_EQ(frame_of_state(2, loop, 8), 1);
 }
@@ -54,7 +55,7 @@ TEST(ShownStates, AllFramesOfAFlowMayFade) {
     const LoopOptions loop{.kind = LoopKind::Flow, .fade = 1.0};
     EXPECT_EQ(shown_states(1, loop, 4).fading_in, 1);
     EXPECT_EQ(shown_states(4, loop, 4).fading_in, 4);
-    EXPECT_EQ(shown_states(4, loop, 4).next_fading_in(), shown_states(5, loop, 4).state);
+    EXPECT_EQ(shown_states(4, loop, 4).next_fading_in, shown_states(5, loop, 4).state);
     // However short the fade, a frame has it.
     EXPECT_EQ(states_before_first_frame({.kind = LoopKind::Flow, .fade = 0.01}, 4), 1);
     EXPECT_EQ(shown_states(1, {.kind = LoopKind::Flow, .fade = 0.01}, 1).fading_in, 1);

@@ -125,7 +125,7 @@ TEST(FrameAssembly, NeedsTheStatesOfItsFramesAndThoseAfterThem) {
 }
 
 // The last four of eight frames fade. The frames show states 5 to 12; the last four also show
-// states 1 to 4.
+// states 1 to 4. The next frame of each frame is the frame that is shown after it.
 TEST(SimulateFrames, AFlowFadesIntoItsBeginning) {
     Preset preset = small_preset();
     preset.loop = {.kind = LoopKind::Flow, .fade = 0.5};
@@ -134,6 +134,7 @@ TEST(SimulateFrames, AFlowFadesIntoItsBeginning) {
     std::vector<int> numbers;
     std::shared_ptr<const Frame> first;
     std::shared_ptr<const Frame> last_next;
+    std::shared_ptr<const Frame> next;
     simulate_frames(preset,
                     1,
                     {1, 2, 3, 4, 5, 6, 7, 8},
@@ -143,6 +144,10 @@ TEST(SimulateFrames, AFlowFadesIntoItsBeginning) {
                         numbers.push_back(number);
                         first = number == 1 ? shown.frame : first;
                         last_next = shown.fading_in.next;
+                        if (next) {
+                            EXPECT_EQ(next->positions, shown.frame->positions) << number;
+                        }
+                        next = shown.next;
                         EXPECT_NEAR(shown.frame->time, (3 + number) * step, 1e-9);
                         EXPECT_NEAR(shown.next->time, (4 + number) * step, 1e-9);
                         ASSERT_EQ(shown.fading_in.frame != nullptr, number > 4);
