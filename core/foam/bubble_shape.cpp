@@ -60,14 +60,17 @@ AreaMoments moments_of(const Frame& frame, BubbleId bubble) {
 }
 
 // Sets elongation and orientation. The eigenvalues of the second moments about the center are
-// mean +- spread. Each is proportional to the square of an axis of the ellipse.
+// mean +- spread. Each is proportional to the square of an axis of the ellipse. Sets nothing if an
+// eigenvalue is not positive.
 void set_ellipse(BubbleShape& shape, const AreaMoments& moments) {
     const Mat2 central = moments.second - moments.first * moments.first.transpose() / moments.area;
     const double mean = 0.5 * (central(0, 0) + central(1, 1));
     const double difference = 0.5 * (central(0, 0) - central(1, 1));
     const double spread = std::sqrt(difference * difference + central(0, 1) * central(0, 1));
-    shape.elongation = std::sqrt((mean + spread) / (mean - spread));
-    shape.orientation = 0.5 * ieee::atan2(central(0, 1), difference);
+    if (mean > spread) {
+        shape.elongation = std::sqrt((mean + spread) / (mean - spread));
+        shape.orientation = 0.5 * ieee::atan2(central(0, 1), difference);
+    }
 }
 
 }  // namespace
@@ -78,12 +81,11 @@ BubbleShape bubble_shape(const Frame& frame, BubbleId bubble) {
         shape.perimeter += arc_length(frame.arc(h));
     }
     shape.center = frame.positions[frame.network.tail(frame.network.first(bubble))];
+    shape.elongation = shape.orientation = std::numeric_limits<double>::quiet_NaN();
     const AreaMoments moments = moments_of(frame, bubble);
     if (moments.area > 0.0) {
         shape.center += moments.first / moments.area;
         set_ellipse(shape, moments);
-    } else {
-        shape.elongation = shape.orientation = std::numeric_limits<double>::quiet_NaN();
     }
     return shape;
 }

@@ -19,7 +19,9 @@ struct BubbleShape {
 };
 
 /// Returns the shape of a bubble of the network. If the bubble is inverted, so that its area is not
-/// positive, elongation and orientation are NaN, and the center is its first junction.
+/// positive, elongation and orientation are NaN, and the center is its first junction. Elongation
+/// and orientation are also NaN if the bubble overlaps itself so that no ellipse has its second
+/// moments.
 BubbleShape bubble_shape(const Frame& frame, BubbleId bubble);
 
 /// Returns the shape of a lone bubble, a circle.

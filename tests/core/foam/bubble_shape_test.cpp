@@ -4,6 +4,7 @@
 
 #include "core/dynamics/shear.h"
 #include "core/foam/honeycomb.h"
+#include "core/foam/measure.h"
 #include "tests/core/foams.h"
 #include "tests/support/sample_foams.h"
 
@@ -126,6 +127,22 @@ TEST(BubbleShape, AgreesWithPolygonsOfPointsOnTheArcs) {
             }
         }
     }
+}
+
+// The bubble has the form of an eight: a left lobe of area 0.5, and a smaller right lobe, which is
+// inverted. Its second moment along the x axis is negative.
+TEST(BubbleShape, ABubbleThatOverlapsItselfMayHaveNoEllipse) {
+    Foam foam = honeycomb(4, 4);
+    const std::vector<Vec2> corners = {
+        {1.0, 1.0}, {2.6, 1.8}, {2.6, 1.5}, {2.6, 1.2}, {1.0, 2.0}, {1.0, 1.5}};
+    std::size_t k = 0;
+    for (const HalfEdgeId h : foam.network.around(BubbleId{5})) {
+        foam.positions[foam.network.tail(h)] = corners[k++];
+    }
+    ASSERT_NEAR(bubble_area(foam, BubbleId{5}), 0.5 - 0.18, 1e-14);
+    const BubbleShape shape = shape_of(foam, BubbleId{5});
+    EXPECT_TRUE(std::isnan(shape.elongation));
+    EXPECT_TRUE(std::isnan(shape.orientation));
 }
 
 TEST(BubbleShape, AnInvertedBubbleHasNoEllipse) {

@@ -32,10 +32,11 @@ struct Bubble {
     double pressure = 0.0;
     double perimeter = 0.0;  ///< total length of its films
     /// Longer divided by shorter axis of the ellipse with the same second moments of area. NaN for
-    /// an inverted bubble, whose area is not positive.
+    /// an inverted bubble, whose area is not positive, and for some bubbles that overlap
+    /// themselves.
     double elongation = 1.0;
     /// Angle from the x axis to the longer axis, counter-clockwise, in radians, -pi/2 to pi/2. NaN
-    /// for an inverted bubble.
+    /// if the elongation is NaN.
     double orientation = 0.0;
 };
 
