@@ -19,9 +19,9 @@ namespace {
 
 constexpr int kMaxSweeps = 20;
 
-// A sweep ends at the latest after a certain number of consecutive moves without a new best
-// separator. The number is kMovesWithoutProgressPerNode times the number of nodes of the separator
-// at the start of the sweep, but at most kMaxMovesWithoutProgress.
+// A sweep ends at the latest after a certain number of consecutive moves of which only the first
+// may have found a new best separator. The number is kMovesWithoutProgressPerNode times the number
+// of nodes of the separator at the start of the sweep, but at most kMaxMovesWithoutProgress.
 constexpr std::size_t kMovesWithoutProgressPerNode = 4;
 constexpr std::size_t kMaxMovesWithoutProgress = 1000;
 
