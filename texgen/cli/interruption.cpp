@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <string_view>
 
@@ -26,6 +27,7 @@ std::string_view stop_note;
 // The signal handler: stores the signal and writes a note. Calls only functions that a signal
 // handler may call.
 void take_signal(int signal) {
+    const int error = errno;  // of the code that the signal interrupts
     stop_signal = signal;
     // If stderr is a pipe without a reader, the write must fail instead of ending the process.
     struct sigaction ignore {};
@@ -34,6 +36,7 @@ void take_signal(int signal) {
     sigaction(SIGPIPE, &ignore, &before);
     [[maybe_unused]] const auto written = write(STDERR_FILENO, stop_note.data(), stop_note.size());
     sigaction(SIGPIPE, &before, nullptr);
+    errno = error;
 }
 
 }  // namespace

@@ -9,8 +9,11 @@
 #include "texgen/manifest/set_choice.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -121,6 +124,18 @@ TEST(Interruption, RangesThatAreBeingFittedStop) {
         stopped_in_phase("--maps height --set loop.kind=none", "ranges: frame 0 of 20000");
     EXPECT_EQ(outcome.code, 130);
     EXPECT_EQ(outcome.written, (std::vector<std::string>{"err"}));
+}
+
+// The handler cannot write its note, which sets errno.
+TEST(Interruption, TheInterruptedCodeKeepsItsErrno) {
+    const auto run = [] {
+        handle_stop_signals(Stopping::Soon);
+        close(STDERR_FILENO);
+        errno = 0;
+        std::raise(SIGTERM);
+        std::_Exit(errno);
+    };
+    EXPECT_EXIT(run(), testing::ExitedWithCode(0), "");
 }
 
 TEST(Interruption, WithoutASignalNothingIsThrown) {
