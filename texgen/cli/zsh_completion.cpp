@@ -105,14 +105,15 @@ class ZshScript {
                 : fmt::format(":{}:{}",
                               zsh_escaped(option.value),
                               zsh_action(values_of(option, words_), false, key_function_));
-        const std::string tail = fmt::format("[{}]{}", zsh_escaped(option.meaning), value);
-        const std::string repeated = option.repeats ? "*" : "";
-        return option.names.size() > 1
-                   ? fmt::format(" \\\n        '({})'{{{}}}'{}'",
-                                 joined(option.names),
-                                 fmt::join(option.names, ","),
-                                 tail)
-                   : fmt::format(" \\\n        '{}{}{}'", repeated, option.names.front(), tail);
+        const bool has_several = option.names.size() > 1;
+        const std::string names = has_several
+                                      ? fmt::format("'{{{}}}'", fmt::join(option.names, ","))
+                                      : option.names.front();
+        // Unless an option may be repeated, each of its names excludes the others.
+        std::string mark = has_several ? fmt::format("({})", joined(option.names)) : "";
+        mark = option.repeats ? "*" : mark;
+        return fmt::format(
+            " \\\n        '{}{}[{}]{}'", mark, names, zsh_escaped(option.meaning), value);
     }
 
     std::string positional_spec(const ArgumentGrammar& positional) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "tests/texgen/cli/run_program.h"
+#include "texgen/cli/completion.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,18 @@ TEST(ZshCompletion, OffersRepeatableOptionsAgain) {
         EXPECT_NE(script.find(std::string("'*") + option), std::string::npos) << option;
     }
     EXPECT_EQ(script.find("'*--size"), std::string::npos);
+}
+
+TEST(ZshCompletion, ARepeatableOptionMayHaveSeveralNames) {
+    CommandGrammar program;
+    program.name = "brew";
+    program.options.push_back({{"-h", "--herb"}, "NAME", "What to add", true});
+    program.options.push_back({{"-c", "--cups"}, "N", "How many", false});
+    const std::string script = zsh_completion(program, {});
+    EXPECT_NE(script.find("        '*'{-h,--herb}'[What to add]:NAME:_files'"), std::string::npos);
+    EXPECT_NE(script.find("        '(-c --cups)'{-c,--cups}'[How many]:N:_files'"),
+              std::string::npos)
+        << script;
 }
 
 }  // namespace
