@@ -117,16 +117,14 @@ void check_choice(const EventCheck& check, bool may_choose_all) {
                   "kind",
                   "the event must have one of the keys bubble, at and sides, which choose bubbles");
     for (const BubbleIdentity bubble : event.bubbles) {
-        check.require(
+        check.require_fit(
             static_cast<std::int64_t>(bubble) < check.setting.identities,
             "bubble",
-            check.qualified_reason(
-                "bubble",
-                ": ",
-                fmt::format("must be below {}, the sum of foam.bubbles and the bubbles that events "
-                            "create; there is no bubble {}",
-                            check.setting.identities,
-                            bubble)));
+            ": ",
+            fmt::format("must be below {}, the sum of foam.bubbles and the bubbles that events "
+                        "create; there is no bubble {}",
+                        check.setting.identities,
+                        bubble));
     }
     check.require(!check.is_given("count") || !event.sides.empty(),
                   "count",

@@ -30,28 +30,37 @@ struct EventCheck {
     const EventBase& event;
     FrameSpan frames;  // frames of the event; computed from its time if it has one
     EventSetting setting;
-    std::string name;               // name of the event in messages, such as "event[2]"
-    bool has_assigned_key = false;  // true if a key of this event was assigned
+    std::string name;  // name of the event in messages, such as "event[2]"
     std::function<bool(std::string_view key)> is_given;  // true if the key was assigned
-    // Throws PresetError, whose message contains the reason.
+    // Throws PresetError. The message contains the reason, and begins with an assignment to the key
+    // or, if the key was not assigned, to another key of the event.
     std::function<void(std::string_view key, std::string_view reason)> reject;
+    // Throws PresetError. The message contains the reason, and begins with an assignment to a key
+    // outside of the event, such as foam.bubbles, on which the allowed values of events depend.
+    std::function<void(std::string_view reason)> reject_foam;
 
-    /// Calls `reject` with the key and the reason unless the condition `holds`.
+    /// Calls `reject` with the key and the reason unless the condition `holds`. For conditions on
+    /// keys of the event alone.
     void require(bool holds, std::string_view key, std::string_view reason) const {
         if (!holds) {
             reject(key, reason);
         }
     }
-    /// Returns the reason to report for a wrong value of a key of the event. If a key of the event
-    /// was assigned, the reason is `text`. Otherwise the error message begins with an assigned key
-    /// outside of the event, such as foam.bubbles. The reason is then "event[2].key" + separator +
-    /// text, so that the message names the key of the event, too.
-    std::string qualified_reason(std::string_view key,
-                                 std::string_view separator,
-                                 std::string_view text) const {
-        return has_assigned_key
-                   ? std::string(text)
-                   : name + '.' + std::string(key) + std::string(separator) + std::string(text);
+    /// Rejects a value of a key that does not fit the foam, unless the condition `holds`. If the
+    /// key was assigned, calls `reject` with the reason `text`. Otherwise the foam was changed.
+    /// Then calls `reject_foam` with the reason "event[2].key" + separator + text, so that the
+    /// message names the key of the event, too.
+    void require_fit(bool holds,
+                     std::string_view key,
+                     std::string_view separator,
+                     std::string_view text) const {
+        if (holds) {
+            return;
+        }
+        if (is_given(key)) {
+            reject(key, text);
+        }
+        reject_foam(name + '.' + std::string(key) + std::string(separator) + std::string(text));
     }
 };
 

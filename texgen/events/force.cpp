@@ -28,13 +28,11 @@ void check_force(const EventCheck& check, const ForceOptions& options) {
                   "kind",
                   "the event must have the key at, the position of the push");
     const double largest = 0.5 * check.setting.shorter_side;
-    check.require(
+    check.require_fit(
         check.setting.is_patch || options.radius <= largest,
         "radius",
-        check.qualified_reason(
-            "radius",
-            " ",
-            fmt::format("must be at most {:.3g}, half of the shorter side of the torus", largest)));
+        " ",
+        fmt::format("must be at most {:.3g}, half of the shorter side of the torus", largest));
 }
 
 void advance_force(const EventBase& event, const ForceOptions& options, EventContext& context) {

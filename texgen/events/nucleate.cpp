@@ -32,11 +32,10 @@ Keys<NucleateOptions> nucleate_keys() {
 
 void check_nucleate(const EventCheck& check, const NucleateOptions& options) {
     const double t2_area = check.setting.t2_area;
-    check.require(options.area > t2_area,
-                  "area",
-                  check.has_assigned_key
-                      ? fmt::format("must be above dynamics.t2_area = {}", t2_area)
-                      : fmt::format("must be below {}.area = {}", check.name, options.area));
+    check.require_fit(options.area > t2_area,
+                      "area",
+                      fmt::format(" = {} ", options.area),
+                      fmt::format("must be above dynamics.t2_area = {}", t2_area));
     check.require(!check.event.at || check.event.count == 1,
                   "count",
                   "must be 1 if the event has a position (the key 'at')");

@@ -16,10 +16,10 @@ Keys<ShearOptions> shear_keys() {
 }
 
 void check_shear(const EventCheck& check, const ShearOptions& /*options*/) {
-    check.require(!check.setting.is_patch,
-                  "kind",
-                  check.qualified_reason(
-                      "kind", " = ", "\"shear\" is only allowed with foam.domain = \"torus\""));
+    check.require_fit(!check.setting.is_patch,
+                      "kind",
+                      " = ",
+                      "\"shear\" is only allowed with foam.domain = \"torus\"");
 }
 
 void advance_shear(const EventBase& event, const ShearOptions& options, EventContext& context) {

@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -80,26 +81,26 @@ constexpr std::array<std::string_view, 7> kKeysThatLimitEvents{"foam.domain",
                                                                "frames.step_growth",
                                                                "frames.warm_up"};
 
-// Returns the last assignment to a key in kKeysThatLimitEvents. If there is none, returns the last
-// of all assignments.
-const Assignment& last_of_keys_that_limit_events(std::span<const Assignment> assignments) {
+// Returns the last assignment to a key in kKeysThatLimitEvents, or nullptr if there is none.
+const Assignment* last_of_keys_that_limit_events(std::span<const Assignment> assignments) {
     const auto last = std::find_if(assignments.rbegin(), assignments.rend(), [](const auto& one) {
         return std::find(kKeysThatLimitEvents.begin(), kKeysThatLimitEvents.end(), one.key) !=
                kKeysThatLimitEvents.end();
     });
-    return last != assignments.rend() ? *last : assignments.back();
+    return last != assignments.rend() ? &*last : nullptr;
 }
 
-// Rejects the last assignment to the key `name` of an event. If this key is not assigned, rejects
-// the last assignment to any key of the event. If no key of the event is assigned, rejects the
-// assignment that last_of_keys_that_limit_events returns.
-[[noreturn]] void reject_event(std::span<const Assignment> assignments,
-                               std::size_t number,
-                               std::string_view name,
+// Rejects the first candidate that is not null. If all are null, rejects the last of all
+// assignments.
+[[noreturn]] void reject_first(std::initializer_list<const Assignment*> candidates,
+                               std::span<const Assignment> assignments,
                                std::string_view reason) {
-    const Assignment* last = last_of(assignments, number, name);
-    last = last != nullptr ? last : last_of(assignments, number);
-    reject(last != nullptr ? *last : last_of_keys_that_limit_events(assignments), reason);
+    for (const Assignment* const candidate : candidates) {
+        if (candidate != nullptr) {
+            reject(*candidate, reason);
+        }
+    }
+    reject(assignments.back(), reason);
 }
 
 void check_keys_of_kind(const EventCheck& check, const Event& event) {
@@ -141,16 +142,27 @@ EventSetting setting_of(const Preset& preset) {
 EventCheck check_of(const Preset& preset,
                     std::size_t number,
                     std::span<const Assignment> assignments) {
-    return {
-        .event = preset.events[number - 1],
-        .frames = {},
-        .setting = setting_of(preset),
-        .name = fmt::format("event[{}]", number),
-        .has_assigned_key = last_of(assignments, number) != nullptr,
-        .is_given =
-            [=](std::string_view key) { return last_of(assignments, number, key) != nullptr; },
-        .reject = [=](std::string_view key,
-                      std::string_view reason) { reject_event(assignments, number, key, reason); }};
+    return {.event = preset.events[number - 1],
+            .frames = {},
+            .setting = setting_of(preset),
+            .name = fmt::format("event[{}]", number),
+            .is_given =
+                [=](std::string_view key) { return last_of(assignments, number, key) != nullptr; },
+            .reject =
+                [=](std::string_view key, std::string_view reason) {
+                    reject_first({last_of(assignments, number, key),
+                                  last_of(assignments, number),
+                                  last_of_keys_that_limit_events(assignments)},
+                                 assignments,
+                                 reason);
+                },
+            .reject_foam =
+                [=](std::string_view reason) {
+                    reject_first(
+                        {last_of_keys_that_limit_events(assignments), last_of(assignments, number)},
+                        assignments,
+                        reason);
+                }};
 }
 
 void check_event(EventCheck check, const Event& event, const Preset& preset) {
@@ -161,9 +173,10 @@ void check_event(EventCheck check, const Event& event, const Preset& preset) {
     check_keys_of_kind(check, event);
     check_frames(check);
     const std::optional<FrameSpan> frames = frames_of(event, preset.frames);
-    check.require(
+    check.require_fit(
         frames.has_value(),
         "time",
+        " ",
         fmt::format(
             "must be a time of frame {} or earlier; frames.time_step, frames.step_growth and "
             "frames.warm_up determine the times of frames",

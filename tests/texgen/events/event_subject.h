@@ -7,6 +7,7 @@
 #include "texgen/preset/assignment.h"
 
 #include <string>
+#include <string_view>
 
 namespace foam::texgen::test {
 
@@ -30,7 +31,8 @@ struct EventSubject {
     }
 };
 
-/// Returns the message with which a check rejects an event, "key: reason", or "accepted".
+/// Returns the message with which a check rejects an event: "key: reason"; "foam: reason" if it
+/// calls EventCheck::reject_foam; or "accepted". Only the key `given` counts as assigned.
 template <class Options>
 std::string checked(const EventBase& event,
                     const Options& options,
@@ -38,17 +40,19 @@ std::string checked(const EventBase& event,
                     const EventSetting& setting = {.is_patch = false,
                                                    .t2_area = 0.01,
                                                    .shorter_side = 4.0},
-                    bool has_assigned_key = true) {
-    const EventCheck all{.event = event,
-                         .frames = event.frames,
-                         .setting = setting,
-                         .name = "event[1]",
-                         .has_assigned_key = has_assigned_key,
-                         .is_given = [](std::string_view) { return false; },
-                         .reject =
-                             [](std::string_view key, std::string_view reason) {
-                                 throw PresetError(std::string(key) + ": " + std::string(reason));
-                             }};
+                    std::string_view given = {}) {
+    const EventCheck all{
+        .event = event,
+        .frames = event.frames,
+        .setting = setting,
+        .name = "event[1]",
+        .is_given = [=](std::string_view key) { return key == given; },
+        .reject =
+            [](std::string_view key, std::string_view reason) {
+                throw PresetError(std::string(key) + ": " + std::string(reason));
+            },
+        .reject_foam =
+            [](std::string_view reason) { throw PresetError("foam: " + std::string(reason)); }};
     try {
         check(all, options);
     } catch (const PresetError& error) {

@@ -43,10 +43,10 @@ TEST(Force, FitsTheTorus) {
     const EventBase event = force_at(0.0, 0.0);
     const ForceOptions large{.radius = 2.1};
     EXPECT_EQ(test::checked(event, ForceOptions{.radius = 2.0}, check_force, torus), "accepted");
-    EXPECT_EQ(test::checked(event, large, check_force, torus),
+    EXPECT_EQ(test::checked(event, large, check_force, torus, "radius"),
               "radius: must be at most 2, half of the shorter side of the torus");
-    EXPECT_EQ(test::checked(event, large, check_force, torus, false),
-              "radius: event[1].radius must be at most 2, half of the shorter side of the torus");
+    EXPECT_EQ(test::checked(event, large, check_force, torus, "push"),
+              "foam: event[1].radius must be at most 2, half of the shorter side of the torus");
     EXPECT_EQ(test::checked(event, large, check_force, patch), "accepted");
 }
 

@@ -41,10 +41,10 @@ TEST(Nucleate, ANewBubbleIsLargerThanTheT2Area) {
     const EventSetting setting{.is_patch = false, .t2_area = 0.2, .shorter_side = 4.0};
     EXPECT_EQ(test::checked(event, NucleateOptions{.area = 0.3}, check_nucleate, setting),
               "accepted");
-    EXPECT_EQ(test::checked(event, NucleateOptions{.area = 0.2}, check_nucleate, setting),
+    EXPECT_EQ(test::checked(event, NucleateOptions{.area = 0.1}, check_nucleate, setting, "area"),
               "area: must be above dynamics.t2_area = 0.2");
-    EXPECT_EQ(test::checked(event, NucleateOptions{.area = 0.2}, check_nucleate, setting, false),
-              "area: must be below event[1].area = 0.2");
+    EXPECT_EQ(test::checked(event, NucleateOptions{.area = 0.1}, check_nucleate, setting, "growth"),
+              "foam: event[1].area = 0.1 must be above dynamics.t2_area = 0.2");
 }
 
 TEST(Nucleate, OnlyOneBubbleBeginsAtAPosition) {

@@ -30,10 +30,10 @@ TEST(Shear, SharesItsStrainAmongTheFrames) {
 TEST(Shear, IsForATorus) {
     const EventSetting patch{.is_patch = true, .t2_area = 0.01, .shorter_side = 4.0};
     EXPECT_EQ(test::checked(shear_event(), ShearOptions{}, check_shear), "accepted");
-    EXPECT_EQ(test::checked(shear_event(), ShearOptions{}, check_shear, patch),
+    EXPECT_EQ(test::checked(shear_event(), ShearOptions{}, check_shear, patch, "kind"),
               "kind: \"shear\" is only allowed with foam.domain = \"torus\"");
-    EXPECT_EQ(test::checked(shear_event(), ShearOptions{}, check_shear, patch, false),
-              "kind: event[1].kind = \"shear\" is only allowed with foam.domain = \"torus\"");
+    EXPECT_EQ(test::checked(shear_event(), ShearOptions{}, check_shear, patch, "strain"),
+              "foam: event[1].kind = \"shear\" is only allowed with foam.domain = \"torus\"");
 }
 
 TEST(Shear, LimitsHoldOnBothSides) {
