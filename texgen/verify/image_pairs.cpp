@@ -27,10 +27,12 @@ struct SideImage {
     std::optional<int> frame{};
 };
 
+using SideImages = std::map<std::string, SideImage>;
+
 // All images of one side, by their paths relative to the folder of the side.
 struct Side {
     fs::path folder;
-    std::map<std::string, SideImage> images;
+    SideImages images;
 };
 
 enum class Kind { File, Pattern, Folder, Manifest };
@@ -140,15 +142,23 @@ std::vector<ImagePair> pairs_of_patterns(const std::string& a, const std::string
     return pairs;
 }
 
-// Returns the images that a manifest lists.
-std::map<std::string, SideImage> images_in(const Manifest& manifest) {
-    std::map<std::string, SideImage> images;
+// Returns the images that a manifest lists. Vector files are left out.
+SideImages images_in(const Manifest& manifest) {
+    SideImages images;
     for (const BakedSet& set : manifest.sets) {
         for (const ManifestFile& file : set.files) {
-            images[file.path] = {file.maps.size() == 1 ? file.maps.front() : "", file.frame};
+            if (find_format(file.path) != nullptr) {
+                images[file.path] = {file.maps.size() == 1 ? file.maps.front() : "", file.frame};
+            }
         }
     }
     return images;
+}
+
+// Returns what is known about the image with the given path.
+SideImage known_of(const SideImages& images, const std::string& path) {
+    const auto found = images.find(path);
+    return found != images.end() ? found->second : SideImage{};
 }
 
 Side side_of_manifest(const std::string& file) {
@@ -157,29 +167,22 @@ Side side_of_manifest(const std::string& file) {
 
 Side side_of_folder(const std::string& name) {
     Side side{name, {}};
-    const std::map<std::string, SideImage> listed = images_in(manifest_in(name));
+    const SideImages listed = images_in(manifest_in(name));
     for (const auto& entry : fs::recursive_directory_iterator(name)) {
         if (entry.is_directory() || find_format(entry.path().string()) == nullptr) {
             continue;
         }
         const std::string path = entry.path().lexically_relative(name).generic_string();
-        const auto found = listed.find(path);
-        side.images[path] = found != listed.end() ? found->second : SideImage{};
+        side.images[path] = known_of(listed, path);
     }
     return side;
-}
-
-// Returns what is known about the image with a path, which may not exist.
-SideImage image_of(const Side& side, const std::string& path) {
-    const auto found = side.images.find(path);
-    return found != side.images.end() ? found->second : SideImage{};
 }
 
 std::vector<ImagePair> pairs_of_sides(const Side& a, const Side& b) {
     std::vector<ImagePair> pairs;
     visit_keys(a.images, b.images, [&](const std::string& path, Presence presence) {
-        const SideImage left = image_of(a, path);
-        const SideImage right = image_of(b, path);
+        const SideImage left = known_of(a.images, path);
+        const SideImage right = known_of(b.images, path);
         pairs.push_back({a.folder / path,
                          b.folder / path,
                          presence,

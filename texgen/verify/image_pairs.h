@@ -32,7 +32,8 @@ struct ImagePair {
 ///                      name of an existing file is not a pattern
 ///     folders          one pair per path of an image relative to the folder, in all subfolders;
 ///                      if a folder has a manifest, it determines the map and frame of an image
-///     manifests        one pair per file that at least one of the manifests lists, by path
+///     manifests        one pair per image that at least one of the manifests lists, by path;
+///                      vector files are left out, as they are in folders
 ///
 /// If `frames` is given, `a` and `b` are patterns, even if files have these names. The result then
 /// has a pair for each of these frames, whether its files exist or not. Without `frames`, pairs are

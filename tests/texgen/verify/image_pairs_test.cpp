@@ -115,6 +115,13 @@ TEST_F(ImagePairs, AnImageOfSeveralMapsHasAFrame) {
     }
 }
 
+TEST_F(ImagePairs, VectorFilesOfManifestsAreLeftOut) {
+    BakedSet set = small_set("p", {1, 2}, {1, 2});
+    set.files.back().path = "drawing.svg";
+    add_manifest("a", set);
+    EXPECT_EQ(pairs("a/manifest.json", "a/manifest.json"), Texts{"= a/p_height.1.png"});
+}
+
 // The folder of the second manifest has a file that this manifest does not list.
 TEST_F(ImagePairs, ManifestsPairTheFilesThatTheyList) {
     add_manifest("a", small_set("p", {1, 2}, {1, 2}));
