@@ -110,6 +110,15 @@ double Seam::ratio() const {
     return is_comparable ? across / largest_within : kInfinite;
 }
 
+void WorstSeam::add(const Seam& one, int number) {
+    const bool is_worse = one.across > seam.across || std::isnan(one.across);
+    if (frame == 0 || (is_worse && !std::isnan(seam.across))) {
+        seam.across = one.across;
+        frame = number;
+    }
+    seam.largest_within = max_or_nan(seam.largest_within, one.largest_within);
+}
+
 TileSeams tile_seams(std::span<const ChannelGroup* const> groups, Difference difference) {
     if (groups.empty()) {
         return {};

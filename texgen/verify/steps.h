@@ -25,6 +25,16 @@ struct Seam {
     double ratio() const;
 };
 
+/// The largest step across a seam, and the largest of all other steps, over several frames. NaN
+/// counts as the largest step.
+struct WorstSeam {
+    Seam seam;
+    int frame = 0;  // the first frame with the largest step across the seam; 0 if there is no frame
+
+    /// Adds the seam of the frame with the given number.
+    void add(const Seam& one, int number);
+};
+
 /// The seams of an image that should tile. `columns` is the seam between the last column and the
 /// first column; its other steps are the steps between adjacent columns within the image. `rows` is
 /// the corresponding seam of the rows.

@@ -63,7 +63,7 @@ class MapCheck {
             loop_.across = step(*last_, *first_);
             found_.loop = loop_;
         }
-        if (const Border& border = worse_border(); border.frame > 0) {
+        if (const WorstSeam& border = worse_border(); border.frame > 0) {
             found_.tile = border.seam;
             found_.tile_frame = border.frame;
         }
@@ -89,23 +89,8 @@ class MapCheck {
         rows_.add(seams.rows, frame);
     }
 
-    // The largest step across the border between the last and the first column (or row), and the
-    // largest other step, over all frames.
-    struct Border {
-        Seam seam;
-        int frame = 0;  // the frame with the largest step across the border; 0 if there is no frame
-
-        void add(const Seam& one, int number) {
-            if (frame == 0 || one.across > seam.across) {
-                seam.across = one.across;
-                frame = number;
-            }
-            seam.largest_within = max_or_nan(seam.largest_within, one.largest_within);
-        }
-    };
-
     // Returns the border whose step is larger relative to the largest other step (Seam::ratio).
-    const Border& worse_border() const {
+    const WorstSeam& worse_border() const {
         return columns_.seam.ratio() > rows_.seam.ratio() ? columns_ : rows_;
     }
 
@@ -122,8 +107,8 @@ class MapCheck {
     int last_frame_ = 0;
     int steps_ = 0;  // number of steps that were measured between successive frames of the period
     Seam loop_;
-    Border columns_;
-    Border rows_;
+    WorstSeam columns_;
+    WorstSeam rows_;
 };
 
 // Adds problems for missing frames: one line for all maps with the same missing frames.

@@ -87,6 +87,29 @@ TEST(Steps, AreMeansOverAllChannels) {
     EXPECT_EQ(step_between(Groups{&a}, Groups{&a}, Difference::Ids), 0.0);
 }
 
+// The seam of a frame without steps has the ratio 0, so a later NaN must count.
+TEST(Steps, NoNumberIsTheWorstSeam) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    WorstSeam worst;
+    worst.add({0.0, 0.0}, 1);
+    EXPECT_EQ(worst.seam.ratio(), 0.0);
+    worst.add({kNan, kNan}, 2);
+    worst.add({5.0, 1.0}, 3);
+    worst.add({kNan, 1.0}, 4);
+    EXPECT_TRUE(std::isinf(worst.seam.ratio()));
+    EXPECT_EQ(worst.frame, 2);
+}
+
+TEST(Steps, TheWorstSeamIsThatOfTheLargestStepAcrossIt) {
+    WorstSeam worst;
+    worst.add({2.0, 8.0}, 5);
+    worst.add({4.0, 1.0}, 6);
+    worst.add({3.0, 2.0}, 7);
+    EXPECT_EQ(worst.seam.across, 4.0);
+    EXPECT_EQ(worst.seam.largest_within, 8.0);
+    EXPECT_EQ(worst.frame, 6);
+}
+
 TEST(Steps, ImagesOfOtherFormsAreInfinitelyDifferent) {
     const ChannelGroup a = row_group({0, 4});
     const ChannelGroup b = row_group({0, 4, 4});
