@@ -45,6 +45,8 @@ void add_sets(const StudioFolder& studio, const std::filesystem::path& manifest,
         }
     } catch (const InputError&) {
         // A folder with a damaged manifest is not offered.
+    } catch (const PathRejected&) {
+        // Neither is a folder that no request may name.
     }
 }
 

@@ -11,7 +11,7 @@
 namespace foam::texgen {
 
 /// Returns the answer to /api/bakes (README.md): the baked sets below the folder. A manifest that
-/// cannot be read is left out.
+/// cannot be read, or whose folder StudioFolder::below rejects, is left out.
 Json describe_baked_sets(const StudioFolder& folder);
 
 /// An image of a baked set.

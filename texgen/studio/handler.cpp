@@ -3,7 +3,6 @@
 #include "texgen/studio/handler.h"
 
 #include "texgen/image/memory.h"
-#include "texgen/json/json_value.h"
 #include "texgen/studio/page_files.h"
 #include "texgen/studio/program_description.h"
 #include "texgen/studio/routes.h"
@@ -115,8 +114,9 @@ HttpResponse Studio::answer_api(const HttpRequest& request) {
         if (!is_post || request.target != "/api/session") {
             return refused;
         }
-        const JsonDocument body(request.body, "the request");
-        return access_.exchange(body.root()["token"].text()).value_or(std::move(refused));
+        return answer_json(request.body, [&](const JsonValue& body) {
+            return access_.exchange(body["token"].text()).value_or(std::move(refused));
+        });
     }
     last_request_ = std::chrono::steady_clock::now();
     if (request.target == "/api/session") {

@@ -210,6 +210,17 @@ HttpResponse json_response(const Json& json) {
     return {.body = json_text(json)};
 }
 
+HttpResponse answer_json(const std::string& body,
+                         const std::function<HttpResponse(const JsonValue& request)>& answer) {
+    std::optional<JsonDocument> document;
+    try {
+        document.emplace(body, "the request");
+    } catch (const InputError& error) {
+        return error_response(HttpStatus::BadRequest, error.what());
+    }
+    return answer(document->root());
+}
+
 std::optional<HttpResponse> answer_post(const std::string& target,
                                         const std::string& body,
                                         const StudioParts& parts) {
@@ -217,14 +228,9 @@ std::optional<HttpResponse> answer_post(const std::string& target,
     if (route == kRoutes.end()) {
         return std::nullopt;
     }
-    std::optional<JsonDocument> document;
-    try {
-        document.emplace(body, "the request");
-    } catch (const InputError& error) {
-        return error_response(HttpStatus::BadRequest, error.what());
-    }
     const StudioRoutes routes(parts.folder, parts.store, parts.painter, parts.bakes);
-    return (routes.*route->answer)(document->root());
+    return answer_json(body,
+                       [&](const JsonValue& request) { return (routes.*route->answer)(request); });
 }
 
 }  // namespace foam::texgen

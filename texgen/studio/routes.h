@@ -2,12 +2,14 @@
 
 #pragma once
 
+#include "texgen/json/json_value.h"
 #include "texgen/studio/bake_job.h"
 #include "texgen/studio/folder.h"
 #include "texgen/studio/frame_store.h"
 #include "texgen/studio/http_message.h"
 #include "texgen/studio/picture.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -20,6 +22,11 @@ struct StudioParts {
     Painter& painter;
     BakeJobs& bakes;
 };
+
+/// Returns answer(request) for the JSON in the body of a request. Returns an error response of the
+/// status BadRequest if the body is not JSON.
+HttpResponse answer_json(const std::string& body,
+                         const std::function<HttpResponse(const JsonValue& request)>& answer);
 
 /// Returns the answer to a POST request whose access has been checked; nullopt if `target` is not
 /// the path of such a request (README.md). Returns an error response if the body is not JSON.

@@ -193,6 +193,9 @@ TEST_F(StudioTest, DescribesTheProgram) {
 TEST_F(StudioTest, MalformedRequestsAreNamed) {
     EXPECT_EQ(raw("/api/settings", "{").status, HttpStatus::BadRequest);
     EXPECT_EQ(raw("/api/settings", "").status, HttpStatus::BadRequest);
+    HttpRequest without_cookie = request("/api/session", "{");
+    without_cookie.cookie.clear();
+    EXPECT_EQ(Studio(folder(), 8080).handle(without_cookie).status, HttpStatus::BadRequest);
     EXPECT_EQ(post("/api/settings", Json::array()).status, HttpStatus::Unprocessable);
     Json wrong = picture("lit");
     wrong["frame"] = "two";
@@ -353,6 +356,16 @@ TEST_F(StudioTest, ShowsBakedImages) {
     Json outside = lit;
     outside["folder"] = "..";
     EXPECT_EQ(post("/api/baked", outside).status, HttpStatus::Unprocessable);
+}
+
+// The name of a folder may contain any byte but '/'.
+TEST_F(StudioTest, FoldersThatCannotBeReadDoNotEndTheGallery) {
+    fs::create_directories(folder() / "a" / "manifest.json");
+    for (const char* name : {"damaged", "two\nlines", "not UTF-8 \xff"}) {
+        fs::create_directory(folder() / name);
+        std::ofstream(folder() / name / "manifest.json") << "{}";
+    }
+    EXPECT_EQ(answer("/api/bakes", Json::object())["bakes"], Json::array());
 }
 
 // A pixel of a baked image has the numbers of the live picture, up to the rounding of its codes.
