@@ -20,9 +20,12 @@ constexpr std::string_view kMark =
     "# Written by foamtex vary, which replaces this file the next time. Rename it to keep it.\n";
 constexpr std::string_view kSuffix = ".toml";
 
+// Returns true if write_variation has written the file. Folders and other files that are not
+// regular have no mark.
 bool has_mark(const std::filesystem::path& path) {
-    const Bytes content = read_file(path, kPresetInput);
-    return as_text(content).starts_with(kMark);
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error) &&
+           as_text(read_file(path, kPresetInput)).starts_with(kMark);
 }
 
 }  // namespace

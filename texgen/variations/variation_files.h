@@ -23,7 +23,7 @@ class VariationFiles {
     std::filesystem::path preset(std::size_t number) const;
 
     /// Returns the preset files of variations that earlier runs wrote into the folder. Throws
-    /// OutputError if a file with such a name was not written by write_variation.
+    /// OutputError if a file or folder with such a name was not written by write_variation.
     std::vector<std::filesystem::path> earlier() const;
 
   private:

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <string>
 
 namespace foam::texgen {
 namespace {
@@ -31,6 +32,19 @@ TEST(VariationFiles, FindsThoseOfAnEarlierRun) {
     EXPECT_THAT(files.earlier(), testing::ElementsAre(folder.path() / "lava_07.toml"));
     std::ofstream(folder.path() / "lava_2.toml") << "extends = \"lava\"\n";
     EXPECT_THROW(files.earlier(), OutputError);
+}
+
+TEST(VariationFiles, AFolderWithSuchANameIsNotReplaced) {
+    const TemporaryFolder folder;
+    make_folders(folder.path() / "lava_1.toml");
+    try {
+        VariationFiles(folder.path(), "lava", 3).earlier();
+        FAIL() << "nothing was thrown";
+    } catch (const OutputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "'" + (folder.path() / "lava_1.toml").string() +
+                      "' would be replaced, but was not written by foamtex vary");
+    }
 }
 
 }  // namespace
