@@ -14,9 +14,10 @@ namespace foam {
 
 namespace {
 
-constexpr int kTransientCycles = 2;      // changes in these first cycles do not count
-constexpr double kMemory = 0.8;          // fraction of the unrest that is left after a cycle
-constexpr double kRestlessUnrest = 1.4;  // a bubble with at least this unrest is restless
+constexpr int kTransientCycles = 2;  // changes in these first cycles do not count
+constexpr double kMemory = 0.8;      // fraction of the unrest that is left after a cycle
+// A bubble whose neighbors have just changed is restless if its unrest is at least this.
+constexpr double kRestlessUnrest = 1.4;
 
 }  // namespace
 

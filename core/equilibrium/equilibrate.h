@@ -43,7 +43,7 @@ EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);
 /// Performs the last steps of an equilibration, which are the same for all solvers. Undoes the
 /// drift of the whole foam since it had the positions `before` (undo_drift), centers the pressures
 /// (center_pressures) and restores the full T1 distance of grown films (E7; rearm_grown_films).
-/// Returns the given summary, completed by the remaining errors and the energy. `has_stopped` is
+/// Returns the given summary with the errors and the energy of the resulting foam. `has_stopped` is
 /// true if the solver has stopped by itself; the status then becomes Converged or ToleranceMissed.
 /// It is false if the limit of rounds has stopped the solver; the status is then not changed.
 EquilibriumSummary conclude(Foam& foam,

@@ -8,8 +8,8 @@
 
 namespace foam {
 
-// The limits of files that the program reads. They bound the memory and the time that a file from
-// an untrusted source can cost. SECURITY.md lists them.
+// The limits of files that the program reads. They bound the memory and the time that reading a
+// file from an untrusted source can cost. SECURITY.md lists them.
 
 /// A kind of input file.
 struct InputKind {

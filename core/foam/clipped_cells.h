@@ -14,7 +14,8 @@ namespace foam {
 
 /// The cells of a diagram, clipped to an outline.
 struct ClippedCells {
-    PolygonMesh mesh;           // each part of a cell within the outline is a cell of the mesh
+    // Has one cell for each part, within the outline, of a cell of the diagram.
+    PolygonMesh mesh;
     std::vector<Vec2> centers;  // per cell of the diagram: lloyd_center of its largest part, or of
                                 // the whole cell if no part is within the outline
 };

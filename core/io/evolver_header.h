@@ -15,8 +15,9 @@ namespace foam::evolver {
 struct Header {
     Domain domain;  // the plane for a free cluster
     Parameters parameters;
-    // The factor of the length of all edges in the energies of the file: for each of these energies,
-    // its modulus times the sum of the moduli of its methods. Added to the tension of the films.
+    // The factor of the length of all edges in the energies of the file: for each of these
+    // energies, its modulus times the sum of the moduli of its methods. Added to the tension of the
+    // films.
     double added_tension = 0.0;
     std::vector<std::string> notes;  // remarks on ignored statements, one line each
 };

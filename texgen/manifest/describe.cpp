@@ -58,9 +58,9 @@ ManifestConventions conventions_of(const MapOptions& maps) {
     };
 }
 
-/// Returns a hash of the version of foamtex, the name of the preset, all its keys except
-/// image.maps, output.scene and output.measurements, and the files that it names, so that bakes of
-/// different maps belong to one set.
+/// Returns a hash of the version of foamtex, the name of the preset, the content of the files that
+/// its keys name, and all its keys except three: image.maps, output.scene and output.measurements.
+/// Because of these exceptions, bakes of different maps belong to one set.
 std::string parameters_of(Preset preset) {
     preset.image.maps = Preset().image.maps;
     preset.output.scene.clear();

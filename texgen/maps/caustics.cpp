@@ -27,8 +27,8 @@ namespace {
 // the grid by whole pixels shifts the image exactly.
 
 constexpr double kIndexOfWater = 1.33;  // refractive index
-// Positions on the floor are in units of 1 / kUnit of a pixel. kUnit is a multiple of twice every
-// number of rays per pixel (1 to 8), so that rays start at whole units.
+// Positions on the floor are in units of 1 / kUnit of a pixel. kUnit is a multiple of 2 n for
+// every number n of rays per pixel in each direction (1 to 8), so that rays start at whole units.
 constexpr std::int64_t kUnit = 1680;
 constexpr double kFarthest = 16384.0;  // largest motion of a ray in x or y, pixels
 
@@ -101,8 +101,8 @@ Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth,
                                static_cast<std::size_t>(x);
             const Vec2 slope(slopes.x.samples()[index], slopes.y.samples()[index]);
             const Vec2 motion = (reach * slope).cwiseMin(farthest).cwiseMax(-farthest);
-            // The middle of the square is at (x + 1/2) / samples, its lower left corner half a
-            // pixel to the left of the middle and below it.
+            // Before the motion, the middle of the square is at ((x + 1/2) / samples,
+            // (y + 1/2) / samples). Its lower left corner is half a pixel further left and lower.
             const auto start = [samples](std::int64_t at) {
                 return (2 * at + 1 - samples) * (kUnit / (std::int64_t{2} * samples));
             };

@@ -27,8 +27,8 @@ inline std::int32_t rounded(float x) {
 }
 
 /// Computes the points at which an arc crosses horizontal and vertical lines. The arc rises from
-/// its tail and is monotone in y. It is also monotone in x, except in unbounded_x_at. Coordinates
-/// are relative to the tail of the arc.
+/// its tail and is monotone in y. All functions except unbounded_x_at require that it is also
+/// monotone in x. Coordinates are relative to the tail of the arc.
 ///
 /// Let d be the chord of the arc, from tail to head, and alpha half the angle by which the arc
 /// turns left. Let q be the vector from the middle of the chord to a point. The point is on the
@@ -101,8 +101,10 @@ class CrossingSolver {
 };
 
 /// A rising arc, in subpixels, whose crossings are rounded to the nearest subpixel. The crossings
-/// of an arc that is at most 256 pixels wide and high are computed in floats; before rounding,
-/// their errors are up to 1/10 subpixel. The crossings of any other arc are computed in doubles.
+/// of an arc that is at most 256 pixels wide and high are computed in floats; before rounding, the
+/// computed points are less than 1/10 subpixel away from the arc. Where the arc is nearly parallel
+/// to the line, the crossing itself can be off by more. The crossings of any other arc are computed
+/// in doubles.
 class RoundedCrossings {
   public:
     RoundedCrossings() = default;
