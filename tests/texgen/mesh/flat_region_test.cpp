@@ -83,8 +83,8 @@ TEST(FlatRegion, ACrossingMayBeTheFirstPoint) {
 }
 
 // On a grid of step 1, the edge from (11, 0) to (5, 1) crosses the side of the square at (10, 1/6),
-// which is rounded to the corner (10, 0). The edge from (5, 1) to (11, -4) crosses the lower side at
-// (6.2, 0), which is rounded to (6, 0). The triangle (6, 0), (11, -4), (11, 0) is outside.
+// which is rounded to the corner (10, 0). The edge from (5, 1) to (11, -4) crosses the lower side
+// at (6.2, 0), which is rounded to (6, 0). The triangle (6, 0), (11, -4), (11, 0) is outside.
 TEST(FlatRegion, ACrossingMayBeACorner) {
     PointTable points{PrintGrid(1 << 22)};
     const std::vector<Edge> edges =
