@@ -47,6 +47,21 @@ test("the readout of a baked set has its numbers", () =>
         assert.deepEqual(errors, []);
     }));
 
+test("each set of a folder can be shown", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        const bake = ["bake", "pebbles", "--frames", "1", "--set", "frames.count=1", "--maps", "height"];
+        await run([...bake, "--size", "128"], { cwd: folder });
+        await run([...bake, "--size", "64", "--out", "out/{preset}_{map}.####.exr"], { cwd: folder });
+        const { page, errors } = await open_studio(browser, studio.url);
+        const entries = page.locator("#gallery-bakes button");
+        for (const [index, width] of [128, 64].entries()) {
+            await entries.nth(index).click();
+            await page.waitForFunction((size) => window.studio.view.picture?.width === size, width);
+            assert.equal(await page.locator("#gallery-bakes button[aria-current]").count(), 1);
+        }
+        assert.deepEqual(errors, []);
+    }));
+
 test("a bake can be cancelled", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page } = await open_studio(browser, studio.url);

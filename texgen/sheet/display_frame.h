@@ -13,10 +13,10 @@ namespace foam::texgen {
 /// code.
 inline constexpr std::uint8_t kBackgroundGray = 0x2b;
 
-/// A frame for display, with red, green and blue from 0 to 1. Colors are linear light, composited
-/// over kBackgroundGray. In a map of data, 0 stands for the number that the smallest code (integer
-/// sample) of a PNG represents, and 1 for the number that the largest code represents, even if the
-/// file is not a PNG.
+/// A frame for display, with red, green and blue from 0 to 1. Colors are linear light; if they have
+/// an opacity (MapSamples::alpha), they are composited over kBackgroundGray. In a map of data, 0
+/// stands for the number that the smallest code (integer sample) of a PNG represents, and 1 for the
+/// number that the largest code represents, even if the file is not a PNG.
 struct DisplayFrame {
     static constexpr int kColors = 3;
 

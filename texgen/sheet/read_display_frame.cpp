@@ -31,6 +31,11 @@ bool is_light_in(const ManifestMap& map) {
     return map.samples->color_space != "data";
 }
 
+// Returns true if the images of a map have an opacity. The channel A of a packed image is none.
+bool has_opacity_in(const ManifestMap& map) {
+    return map.samples->alpha != "none";
+}
+
 // Returns a table with the value of each code of the sample type, from 0 to 1: linear light for
 // colors, which are stored as sRGB codes, and the scaled code for data.
 template <class Sample>
@@ -44,12 +49,13 @@ std::vector<float> values_of_codes(bool is_light) {
     return values;
 }
 
-// Returns the frame of an image of codes. If the image has two or four channels, the last one is
-// the opacity.
+// Returns the frame of an image of codes. If the map has an opacity and the image has two or four
+// channels, the last channel is the opacity.
 template <class Sample>
-DisplayFrame shown_codes(const Image<Sample>& image, bool is_light) {
+DisplayFrame shown_codes(const Image<Sample>& image, const ManifestMap& map) {
+    const bool is_light = is_light_in(map);
     const std::vector<float> values = values_of_codes<Sample>(is_light);
-    const bool has_alpha = image.channels() % 2 == 0;
+    const bool has_alpha = has_opacity_in(map) && image.channels() % 2 == 0;
     const float background = values[kBackgroundGray * (values.size() - 1) / 255];
     DisplayFrame frame{Image<float>(image.width(), image.height(), DisplayFrame::kColors),
                        is_light};
@@ -160,7 +166,8 @@ DisplayFrame shown_numbers(const Picture& picture, const MapFile& file, const Ma
             });
         }
     }
-    if (const PictureChannel* const opacity = find_channel(channels, "A"); is_light && opacity) {
+    const PictureChannel* const opacity = find_channel(channels, "A");
+    if (has_opacity_in(map) && opacity != nullptr) {
         add_background(frame.pixels, *opacity);
     }
     return frame;
@@ -175,10 +182,10 @@ DisplayFrame read_display_frame(const MapFile& file, const ManifestMap& map) {
     }
     const Samples& samples = picture.groups.front().samples;
     if (const auto* const codes = std::get_if<Image<std::uint8_t>>(&samples)) {
-        return shown_codes(*codes, is_light_in(map));
+        return shown_codes(*codes, map);
     }
     if (const auto* const codes = std::get_if<Image<std::uint16_t>>(&samples)) {
-        return shown_codes(*codes, is_light_in(map));
+        return shown_codes(*codes, map);
     }
     return shown_numbers(picture, file, map);
 }

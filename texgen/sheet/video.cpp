@@ -56,10 +56,11 @@ void run_ffmpeg(Arguments arguments) {
 
 // The colors of the PNG are sRGB, which has the primaries of BT.709. Primaries, transfer function
 // and matrix are declared in the video. 4:2:0 requires an even width and height, so odd sizes are
-// cropped.
+// cropped, but a single row or column of pixels is doubled.
 Arguments mp4_arguments() {
     return {"-vf",
-            "crop=floor(iw/2)*2:floor(ih/2)*2:0:0,scale=out_color_matrix=bt709:flags=accurate_rnd",
+            "crop='max(1,floor(iw/2)*2)':'max(1,floor(ih/2)*2)':0:0,"
+            "scale='max(2,iw)':'max(2,ih)':out_color_matrix=bt709:flags=accurate_rnd",
             "-c:v",
             "libx264",
             "-preset",

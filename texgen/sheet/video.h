@@ -12,7 +12,9 @@ namespace foam::texgen {
 
 /// A format in which the external program `ffmpeg` encodes a video.
 enum class VideoFormat {
-    Mp4,  // H.264 with 4:2:0 chroma, for wide support; an odd width or height is cropped by 1 pixel
+    // H.264 with 4:2:0 chroma, for wide support. An odd width or height is cropped by 1 pixel; a
+    // width or height of 1 pixel is doubled.
+    Mp4,
     Gif,  // 256 colors, repeated endlessly
 };
 

@@ -190,8 +190,8 @@ lowest_strain = highest_strain = 0
 yield_stress = yield_strain = 0
 modulus = NaN
 unit(frame) = sqrt(area[int(frame)]) / film_tension
-add_strain(strain, stress) = (lowest_strain = strain < lowest_strain ? strain : lowest_strain, \
-    highest_strain = strain > highest_strain ? strain : highest_strain, \
+add_strain(strain, stress) = (lowest_strain = stress_rows == 0 || strain < lowest_strain ? strain : lowest_strain, \
+    highest_strain = stress_rows == 0 || strain > highest_strain ? strain : highest_strain, \
     first_strain = stress_rows == 0 ? strain : first_strain, \
     first_stress = stress_rows == 0 ? stress : first_stress, \
     yield_strain = stress_rows == 0 || stress > yield_stress ? strain : yield_strain, \

@@ -30,7 +30,7 @@ enum class ChartStatus { Drawn, NoGnuplot, GnuplotFailed };
 ///                    pressures, and von Neumann's law
 ///     stress         shear stress and normal stress difference over strain, in units of film
 ///                    tension / sqrt(mean area); the slope of the shear modulus of the first frame,
-///                    and the largest shear stress; only if the strain of a frame is not 0
+///                    and the largest shear stress; only if the frames have different strains
 ///     seconds        wall time per frame against the number of bubbles, and the times in Figure 5
 ///                    of the paper
 std::string charts_script(const RunRecord& run);

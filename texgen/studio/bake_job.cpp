@@ -83,17 +83,18 @@ Json BakeJobs::start(const BakeRequest& request) {
             throw BakeRuns("another bake is running; wait for it or cancel it");
         }
     }
-    if (job_) {
+    if (job_ && job_->thread.joinable()) {
         job_->thread.join();
     }
-    const std::string command = plan.command;
-    job_ = std::make_unique<Job>();
-    job_->number = ++count_;
-    job_->preset = std::move(plan.preset);
-    job_->frames = std::move(plan.frames);
-    job_->resume = request.resume;
-    job_->thread = std::thread([this, job = job_.get()] { run(*job); });
-    return {{"bake", count_}, {"command", command.empty() ? Json(nullptr) : Json(command)}};
+    auto next = std::make_unique<Job>();
+    next->number = ++count_;
+    next->preset = std::move(plan.preset);
+    next->frames = std::move(plan.frames);
+    next->resume = request.resume;
+    next->thread = std::thread([this, job = next.get()] { run(*job); });
+    job_ = std::move(next);
+    return {{"bake", count_},
+            {"command", plan.command.empty() ? Json(nullptr) : Json(plan.command)}};
 }
 
 void BakeJobs::run(Job& job) {

@@ -141,17 +141,17 @@ BakeRequest read_bake_request(const JsonValue& request) {
 
 BakePlan plan_of(const BakeRequest& request, const StudioFolder& folder) {
     PagePreset loaded = load_settings(request.settings, folder);
-    BakePlan plan{.preset = std::move(loaded.preset)};
+    BakePlan plan{.preset = std::move(loaded.base)};
     try {
-        std::vector<Assignment> later = std::move(loaded.assignments);
+        std::vector<Assignment> later = std::move(loaded.located);
         const std::vector<Assignment> own = assignments_of(request);
         later.insert(later.end(), own.begin(), own.end());
         if (request.profile) {
             // Only shipped profiles: a page must not read other files.
-            assign(plan.preset,
-                   profile_assignments(std::string(find_shipped_profile(*request.profile).name),
-                                       load_settings({request.settings.preset}, folder).preset,
-                                       later));
+            assign(
+                plan.preset,
+                profile_assignments(
+                    std::string(find_shipped_profile(*request.profile).name), plan.preset, later));
         }
         assign(plan.preset, later);
     } catch (const PresetError& error) {

@@ -37,6 +37,7 @@ void add_sets(const StudioFolder& studio, const std::filesystem::path& manifest,
                     {{"name", map.name}, {"kind", map.samples ? map.samples->kind : ""}});
             }
             all.push_back({{"folder", folder},
+                           {"set", set.parameters},
                            {"preset", set.preset},
                            {"size", {set.width, set.height}},
                            {"frames", set.frames()},
@@ -78,9 +79,10 @@ HttpResponse picture_of(const MapSequence& sequence, int side) {
 MapSequence sequence_of(const StudioFolder& folder, const BakedImage& image) {
     const std::filesystem::path path = folder.below(image.folder);
     const Manifest manifest = read_manifest(path);
-    const auto set = std::ranges::find(manifest.sets, image.preset, &BakedSet::preset);
+    const auto set = std::ranges::find(manifest.sets, image.set, &BakedSet::parameters);
     if (set == manifest.sets.end()) {
-        throw std::invalid_argument(fmt::format("no images of '{}' were baked", image.preset));
+        throw std::invalid_argument(
+            "there is no such set of images; refresh the list of baked sets");
     }
     MapSequence sequence = map_sequence(*set, path, image.map, std::span(&image.frame, 1));
     folder.below(sequence.files.front().path.lexically_relative(folder.path()).string());

@@ -17,15 +17,15 @@ Json describe_baked_sets(const StudioFolder& folder);
 /// An image of a baked set.
 struct BakedImage {
     std::string folder;  // folder of the manifest, relative to the folder of the studio
-    std::string preset;  // name of the preset
+    std::string set;     // BakedSet::parameters
     std::string map;
     int frame = 1;
 };
 
 /// Returns the answer to /api/baked: an image, reduced so that its longer side has at most `side`
 /// pixels. Throws PathRejected; InputError if the manifest or the image cannot be read or shown, or
-/// if the frame was not baked; and std::invalid_argument if the preset or the map was not baked, or
-/// has no pixels.
+/// if the frame was not baked; and std::invalid_argument if the set does not exist, or if the map
+/// was not baked or has no pixels.
 HttpResponse baked_picture(const StudioFolder& folder, const BakedImage& image, int side);
 
 /// Returns the answer to /api/baked/pick: the samples of the file of an image at a point. `x` and

@@ -43,7 +43,7 @@ HttpResponse attachment(std::span<const std::byte> content,
 }
 
 /// Bakes frames of one map into a scratch folder, as PNGs or SVGs, and returns the contents of
-/// their files, in the order of the frames.
+/// their files, in the order of the frames. Throws SimulationFailed if a frame cannot be simulated.
 std::vector<Bytes> baked_frames(Preset preset,
                                 const std::string& map,
                                 const std::vector<int>& frames,
@@ -57,6 +57,9 @@ std::vector<Bytes> baked_frames(Preset preset,
     preset.output.primaries = Primaries::Srgb;
     preset.output.sheets = SheetKind::None;
     const BakeSummary summary = bake(preset, {.frames = frames, .source = source});
+    if (const std::string failure = failure_of(summary.outcome); !failure.empty()) {
+        throw SimulationFailed(failure);
+    }
     std::vector<Bytes> files;
     for (const std::filesystem::path& path : summary.files) {
         files.push_back(read_file(path, kImageInput));

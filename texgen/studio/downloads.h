@@ -13,28 +13,28 @@
 namespace foam::texgen {
 
 // The answers to /api/download (README.md): files that the browser saves. Frames are baked. The
-// foam is not simulated again if the store keeps all frames of the preset.
+// foam is not simulated again if the store keeps all frames of the preset. The functions that bake
+// throw the exceptions of bake, and SimulationFailed if the foam has no equilibrium or the loop
+// does not close.
 
 /// Returns the preset file of the settings.
 HttpResponse preset_download(const PageSettings& settings, const PagePreset& loaded);
 
-/// Returns a frame of a map as the PNG that a bake writes. Throws the exceptions of bake.
+/// Returns a frame of a map as the PNG that a bake writes.
 HttpResponse frame_download(const Preset& preset,
                             const std::string& map,
                             int frame,
                             FrameStore& store);
 
 /// Returns a frame as the SVG that a bake writes. If vector.content is "auto", the SVG shows the
-/// maze or the contours of the map, or the foam if the map shows neither. Throws the exceptions of
-/// bake.
+/// maze or the contours of the map, or the foam if the map shows neither.
 HttpResponse drawing_download(const Preset& preset,
                               const std::string& map,
                               int frame,
                               FrameStore& store);
 
 /// Returns all frames of a map as an animated PNG. `side` is the largest width and height of the
-/// pictures, in pixels (reduced_image); without it they have the size of the preset. Throws the
-/// exceptions of bake.
+/// pictures, in pixels (reduced_image); without it they have the size of the preset.
 HttpResponse loop_download(Preset preset,
                            const std::string& map,
                            std::optional<int> side,

@@ -33,7 +33,7 @@ std::filesystem::path StudioFolder::below(const std::string& relative) const {
     const std::filesystem::path given(relative);
     const bool leaves = given.is_absolute() || std::ranges::find(given, "..") != given.end();
     const auto reject = [&](const char* reason) {
-        throw PathRejected(fmt::format("'{}': {}", relative, reason));
+        throw PathRejected(fmt::format("'{}': {}", shown_text(relative), reason));
     };
     if (leaves) {
         reject("must be a path below the folder of the studio");

@@ -29,9 +29,10 @@ struct FrameRun {
     RunProgress progress = {};
     std::optional<RunOutcome> outcome = {};  // nullopt before the end, and after an exception
     std::string failure = {};                // the reason of a failure, otherwise empty
-    bool is_dropped = false;                 // true if the simulation is to be stopped
+    std::string drop_reason = {};  // why the simulation is to be stopped; empty if it is not
 
     bool is_finished() const { return outcome || !failure.empty(); }
+    bool is_dropped() const { return !drop_reason.empty(); }
 
     // Returns true if all states of a frame are kept. States are kept in increasing order.
     bool has_states(int frame) const;

@@ -22,6 +22,8 @@ namespace {
 constexpr std::size_t kBytesPerBubble = 2500;
 constexpr std::size_t kLargestRuns = 8;
 constexpr std::size_t kLargestDrafts = 48;
+// The memory of all drafts, as a fraction of the memory of the runs: 1 / kDraftShare.
+constexpr std::size_t kDraftShare = 4;
 
 // Stops a simulation that nobody wants any more.
 class Stopped : public std::exception {};
@@ -32,11 +34,14 @@ std::vector<int> numbers_to(int last) {
     return numbers;
 }
 
+// Returns the memory of a state of the foam of a preset, in bytes.
+std::size_t state_bytes(const Preset& preset) {
+    return kBytesPerBubble * static_cast<std::size_t>(preset.seeding.bubbles);
+}
+
 // Returns how many frames fit in the memory.
 int frames_that_fit(const Preset& preset, std::size_t bytes) {
-    const std::size_t per_state =
-        kBytesPerBubble * static_cast<std::size_t>(preset.seeding.bubbles) + 1;
-    const std::size_t states = std::max<std::size_t>(2, bytes / per_state);
+    const std::size_t states = std::max<std::size_t>(2, bytes / (state_bytes(preset) + 1));
     return static_cast<int>(std::min(static_cast<std::size_t>(preset.frames.count), states - 1));
 }
 
@@ -75,10 +80,13 @@ SimulatedFrame FrameStore::frame(const Preset& preset,
             preset.frames.count));
     }
     changed_.wait(lock, [&] {
-        return is_stopped_ || run->is_dropped || run->is_finished() || run->has_states(number);
+        return is_stopped_ || run->is_dropped() || run->is_finished() || run->has_states(number);
     });
-    if (is_stopped_ || (run->is_dropped && !run->has_states(number))) {
-        throw FrameReplaced("the page has asked for another foam");
+    if (is_stopped_) {
+        throw FrameReplaced("the studio ends");
+    }
+    if (run->is_dropped() && !run->has_states(number)) {
+        throw FrameReplaced(run->drop_reason);
     }
     if (!run->has_states(number)) {
         throw SimulationFailed(run->failure);
@@ -100,10 +108,11 @@ SimulatedFrame FrameStore::draft(const Preset& preset) {
     const std::string simulation = simulation_hash(quick);
     {
         const std::scoped_lock lock(mutex_);
-        const auto found = std::ranges::find(
-            drafts_, simulation, [](const auto& one) { return std::string_view(one.first); });
+        const auto found = std::ranges::find(drafts_, simulation, [](const Draft& draft) {
+            return std::string_view(draft.simulation);
+        });
         if (found != drafts_.end()) {
-            return found->second;
+            return found->frame;
         }
     }
     SimulatedFrame frame;
@@ -113,9 +122,24 @@ SimulatedFrame FrameStore::draft(const Preset& preset) {
         throw SimulationFailed(failure_of(outcome));
     }
     const std::scoped_lock lock(mutex_);
-    drafts_.emplace_front(simulation, frame);
-    drafts_.resize(std::min(drafts_.size(), kLargestDrafts));
+    drafts_.push_front({simulation, state_bytes(quick), frame});
+    forget_old_drafts();
     return frame;
+}
+
+// Forgets the drafts that were drawn first until the rest fits in the memory. Precondition: the
+// mutex is locked.
+void FrameStore::forget_old_drafts() {
+    std::size_t bytes = 0;
+    std::size_t kept = 0;
+    for (const Draft& draft : drafts_) {
+        bytes += draft.bytes;
+        if (kept == kLargestDrafts || (kept > 0 && bytes > bytes_ / kDraftShare)) {
+            break;
+        }
+        ++kept;
+    }
+    drafts_.resize(kept);
 }
 
 FrameSource FrameStore::source(const Preset& preset) {
@@ -155,10 +179,10 @@ FrameStore::RunPointer FrameStore::want_run(const Preset& preset, const std::str
     for (const RunPointer& run : runs_) {
         run->pages.erase(page);
         if (run->pages.empty() && !run->is_finished() && run->simulation != simulation) {
-            run->is_dropped = true;
+            run->drop_reason = "the page has asked for another foam";
         }
     }
-    runs_.remove_if([](const RunPointer& run) { return run->is_dropped; });
+    runs_.remove_if([](const RunPointer& run) { return run->is_dropped(); });
     auto found = std::ranges::find(
         runs_, simulation, [](const RunPointer& run) { return std::string_view(run->simulation); });
     if (found == runs_.end()) {
@@ -172,19 +196,21 @@ FrameStore::RunPointer FrameStore::want_run(const Preset& preset, const std::str
     return runs_.front();
 }
 
-// Forgets the runs that were wanted longest ago until the rest fits in the memory.
+// Forgets runs until the rest fits in the memory: first the finished ones, then the others, of
+// both first those that were wanted longest ago. The run that was wanted last is kept.
 void FrameStore::forget_old_runs() {
+    std::vector<RunPointer> order(runs_.begin(), runs_.end());
+    std::stable_partition(
+        order.begin() + 1, order.end(), [](const RunPointer& run) { return !run->is_finished(); });
     std::size_t bytes = 0;
     std::size_t count = 0;
-    for (auto run = runs_.begin(); run != runs_.end();) {
-        bytes += (*run)->states.size() * kBytesPerBubble *
-                 static_cast<std::size_t>((*run)->preset.seeding.bubbles);
-        const bool fits = ++count == 1 || (count <= kLargestRuns && bytes <= bytes_);
-        if (!fits) {
-            (*run)->is_dropped = true;
+    for (const RunPointer& run : order) {
+        bytes += run->states.size() * state_bytes(run->preset);
+        if (++count > 1 && (count > kLargestRuns || bytes > bytes_)) {
+            run->drop_reason = "a foam that was asked for later needs the memory";
         }
-        run = fits ? std::next(run) : runs_.erase(run);
     }
+    runs_.remove_if([](const RunPointer& run) { return run->is_dropped(); });
 }
 
 SimulationState FrameStore::state_of(const FrameRun& run) const {
@@ -235,7 +261,7 @@ void FrameStore::simulate(const RunPointer& run) {
     const auto report = [&](const RunProgress& progress) {
         const std::scoped_lock lock(mutex_);
         run->progress = progress;
-        if (is_stopped_ || run->is_dropped) {
+        if (is_stopped_ || run->is_dropped()) {
             throw Stopped();
         }
     };
@@ -248,9 +274,7 @@ void FrameStore::simulate(const RunPointer& run) {
         const RunOutcome outcome = simulate_states(run->preset, 0, run->states, keep, report);
         finish(outcome, failure_of(outcome));
     } catch (const Stopped&) {
-        const std::scoped_lock lock(mutex_);
-        run->is_dropped = true;
-        changed_.notify_all();
+        return;  // those who wait know that the store is stopped, or why the run is dropped
     } catch (const std::bad_alloc&) {
         finish({}, "out of memory: use fewer bubbles or fewer frames");
     } catch (const std::exception& error) {

@@ -16,14 +16,14 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <utility>
 
 namespace foam::texgen {
 
 struct FrameRun;
 
 /// Reports that a frame will not be simulated, because the page has asked for another foam, because
-/// a foam that was wanted later needs the memory, or because the studio ends.
+/// a foam that was wanted later needs the memory, or because the studio ends. The message says
+/// which.
 class FrameReplaced : public std::runtime_error {
     using runtime_error::runtime_error;
 };
@@ -48,12 +48,13 @@ struct SimulationState {
 /// Simulates presets in the background, one at a time, and keeps the states of their foams, so that
 /// any frame can be drawn immediately, with any colors. Each page of the studio wants one foam; the
 /// foam that was wanted last is simulated first, and a simulation that no page wants any more is
-/// stopped. The foams that were wanted last are kept, at most eight and as many as memory allows.
+/// stopped. The foams that were wanted last are kept, at most eight and as many as memory allows;
+/// if it does not suffice, foams that are complete are forgotten first.
 /// Thread-safe.
 class FrameStore {
   public:
-    /// Keeps states of at most `bytes` bytes, approximately; drafts are not counted. Of a long
-    /// animation of a large foam, only the first frames may be kept.
+    /// Keeps states of at most `bytes` bytes, approximately, and drafts of at most a quarter of
+    /// that. Of a long animation of a large foam, only the first frames may be kept.
     explicit FrameStore(std::size_t bytes);
     ~FrameStore();
     FrameStore(const FrameStore&) = delete;
@@ -87,6 +88,12 @@ class FrameStore {
   private:
     using RunPointer = std::shared_ptr<FrameRun>;
 
+    struct Draft {
+        std::string simulation;  // simulation_hash of the preset of the draft
+        std::size_t bytes = 0;   // its memory, approximately
+        SimulatedFrame frame;
+    };
+
     RunPointer new_run(const Preset& preset, const std::string& simulation) const;
     RunPointer want_run(const Preset& preset, const std::string& page);
     RunPointer next_run() const;
@@ -94,12 +101,13 @@ class FrameStore {
     void simulate(const RunPointer& run);
     void work();
     void forget_old_runs();
+    void forget_old_drafts();
 
     std::size_t bytes_;
     std::mutex mutex_;  // protects all members below
     std::condition_variable changed_;
     std::list<RunPointer> runs_;  // the run that was wanted last is first
-    std::list<std::pair<std::string, SimulatedFrame>> drafts_;  // by simulation, newest first
+    std::list<Draft> drafts_;     // the newest is first
     bool is_stopped_ = false;
     std::thread worker_;  // the last member, because its thread uses the others
 };

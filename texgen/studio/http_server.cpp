@@ -78,11 +78,7 @@ class HttpServer::Listener final : public HttpConnectionOwner {
 
     void remove(const HttpConnection* connection) override {
         connections_.remove_if([&](const auto& one) { return one.get() == connection; });
-        while (!waiting_.empty() && connections_.size() <= limits_.connections) {
-            Acceptor* const acceptor = waiting_.back();
-            waiting_.pop_back();
-            accept(*acceptor);
-        }
+        accept_again();
     }
 
   private:
@@ -102,10 +98,12 @@ class HttpServer::Listener final : public HttpConnectionOwner {
 
     void accept(Acceptor& acceptor) {
         acceptor.async_accept([this, &acceptor](const error_code& error, tcp::socket socket) {
-            if (!error) {
-                connections_.push_back(std::make_shared<HttpConnection>(std::move(socket), *this));
-                connections_.back()->read();
+            if (error) {  // no file descriptor is free, for example
+                waiting_.push_back(&acceptor);
+                return;
             }
+            connections_.push_back(std::make_shared<HttpConnection>(std::move(socket), *this));
+            connections_.back()->read();
             if (connections_.size() <= limits_.connections) {
                 accept(acceptor);
             } else {
@@ -113,6 +111,15 @@ class HttpServer::Listener final : public HttpConnectionOwner {
                 close_idle();
             }
         });
+    }
+
+    // Lets the acceptors that wait accept connections, unless there are too many.
+    void accept_again() {
+        while (!waiting_.empty() && connections_.size() <= limits_.connections) {
+            Acceptor* const acceptor = waiting_.back();
+            waiting_.pop_back();
+            accept(*acceptor);
+        }
     }
 
     // Closes the connection that has waited longest for a request, except for the newest one.
@@ -129,6 +136,7 @@ class HttpServer::Listener final : public HttpConnectionOwner {
         timer_.expires_after(kTick);
         timer_.async_wait([this, &on_tick](const error_code&) {
             on_tick();
+            accept_again();
             tick(on_tick);
         });
     }
@@ -136,7 +144,8 @@ class HttpServer::Listener final : public HttpConnectionOwner {
     HttpLimits limits_;
     asio::io_context io_{1};
     std::vector<Acceptor> acceptors_;
-    std::vector<Acceptor*> waiting_;  // acceptors that wait for a connection to end
+    // Acceptors that wait for a connection to end or, after an error, for the next tick.
+    std::vector<Acceptor*> waiting_;
     // In the order in which they began to wait for a request.
     std::list<std::shared_ptr<HttpConnection>> connections_;
     asio::steady_timer timer_{io_};

@@ -41,10 +41,8 @@ int frame_of(const JsonValue& request) {
 }
 
 BakedImage baked_image(const JsonValue& request) {
-    return {request["folder"].text(),
-            request["preset"].text(),
-            request["map"].text(),
-            frame_of(request)};
+    return {
+        request["folder"].text(), request["set"].text(), request["map"].text(), frame_of(request)};
 }
 
 PictureRequest picture_request(const JsonValue& request) {

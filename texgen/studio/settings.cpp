@@ -99,19 +99,21 @@ PagePreset load_settings(const PageSettings& settings, const StudioFolder& folde
     std::vector<Assignment>& assignments = loaded.assignments;
     try {
         const bool is_file = is_preset_path(settings.preset);
-        loaded.preset =
+        loaded.base =
             load_preset(is_file ? folder.below(settings.preset).string() : settings.preset);
         for (const std::string& set : settings.set) {
             assignments.push_back(read_set_argument(set));
         }
         if (settings.events) {
-            loaded.preset.events.clear();
+            loaded.base.events.clear();
             const std::vector<Assignment> events = read_events(*settings.events);
             assignments.insert(assignments.end(), events.begin(), events.end());
         }
-        std::vector<Assignment> located = assignments;
-        locate_files(located, [&](const std::string& path) { return folder.below(path).string(); });
-        assign(loaded.preset, located);
+        loaded.located = assignments;
+        locate_files(loaded.located,
+                     [&](const std::string& path) { return folder.below(path).string(); });
+        loaded.preset = loaded.base;
+        assign(loaded.preset, loaded.located);
     } catch (const PresetError& error) {
         throw SettingsRejected(error.what(), key_of(error.what(), assignments));
     }

@@ -44,13 +44,16 @@ PageSettings read_settings(const JsonValue& request);
 
 /// A preset with the settings of a page.
 struct PagePreset {
-    Preset preset;
-    // The changes to the preset. Paths of files are relative to the folder of the studio.
+    Preset
+        base;  // the preset without the changes, and without its events if the page replaces them
+    std::vector<Assignment> located;  // the changes, with absolute paths of files
+    Preset preset;                    // `base` with the changes
+    // The changes as the page gives them: paths of files are relative to the folder of the studio.
     std::vector<Assignment> assignments;
 };
 
-/// Loads the preset of a page and stores its changes in it. Throws SettingsRejected if a value is
-/// not allowed or the preset does not exist, and PathRejected.
+/// Loads the preset of a page and stores the changes of the page in it. Throws SettingsRejected if
+/// a value is not allowed or the preset does not exist, and PathRejected.
 PagePreset load_settings(const PageSettings& settings, const StudioFolder& folder);
 
 /// Returns the preset of load_settings. Throws as load_settings does, and SettingsRejected if the

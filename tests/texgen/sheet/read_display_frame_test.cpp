@@ -29,9 +29,35 @@ TEST(ReadDisplayFrame, IsCompositedOverTheBackground) {
     const auto image = picture(2, 1, 4, {255, 0, 0, 0, 255, 255, 255, 51});
     const double background = srgb_to_linear(kBackgroundGray / 255.0);
     const Srgb8 mixed = to_srgb8({0.2 + 0.8 * background, 0.0, 0.0});
-    EXPECT_EQ(codes(shown(image, "sRGB")),
+    EXPECT_EQ(codes(shown(image, "sRGB", "straight")),
               (std::vector<std::uint8_t>{
                   kBackgroundGray, kBackgroundGray, kBackgroundGray, mixed.r, mixed.r, mixed.r}));
+}
+
+// The channel A of a packed image, of data or of colors, is no opacity.
+TEST(ReadDisplayFrame, ShowsPackedImagesWithoutTheirChannelA) {
+    const auto image = picture(1, 1, 4, {10, 244, 20, 50});
+    for (const char* color_space : {"data", "sRGB"}) {
+        EXPECT_EQ(codes(shown(image, color_space)), (std::vector<std::uint8_t>{10, 244, 20}));
+    }
+}
+
+// Premultiplied colors, as in an EXR of a patch: 0.2 of white light, and the background.
+TEST(ReadDisplayFrame, AddsTheBackgroundToPremultipliedColors) {
+    const TemporaryFolder folder;
+    const MapFile file{.path = folder.path() / "a.exr"};
+    Image<float> fifth(1, 1, 1);
+    fifth.samples()[0] = 0.2F;
+    write_exr(file.path,
+              std::vector<ExrChannel>{{"A", SampleType::Float, fifth.view()},
+                                      {"Y", SampleType::Float, fifth.view()}});
+    const double mixed = 0.2 + 0.8 * srgb_to_linear(kBackgroundGray / 255.0);
+    const std::uint8_t code = to_srgb8({mixed, mixed, mixed}).r;
+    EXPECT_EQ(codes(read_display_frame(file, map_of("linear sRGB", "premultiplied"))),
+              (std::vector<std::uint8_t>{code, code, code}));
+    const std::uint8_t opaque = to_srgb8({0.2, 0.2, 0.2}).r;
+    EXPECT_EQ(codes(read_display_frame(file, map_of("linear sRGB"))),
+              (std::vector<std::uint8_t>{opaque, opaque, opaque}));
 }
 
 // Of a range from -1 to 3: 0 lies a quarter of the way, 64 of 255; the ends hold what lies beyond.

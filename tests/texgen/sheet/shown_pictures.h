@@ -12,20 +12,23 @@
 
 namespace foam::texgen {
 
-/// Returns the entry of a manifest for a map with this color space.
-inline ManifestMap map_of(const char* color_space) {
+/// Returns the entry of a manifest for a map with this color space and this kind of opacity.
+inline ManifestMap map_of(const char* color_space, const char* alpha = "none") {
     ManifestMap map;
     map.samples = MapSamples{};
     map.samples->color_space = color_space;
+    map.samples->alpha = alpha;
     return map;
 }
 
 /// Writes samples to a PNG. Returns the frame as a preview shows it.
 template <class Sample>
-DisplayFrame shown(const Image<Sample>& image, const char* color_space) {
+DisplayFrame shown(const Image<Sample>& image,
+                   const char* color_space,
+                   const char* alpha = "none") {
     const TemporaryFolder folder;
     write_png(folder.path() / "a.png", image.view());
-    return read_display_frame({.path = folder.path() / "a.png"}, map_of(color_space));
+    return read_display_frame({.path = folder.path() / "a.png"}, map_of(color_space, alpha));
 }
 
 /// Returns an image of these codes, pixel by pixel.

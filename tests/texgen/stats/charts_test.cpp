@@ -130,6 +130,11 @@ TEST_F(Charts, StressIsDrawnOverStrainIfTheFoamIsSheared) {
     RunRecord run = run_of_kinds();
     draw(run);
     EXPECT_FALSE(has_chart("stress"));
+    RunRecord one = run;
+    one.frames.resize(1);
+    one.frames[0].effort.strain = 0.2;
+    draw(one);
+    EXPECT_FALSE(has_chart("stress"));
     const std::vector<double> strains{0.0, 0.2, 0.4};
     const std::vector<double> stresses{0.0, 0.1, 0.08};
     for (std::size_t k = 0; k < 3; ++k) {

@@ -31,6 +31,17 @@ TEST(StudioFolder, RejectsPathsThatLeaveIt) {
     }
 }
 
+TEST(StudioFolder, MessagesAreOneLine) {
+    const ScratchFolder scratch;
+    const StudioFolder folder(scratch.path());
+    try {
+        folder.below("a\nb.toml");
+        FAIL() << "not rejected";
+    } catch (const PathRejected& error) {
+        EXPECT_STREQ(error.what(), "'a b.toml': must not contain control characters");
+    }
+}
+
 TEST(StudioFolder, RejectsLinksThatLeaveIt) {
     const ScratchFolder scratch;
     const ScratchFolder outside;

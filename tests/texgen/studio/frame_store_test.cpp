@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <future>
+#include <numeric>
 #include <string>
 #include <thread>
 #include <vector>
@@ -31,6 +32,14 @@ Preset small(std::initializer_list<std::string> sets = {}) {
     return preset;
 }
 
+// Returns a foam of twelve frames whose loop takes much longer to close than the tests.
+Preset slow() {
+    return small({"foam.bubbles=300", "frames.count=12", "loop.kind=boil"});
+}
+
+// The memory that the store counts for a state of 100 bubbles, in bytes.
+constexpr std::size_t kStateOf100 = 100UL * 2500UL;
+
 SimulationState complete_state(FrameStore& store, const Preset& preset, const std::string& page) {
     while (true) {
         const SimulationState state = store.want(preset, page);
@@ -38,6 +47,22 @@ SimulationState complete_state(FrameStore& store, const Preset& preset, const st
             return state;
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+}
+
+// Asks for a frame of slow() in another thread.
+std::future<SimulatedFrame> frame_of_slow(FrameStore& store) {
+    return std::async(std::launch::async,
+                      [&] { return store.frame(slow(), 1, NextFrames::Included, "page"); });
+}
+
+// Returns why a frame is not simulated.
+std::string replacement(std::future<SimulatedFrame>& waiting) {
+    try {
+        waiting.get();
+        return "it is simulated";
+    } catch (const FrameReplaced& error) {
+        return error.what();
     }
 }
 
@@ -91,16 +116,12 @@ TEST(FrameStore, ThePictureOptionsDoNotNeedAnotherSimulation) {
 
 TEST(FrameStore, AnotherFoamStopsTheFirstOne) {
     FrameStore store(kPlenty);
-    // Closing this loop takes much longer than the test.
-    const Preset slow = small({"foam.bubbles=300", "frames.count=12", "loop.kind=boil"});
-    auto waiting = std::async(std::launch::async,
-                              [&] { return store.frame(slow, 1, NextFrames::Included, "page"); });
-    while (store.want(small({"foam.bubbles=300", "frames.count=12", "loop.kind=boil"}), "page")
-               .progress.done == 0) {
+    auto waiting = frame_of_slow(store);
+    while (store.want(slow(), "page").progress.done == 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     complete_state(store, small(), "page");
-    EXPECT_THROW(waiting.get(), FrameReplaced);
+    EXPECT_EQ(replacement(waiting), "the page has asked for another foam");
 }
 
 TEST(FrameStore, AnotherPageDoesNotStopASimulation) {
@@ -109,6 +130,28 @@ TEST(FrameStore, AnotherPageDoesNotStopASimulation) {
     store.want(first, "one");
     complete_state(store, small({"foam.seed=6"}), "two");
     EXPECT_EQ(complete_state(store, first, "one").status, SimulationState::Status::Complete);
+}
+
+// slow() needs 13 states: those of its frames, and the one after them.
+TEST(FrameStore, AFoamOfAnotherPageMayNeedTheMemory) {
+    FrameStore store(14 * 3 * kStateOf100);
+    auto waiting = frame_of_slow(store);
+    do {
+        store.want(small({"foam.bubbles=300"}), "other");
+    } while (waiting.wait_for(std::chrono::milliseconds(2)) == std::future_status::timeout);
+    EXPECT_EQ(replacement(waiting), "a foam that was asked for later needs the memory");
+}
+
+// slow() needs the memory of 39 states of 100 bubbles. The others need that of 5 and 10 states.
+TEST(FrameStore, ForgetsACompleteFoamBeforeItStopsASimulation) {
+    FrameStore store(50 * kStateOf100);
+    const Preset complete = small({"foam.bubbles=100"});
+    complete_state(store, complete, "other");
+    store.want(slow(), "page");
+    store.want(complete, "other");
+    EXPECT_TRUE(store.source(complete));
+    store.want(small({"foam.bubbles=200"}), "other");
+    EXPECT_FALSE(store.source(complete));
 }
 
 TEST(FrameStore, AFailureHasAMessage) {
@@ -155,13 +198,21 @@ TEST(FrameStore, ADraftShowsTheSeededFoam) {
               areas_of(store.frame(still, 1, NextFrames::Included, "page")));
 }
 
+// Drafts may use a quarter of the memory: those of two foams of 40 bubbles here, or of one of 100.
+TEST(FrameStore, KeepsOnlyTheDraftsThatFit) {
+    FrameStore store(4 * kStateOf100);
+    const auto first = store.draft(small()).frame;
+    const auto second = store.draft(small({"foam.seed=6"})).frame;
+    EXPECT_EQ(store.draft(small()).frame, first);
+    store.draft(small({"foam.bubbles=100"}));
+    EXPECT_NE(store.draft(small()).frame, first);
+}
+
 TEST(FrameStore, StopEndsAllThatWait) {
     FrameStore store(kPlenty);
-    const Preset slow = small({"foam.bubbles=300", "frames.count=12", "loop.kind=boil"});
-    auto waiting = std::async(std::launch::async,
-                              [&] { return store.frame(slow, 1, NextFrames::Included, "page"); });
+    auto waiting = frame_of_slow(store);
     store.stop();
-    EXPECT_THROW(waiting.get(), FrameReplaced);
+    EXPECT_EQ(replacement(waiting), "the studio ends");
 }
 
 }  // namespace

@@ -84,6 +84,23 @@ class StudioTest : public testing::Test {
         return status;
     }
 
+    // Bakes into a folder, and waits until the bake is complete.
+    void bake(const Json& request) {
+        const Json status = ended_bake(answer("/api/bake", request)["bake"]);
+        EXPECT_EQ(status["status"], "complete") << status;
+    }
+
+    // Returns the set of a folder with one baked set.
+    Json set_in(const std::string& folder) {
+        const Json bakes = answer("/api/bakes", Json::object())["bakes"];
+        for (const Json& bake : bakes) {
+            if (bake["folder"] == folder) {
+                return bake["set"];
+            }
+        }
+        return nullptr;
+    }
+
     const fs::path& folder() const { return scratch_.path(); }
 
     // Settings of a small foam of three frames.
@@ -290,6 +307,13 @@ TEST_F(StudioTest, BakesAFolderThatVerifies) {
     EXPECT_TRUE(fs::exists(folder() / "my/out/sea_foam_height.0002.png"));
 }
 
+TEST_F(StudioTest, BakesChangedEvents) {
+    Json changed = settings({"loop.kind=none"});
+    changed["events"] = "[[event]]\nkind = \"collapse\"\nframe = 2\nsides = 5\n";
+    bake({{"settings", changed}, {"folder", "plain"}});
+    bake({{"settings", changed}, {"folder", "u"}, {"frames", "1"}, {"profile", "unreal"}});
+}
+
 TEST_F(StudioTest, AProfileBelongsToABake) {
     const Json bake =
         answer("/api/bake",
@@ -342,14 +366,12 @@ TEST_F(StudioTest, SavesAPreset) {
 }
 
 TEST_F(StudioTest, ShowsBakedImages) {
-    const Json bake = answer(
-        "/api/bake", {{"settings", settings()}, {"folder", "b"}, {"maps", {"lit", "height"}}});
-    ended_bake(bake["bake"]);
+    bake({{"settings", settings()}, {"folder", "b"}, {"maps", {"lit", "height"}}});
     const Json bakes = answer("/api/bakes", Json::object())["bakes"];
     ASSERT_EQ(bakes.size(), 1U);
     EXPECT_EQ(bakes[0]["folder"], "b");
     EXPECT_EQ(bakes[0]["frames"], Json({1, 2, 3}));
-    const Json shown = {{"folder", "b"}, {"preset", "sea_foam"}, {"frame", 2}, {"width", 64}};
+    const Json shown = {{"folder", "b"}, {"set", bakes[0]["set"]}, {"frame", 2}, {"width", 64}};
     Json lit = shown;
     lit["map"] = "lit";
     EXPECT_EQ(post("/api/baked", lit).body, post("/api/picture", picture("lit")).body);
@@ -368,14 +390,31 @@ TEST_F(StudioTest, FoldersThatCannotBeReadDoNotEndTheGallery) {
     EXPECT_EQ(answer("/api/bakes", Json::object())["bakes"], Json::array());
 }
 
+TEST_F(StudioTest, ShowsEachSetOfAPreset) {
+    bake({{"settings", settings()}, {"folder", "b"}, {"maps", {"lit"}}});
+    bake({{"settings", settings({"image.size=[32, 16]"})}, {"folder", "b"}, {"format", "exr"}});
+    const Json bakes = answer("/api/bakes", Json::object())["bakes"];
+    ASSERT_EQ(bakes.size(), 2U);
+    for (const Json& one : bakes) {
+        Json request = {{"folder", one["folder"]},
+                        {"set", one["set"]},
+                        {"map", "lit"},
+                        {"frame", 1},
+                        {"width", 64}};
+        EXPECT_EQ(picture_header(post("/api/baked", request))["width"], one["size"][0]);
+        request["x"] = request["y"] = 0.5;
+        EXPECT_EQ(post("/api/baked/pick", request).status, HttpStatus::Ok);
+        request["set"] = "sea_foam";
+        EXPECT_EQ(post("/api/baked", request).status, HttpStatus::Unprocessable);
+    }
+}
+
 // A pixel of a baked image has the numbers of the live picture, up to the rounding of its codes.
 TEST_F(StudioTest, ReadsNumbersOfBakedImages) {
     const Json maps = {"height", "id", "normal", "motion", "albedo"};
     for (const char* format : {"png", "exr"}) {
-        const Json bake = answer(
-            "/api/bake",
-            {{"settings", settings()}, {"folder", format}, {"format", format}, {"maps", maps}});
-        ended_bake(bake["bake"]);
+        bake({{"settings", settings()}, {"folder", format}, {"format", format}, {"maps", maps}});
+        const Json set = set_in(format);
         for (const Json& map : maps) {
             Json live = picture(map);
             live["x"] = 20;
@@ -383,7 +422,7 @@ TEST_F(StudioTest, ReadsNumbersOfBakedImages) {
             const Json expected = answer("/api/pick", live);
             const Json found = answer("/api/baked/pick",
                                       {{"folder", format},
-                                       {"preset", "sea_foam"},
+                                       {"set", set},
                                        {"map", map},
                                        {"frame", live["frame"]},
                                        {"x", 20.5 / 64.0},
@@ -400,7 +439,7 @@ TEST_F(StudioTest, ReadsNumbersOfBakedImages) {
         }
     }
     const Json wrong = {{"folder", "png"},
-                        {"preset", "sea_foam"},
+                        {"set", set_in("png")},
                         {"map", "lit"},
                         {"frame", 1},
                         {"x", 1e300},
@@ -422,6 +461,21 @@ TEST_F(StudioTest, DownloadsAFrameAsADrawing) {
     EXPECT_EQ(drawing.content_type, "image/svg+xml");
     EXPECT_NE(drawing.body.find("<svg"), std::string::npos);
     EXPECT_NE(drawing.body.find("data-bubble"), std::string::npos);
+}
+
+TEST_F(StudioTest, ADownloadOfAnOpenLoopSaysWhyItFails) {
+    for (const char* kind : {"frame", "drawing", "loop"}) {
+        const HttpResponse response =
+            post("/api/download",
+                 {{"settings", settings({"loop.cycles=1", "loop.amplitude=0.4"})},
+                  {"page", "test"},
+                  {"kind", kind},
+                  {"frame", 2},
+                  {"map", "lit"}});
+        EXPECT_EQ(response.status, HttpStatus::Unprocessable) << kind;
+        EXPECT_NE(message_of(response).find("the loop does not close"), std::string::npos)
+            << kind << ": " << message_of(response);
+    }
 }
 
 TEST_F(StudioTest, DownloadsALoop) {

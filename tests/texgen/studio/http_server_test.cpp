@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -15,6 +16,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -258,6 +260,41 @@ TEST(HttpServer, ServesTenThousandRequests) {
         client.send_text(get("/"));
         ASSERT_NE(client.receive_until("GET / [h] ").find("200 OK"), std::string::npos) << k;
     }
+}
+
+// Forbids new file descriptors, except for one, until the object is destroyed.
+class OneFreeDescriptor {
+  public:
+    OneFreeDescriptor() {
+        const int lowest_free = dup(0);
+        close(lowest_free);
+        getrlimit(RLIMIT_NOFILE, &before_);
+        rlimit lower = before_;
+        lower.rlim_cur = static_cast<rlim_t>(lowest_free) + 1;
+        setrlimit(RLIMIT_NOFILE, &lower);
+    }
+    ~OneFreeDescriptor() { setrlimit(RLIMIT_NOFILE, &before_); }
+    OneFreeDescriptor(const OneFreeDescriptor&) = delete;
+    OneFreeDescriptor& operator=(const OneFreeDescriptor&) = delete;
+
+  private:
+    rlimit before_{};
+};
+
+// The client takes the only free descriptor, so that the server has none for the connection.
+TEST(HttpServer, WaitsForAFreeDescriptorWithoutSpinning) {
+    const RunningServer server(echo);
+    std::unique_ptr<Client> client;
+    {
+        const OneFreeDescriptor limit;
+        client = std::make_unique<Client>(server.port());
+        ASSERT_TRUE(client->is_connected());
+        client->send_text(get("/"));
+        const std::clock_t begin = std::clock();  // processor time of all threads
+        std::this_thread::sleep_for(milliseconds(1000));
+        EXPECT_LT(std::clock() - begin, CLOCKS_PER_SEC / 50);
+    }
+    EXPECT_NE(client->receive_until("GET / [h] ").find("200 OK"), std::string::npos);
 }
 
 TEST(HttpServer, WaitsForItsHandlersAtTheEnd) {

@@ -209,11 +209,12 @@ export class BakeDialog {
         $("bake-chip").textContent = `Baking ${Math.round(100 * part)} %`;
     }
 
-    // Shows the baked set in the picture.
+    // Shows the baked set in the picture. It is the newest set of its folder, and thus the last one in the list.
     async #openFolder() {
         const folder = $("bake-folder").value.trim().replace(/\/+$/, "");
         const {bakes} = await post("/api/bakes", {});
-        const bake = bakes.find((one) => one.folder === folder) ?? bakes.find((one) => one.folder.startsWith(folder));
+        const found = bakes.find((one) => one.folder === folder) ?? bakes.find((one) => one.folder.startsWith(folder));
+        const bake = bakes.findLast((one) => one.folder === found?.folder);
         if (bake) {
             $("bake-dialog").close();
             this.#studio.openBaked(bake);

@@ -97,7 +97,7 @@ export class Gallery {
                     type: "button",
                     class: "entry two-lines",
                     title: text,
-                    data: {bake: `${bake.folder}/${bake.preset}`},
+                    data: {bake: `${bake.folder}/${bake.preset}`, set: bake.set},
                     onclick: () => this.#studio.openBaked(bake),
                 },
                 icon("film"),
@@ -134,7 +134,7 @@ export class Gallery {
         const {baked, state} = this.#studio;
         for (const button of $("gallery").querySelectorAll("[data-preset], [data-bake]")) {
             const current = baked
-                ? button.dataset.bake === `${baked.folder}/${baked.preset}`
+                ? button.dataset.bake === `${baked.folder}/${baked.preset}` && button.dataset.set === baked.set
                 : button.dataset.preset === state.preset;
             button.toggleAttribute("aria-current", current);
         }

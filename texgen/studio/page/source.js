@@ -38,7 +38,7 @@ export function bakedSource(bake, map, largestWidth) {
         async picture(frame, width, quality, signal) {
             const body = {
                 folder: bake.folder,
-                preset: bake.preset,
+                set: bake.set,
                 map,
                 frame: bake.frames[frame - 1],
                 width,
@@ -49,7 +49,7 @@ export function bakedSource(bake, map, largestWidth) {
         pick(picture, x, y, signal) {
             const body = {
                 folder: bake.folder,
-                preset: bake.preset,
+                set: bake.set,
                 map,
                 frame: bake.frames[picture.frame - 1],
                 x: (x + 0.5) / picture.width,
