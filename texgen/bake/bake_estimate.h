@@ -10,8 +10,9 @@
 
 namespace foam::texgen {
 
-/// The files, the memory and the time of a bake, estimated from its first frames. Scenes and
-/// statistics are not included. Sheets are included only in the memory.
+/// The files and the time of a bake, estimated from its first frames, and its memory, estimated
+/// from the preset (estimated_memory). Scenes and statistics are not included. Sheets are included
+/// only in the memory.
 struct BakeEstimate {
     std::size_t files = 0;     // number of files: images, or drawings, tables and meshes
     std::uint64_t bytes = 0;   // size of these files
@@ -26,8 +27,8 @@ struct BakeEstimate {
 inline constexpr std::size_t kEstimatedFrames = 2;
 
 /// Bakes the first two frames into a scratch folder, which is removed afterwards. Measures the time
-/// before the first frame, the time from frame to frame, the time of drawing and writing, which all
-/// threads share, and the size of the files. Extrapolates these measurements to all frames.
+/// before the first frame, the time from frame to frame, the time of drawing and writing, and the
+/// size of the files. Extrapolates to all frames; all threads share the drawing and writing.
 /// `on_progress` receives the phases of this bake. Throws the exceptions of check_bake and bake,
 /// and OutputError if the scratch folder cannot be created.
 BakeEstimate estimate_bake(const Preset& preset,

@@ -15,14 +15,15 @@
 #include <cstdint>
 #include <memory>
 
-// An encoded state consists of its frame (frame_codec.h), its effort (FrameEffort) and its record
-// (FoamRecord), in this order. In the record, values per bubble are in the order of the bubbles of
+// An encoded state consists of its frame (frame_codec.h), the older members of its effort
+// (FrameEffort), its record (FoamRecord) and its measurements, in this order. The measurements are
+// the members of FrameEffort that older versions of foamtex did not store; in a state of such a
+// version they are missing. In the record, values per bubble are in the order of the bubbles of
 // the frame, followed by its lone bubbles, so identities are stored only once, in the frame. A flag
 // precedes FoamRecord::first_pressures, the pressures at the end of the warm-up. If the flag is 1,
 // these pressures equal the pressures in the file pressures.foam of the cache and are left out. At
 // the end of the record are the averages (RecentAverages). A flag precedes them, too; it is 0 if
-// there are no averages. The record is followed by the measurements: those members of FrameEffort
-// that older versions of foamtex did not store. In a state of such a version, they are missing.
+// there are no averages.
 
 namespace foam::texgen {
 
@@ -238,8 +239,8 @@ void read_measurements(FrameEffort& effort, ByteReader& reader) {
     effort.events = read_topology_events(reader);
 }
 
-// Measures the frame of a state in which an older version of foamtex has not stored these values.
-// The strain and the events remain unknown.
+// Computes the energy and the stress of a state of an older version, which did not store the
+// measurements. The strain stays 0, and there are no events.
 void measure(FrameEffort& effort, const Frame& frame) {
     effort.energy = statistics(frame).energy;
     effort.stress = mean_stress(frame);

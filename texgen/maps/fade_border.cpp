@@ -119,7 +119,8 @@ ArcDistances distances_to_rim_films(const CrossFade& fade, const RasterGrid& gri
 }
 
 // Joins the distance fields `out` (of the old foam) and `in` (of the new foam) pixel by pixel:
-// afterwards both contain the same distances, those of the foam that is shown at the pixel.
+// afterwards both contain the same distances: from the films of the foam that is shown at the
+// pixel, or from the border if it is nearer.
 class FieldJoiner {
   public:
     FieldJoiner(const CrossFade& fade,
@@ -156,10 +157,10 @@ class FieldJoiner {
     }
 
   private:
-    // Returns true if a pixel of a growing bubble is within the rim of the bubble, and then joins
-    // both fields at the pixel. `nearest` is the distance from the nearest film of the border. If
-    // the rim is nearer, the distance from the rim replaces it, even if the pixel is outside the
-    // rim.
+    // If a pixel of a growing bubble is within the rim of the bubble, joins both fields at the
+    // pixel and returns true. Otherwise returns false. `nearest` is the distance from the nearest
+    // film of the border. If the rim is nearer, the distance from the rim replaces it, even if the
+    // pixel is outside the rim.
     bool join_growing(std::size_t k, std::size_t bubble, DistanceAndGradient& nearest) {
         const DistanceAndGradient smooth = grown(k, bubble);
         const DistanceAndGradient rim = from_rim(smooth, growth_[bubble] * radii_[bubble]);
