@@ -61,7 +61,7 @@ TEST(ImageFolder, TheNewestImagesAreUsedUnlessOthersAreChosen) {
     EXPECT_EQ(older.err, "");
     const Outcome none = run_program("flipbook out --size 64x48", folder);
     EXPECT_EQ(none.code, static_cast<int>(ExitCode::BadInput));
-    EXPECT_NE(none.err.find("no images of width 64, height 48; must be one of: "),
+    EXPECT_NE(none.err.find("no images of width 64, height 48; it has images of: "),
               std::string::npos);
 }
 
