@@ -21,13 +21,13 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr float kFloatLimit = std::numeric_limits<float>::infinity();
-constexpr float kHalfLimit = 65520.0F;  // this number and larger ones become infinite
+constexpr float kHalfLimit = 65520.0F;  // as a half float, this number would be infinite
 
 // Throws std::invalid_argument if a number of the channel is not finite, or would be infinite in
 // the type of the file.
 void check_numbers(const ImageView<const float>& view, const ExrChannel& channel) {
-    const float limit = channel.type == SampleType::Half ? kHalfLimit : kFloatLimit;
+    const float limit =
+        channel.type == SampleType::Half ? kHalfLimit : std::numeric_limits<float>::infinity();
     const auto step = static_cast<std::size_t>(view.channels());
     const auto count = static_cast<std::size_t>(view.width());
     for (int y = 0; y < view.height(); ++y) {
