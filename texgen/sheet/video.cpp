@@ -58,9 +58,11 @@ void run_ffmpeg(Arguments arguments) {
 // and matrix are declared in the video. 4:2:0 requires an even width and height, so odd sizes are
 // cropped, but a single row or column of pixels is doubled.
 Arguments mp4_arguments() {
+    const std::string crop = "crop='max(1,floor(iw/2)*2)':'max(1,floor(ih/2)*2)':0:0";
+    const std::string scale =
+        "scale='max(2,iw)':'max(2,ih)':out_color_matrix=bt709:flags=accurate_rnd";
     return {"-vf",
-            "crop='max(1,floor(iw/2)*2)':'max(1,floor(ih/2)*2)':0:0,"
-            "scale='max(2,iw)':'max(2,ih)':out_color_matrix=bt709:flags=accurate_rnd",
+            crop + "," + scale,
             "-c:v",
             "libx264",
             "-preset",
