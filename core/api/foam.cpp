@@ -14,7 +14,6 @@
 #include "core/library/foam_records.h"
 #include "core/library/require.h"
 #include "core/library/with_public_errors.h"
-#include "core/parallel/parallel_for.h"
 
 #include <fmt/core.h>
 #include <foamtex/foam.h>
@@ -38,6 +37,7 @@ namespace {
 
 using foam::require;
 using foam::require_from;
+using foam::require_threads;
 
 // The largest strain of one call, and the largest displacement of a push along x and y, in radii.
 // Larger ones would take too many substeps of the step or small steps of the push.
@@ -218,7 +218,7 @@ void Foam::write(const std::string& file) const {
 }
 
 Equilibrium Foam::relax(int threads, const std::function<void()>& poll) {
-    require_from("threads", threads, 0, foam::kMaxThreads);
+    require_threads(threads);
     return foam::with_public_errors(
         [&] { return result_of(foam::equilibrate_given(state_->foam, threads, poll)); });
 }
@@ -229,7 +229,7 @@ Equilibrium Foam::step(double time,
                        const std::function<void()>& poll) {
     require_not_negative("time", time);
     check(settings);
-    require_from("threads", settings.threads, 0, foam::kMaxThreads);
+    require_threads(settings.threads);
     const foam::StateChange change = change_of(drive, state_->foam.domain);
     if (time == 0.0 && change.empty()) {
         return present_errors(state_->foam, settings.tolerance);
@@ -275,7 +275,7 @@ double Foam::energy() const {
 }
 
 std::optional<double> Foam::shear_modulus(int threads) const {
-    require_from("threads", threads, 0, foam::kMaxThreads);
+    require_threads(threads);
     return foam::with_public_errors([&] { return foam::shear_modulus(state_->foam, threads); });
 }
 

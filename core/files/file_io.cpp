@@ -29,14 +29,10 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-[[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& why) {
-    throw InputError(fmt::format("cannot read '{}': {}", path.string(), why));
-}
-
 /// An open file for reading.
 class InputFile {
   public:
-    // With O_NONBLOCK, open does not wait for a writer if the path is a pipe.
+    // O_NONBLOCK: if the path is a pipe, open does not wait for a writer.
     explicit InputFile(const std::filesystem::path& path)
         : path_(path), file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
         if (file_ < 0) {
@@ -106,6 +102,10 @@ std::string link_to(int file) {
 }
 
 }  // namespace
+
+void fail_to_read(const std::filesystem::path& path, const std::string& why) {
+    throw InputError(fmt::format("cannot read '{}': {}", path.string(), why));
+}
 
 Bytes read_file(const std::filesystem::path& path, const InputKind& kind) {
     const InputFile file(path);

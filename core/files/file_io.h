@@ -32,6 +32,9 @@ inline void append(Bytes& to, std::span<const std::byte> bytes) {
     to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
+/// Throws InputError with a message that names the file and the reason.
+[[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& why);
+
 /// Returns the whole content of a file. Throws InputError if the file cannot be read, if it is not
 /// a regular file but, for example, a folder or a pipe, or if it is larger than `kind` allows.
 Bytes read_file(const std::filesystem::path& path, const InputKind& kind);

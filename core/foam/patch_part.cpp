@@ -131,8 +131,7 @@ std::vector<Vec2> random_sites(const PreparedPart& part, int count, Random& rand
             }
         }
     }
-    throw std::runtime_error("of " + std::to_string(max_points) +
-                             " random points in its bounding box, only " +
+    throw std::runtime_error("of " + std::to_string(max_points) + " random points, only " +
                              std::to_string(sites.size()) + " are inside");
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/library/require.h"
 
+#include "core/parallel/parallel_for.h"
+
 #include <fmt/core.h>
 #include <foamtex/errors.h>
 
@@ -23,6 +25,10 @@ void require(bool holds, std::string_view name, std::string_view allowed, double
 void require_from(std::string_view name, double given, double low, double high) {
     const bool holds = given >= low && given <= high;
     require(holds, name, fmt::format("from {} to {}", low, high), given);
+}
+
+void require_threads(int threads) {
+    require_from("threads", threads, 0, kMaxThreads);
 }
 
 }  // namespace foam

@@ -14,4 +14,7 @@ void require(bool holds, std::string_view name, std::string_view allowed, std::s
 /// Throws foamtex::ArgumentError unless an argument is from `low` to `high`. NaN is not.
 void require_from(std::string_view name, double given, double low, double high);
 
+/// Throws foamtex::ArgumentError unless a number of threads is from 0 to kMaxThreads.
+void require_threads(int threads);
+
 }  // namespace foam

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/library/require.h"
-#include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_text.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"
@@ -104,7 +103,7 @@ std::vector<std::string> bake(const Preset& preset,
                               const std::string& out,
                               const BakeSettings& settings) {
     return with_texture_errors([&] {
-        foam::require_from("threads", settings.threads, 0, foam::kMaxThreads);
+        foam::require_threads(settings.threads);
         const foam::texgen::Preset baked = preset_to_bake(preset, out);
         foam::texgen::check_scenes(baked);
         foam::texgen::check_sheets(baked);

@@ -25,7 +25,7 @@ namespace {
 constexpr int kBitsPerByte = 8;
 
 MapImage draw_map(const foamtex::Frame::State& state, const Map& map, int threads) {
-    require_from("threads", threads, 0, kMaxThreads);
+    require_threads(threads);
     const Preset& preset = state.preset.state().preset;
     const SimulatedFrame& shown = state.shown;
     if (map.needs_next && shown.next == nullptr) {

@@ -2,7 +2,6 @@
 
 #include "core/io/foam_json.h"
 #include "core/library/require.h"
-#include "core/parallel/parallel_for.h"
 #include "texgen/animation/seed.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"
@@ -105,7 +104,7 @@ Foam Preset::seeded_foam() const {
 
 void Preset::fit_ranges(int threads) {
     state_ = with_texture_errors([&] {
-        foam::require_from("threads", threads, 0, foam::kMaxThreads);
+        foam::require_threads(threads);
         foam::texgen::Preset preset = state_->preset;
         // fit_automatic_ranges fits the ranges of all maps only for integer files, such as PNGs.
         const std::string pattern = std::exchange(preset.output.pattern, "{map}.####.png");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/library/require.h"
-#include "core/parallel/parallel_for.h"
 #include "texgen/animation/simulate_frames.h"
 #include "texgen/api/public_errors.h"
 #include "texgen/api/state.h"
@@ -134,7 +133,7 @@ struct Simulation::Stream {
 
 Simulation::Simulation(const Preset& preset, const std::string& frames, int threads)
     : stream_(foam::texgen::with_texture_errors([&] {
-          foam::require_from("threads", threads, 0, foam::kMaxThreads);
+          foam::require_threads(threads);
           return std::make_unique<Stream>(
               preset, foam::texgen::frames_or_all(frames, preset.frame_count()), threads);
       })) {}

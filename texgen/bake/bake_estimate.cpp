@@ -71,7 +71,7 @@ BakeEstimate estimate_bake(const Preset& preset,
     const ScratchFolder scratch;
     Preset first = preset;
     const std::string suffix = std::filesystem::path(preset.output.pattern).extension().string();
-    // As in the bake, all maps of a frame may be layers of one file.
+    // All maps of a frame are layers of one file if they are in the bake.
     const bool is_layered = FilePattern(preset).stores_all_maps_in_one_file();
     const std::string name = (is_layered ? "######" : "{map}.######") + suffix;
     first.output.pattern = (scratch.path() / name).string();

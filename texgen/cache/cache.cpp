@@ -36,7 +36,7 @@ auto read_content(const std::filesystem::path& path,
     try {
         return unpack(content);
     } catch (const BadContent& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+        fail_to_read(path, error.what());
     }
 }
 

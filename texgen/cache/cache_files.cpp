@@ -25,7 +25,7 @@ Preset preset_in(const JsonValue& root, const std::string& file) {
     try {
         return parse_preset(root["toml"].text(), root["preset"].name(), "toml");
     } catch (const PresetError& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", file, error.what()));
+        fail_to_read(file, error.what());
     }
 }
 

@@ -137,7 +137,7 @@ Bytes read_packed(const std::filesystem::path& path, const PackedLabel& label) {
     try {
         return unpack_file(file, label);
     } catch (const BadContent& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+        fail_to_read(path, error.what());
     }
 }
 

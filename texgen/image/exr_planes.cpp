@@ -3,6 +3,7 @@
 #include "texgen/image/exr_planes.h"
 
 #include "core/parallel/simd_level.h"
+#include "texgen/image/channel_row.h"
 #include "texgen/image/half_bits.h"
 #include "texgen/image/mip_level.h"
 
@@ -12,9 +13,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace foam::texgen {
@@ -23,47 +24,39 @@ namespace {
 
 constexpr float kHalfLimit = 65520.0F;  // as a half float, this number would be infinite
 
-// Throws std::invalid_argument if a number of the channel is not finite, or would be infinite in
-// the type of the file.
-void check_numbers(const ImageView<const float>& view, const ExrChannel& channel) {
+// Throws std::invalid_argument if a number of the row is not finite, or would be infinite in the
+// type that the file has for the channel.
+void check_numbers(const ChannelRow<float>& row, const ExrChannel& channel) {
     const float limit =
         channel.type == SampleType::Half ? kHalfLimit : std::numeric_limits<float>::infinity();
-    const auto step = static_cast<std::size_t>(view.channels());
-    const auto count = static_cast<std::size_t>(view.width());
-    for (int y = 0; y < view.height(); ++y) {
-        const float* const row = &view.row(y)[static_cast<std::size_t>(channel.channel_index)];
-        const bool is_valid = at_simd_level([=] {
-            unsigned outside = 0;
-            for (std::size_t x = 0; x < count; ++x) {
-                outside |= static_cast<unsigned>(!(std::abs(row[x * step]) < limit));
-            }
-            return outside == 0;
-        });
-        for (std::size_t x = 0; !is_valid && x < count; ++x) {
-            if (const float number = row[x * step]; !(std::abs(number) < limit)) {
-                reject_exr(
-                    fmt::format("channel '{}' cannot store the value {}", channel.name, number));
-            }
+    const bool is_valid = at_simd_level([row, limit] {
+        unsigned outside = 0;
+        for (std::size_t x = 0; x < row.count; ++x) {
+            outside |= static_cast<unsigned>(!(std::abs(row.first[x * row.step]) < limit));
+        }
+        return outside == 0;
+    });
+    for (std::size_t x = 0; !is_valid && x < row.count; ++x) {
+        if (const float number = row.first[x * row.step]; !(std::abs(number) < limit)) {
+            reject_exr(fmt::format("channel '{}' cannot store the value {}", channel.name, number));
         }
     }
 }
 
 // Returns the samples of a channel, each converted by `convert`, with the top row first.
 template <class Sample, class Convert>
-Bytes stored_rows(const ImageView<const Sample>& view, int channel, const Convert& convert) {
-    using Stored = decltype(convert(Sample()));
-    const auto step = static_cast<std::size_t>(view.channels());
-    const auto count = static_cast<std::size_t>(view.width());
-    Bytes rows(count * static_cast<std::size_t>(view.height()) * sizeof(Stored));
+Bytes stored_rows(const ExrChannel& channel, const Convert& convert) {
+    const auto& view = std::get<ImageView<const Sample>>(channel.pixels);
+    const std::size_t row_bytes =
+        static_cast<std::size_t>(view.width()) * sizeof(decltype(convert(Sample())));
+    Bytes rows(row_bytes * static_cast<std::size_t>(view.height()));
     std::byte* to = rows.data();
-    for (int y = view.height() - 1; y >= 0; --y, to += count * sizeof(Stored)) {
-        const Sample* const row = &view.row(y)[static_cast<std::size_t>(channel)];
-        at_simd_level([=] {
-            for (std::size_t x = 0; x < count; ++x) {
-                const Stored stored = convert(row[x * step]);
-                std::memcpy(to + x * sizeof(Stored), &stored, sizeof(Stored));
-            }
-        });
+    for (int y = view.height() - 1; y >= 0; --y, to += row_bytes) {
+        const ChannelRow<Sample> row(view, y, channel.channel_index);
+        if constexpr (std::is_floating_point_v<Sample>) {
+            check_numbers(row, channel);
+        }
+        row.write(convert, to);
     }
     return rows;
 }
@@ -71,17 +64,12 @@ Bytes stored_rows(const ImageView<const Sample>& view, int channel, const Conver
 Bytes stored_rows(const ExrChannel& channel) {
     const auto unchanged = [](auto number) { return number; };
     if (channel.type == SampleType::Uint32) {
-        return stored_rows(std::get<ImageView<const std::uint32_t>>(channel.pixels),
-                           channel.channel_index,
-                           unchanged);
+        return stored_rows<std::uint32_t>(channel, unchanged);
     }
-    const auto view = std::get<ImageView<const float>>(channel.pixels);
-    check_numbers(view, channel);
     if (channel.type == SampleType::Half) {
-        const auto to_half = [](float number) { return half_bits(number); };
-        return stored_rows(view, channel.channel_index, to_half);
+        return stored_rows<float>(channel, [](float number) { return half_bits(number); });
     }
-    return stored_rows(view, channel.channel_index, unchanged);
+    return stored_rows<float>(channel, unchanged);
 }
 
 using Level = std::variant<Image<float>, Image<std::uint32_t>>;

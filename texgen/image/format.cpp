@@ -94,15 +94,9 @@ std::string format_names() {
 Picture read_picture(const std::filesystem::path& path) {
     const ImageFormat* const format = find_format(path.string());
     if (format == nullptr) {
-        throw InputError(fmt::format(
-            "cannot read '{}': its name must end in {}", path.string(), format_suffixes()));
+        fail_to_read(path, fmt::format("its name must end in {}", format_suffixes()));
     }
-    const Bytes content = read_file(path, kImageInput);
-    try {
-        return format->decode(content);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
-    }
+    return decode_file(path, format->decode);
 }
 
 }  // namespace foam::texgen

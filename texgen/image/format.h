@@ -63,6 +63,18 @@ const ImageFormat* find_format(std::string_view file_name);
 std::string format_suffixes();
 std::string format_names();
 
+/// Returns decode(content) for the content of an image file. Throws InputError, whose message names
+/// the file, if the file is unreadable or if `decode` throws InputError.
+template <class Decode>
+auto decode_file(const std::filesystem::path& path, const Decode& decode) {
+    const Bytes content = read_file(path, kImageInput);
+    try {
+        return decode(content);
+    } catch (const InputError& error) {
+        fail_to_read(path, error.what());
+    }
+}
+
 /// Reads a file of any format. Throws InputError, whose message names the file, if the file is
 /// unreadable or malformed, or if no format has its suffix. Throws OutOfMemory if the machine has
 /// too little memory for the picture.

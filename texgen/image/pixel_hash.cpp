@@ -2,7 +2,8 @@
 
 #include "texgen/image/pixel_hash.h"
 
-#include "core/parallel/simd_level.h"
+#include "core/files/file_io.h"
+#include "texgen/image/channel_row.h"
 #include "texgen/image/half_bits.h"
 
 #include <fmt/format.h>
@@ -73,19 +74,10 @@ void add_codes(const ChannelGroup& group, Hasher& hasher) {
 /// Adds the samples of one channel, each converted by `convert` to the form that a file stores.
 template <class Sample, class Convert>
 void add_channel(const Image<Sample>& image, int channel, const Convert& convert, Hasher& hasher) {
-    std::vector<decltype(convert(Sample()))> row(static_cast<std::size_t>(image.width()));
-    const auto step = static_cast<std::size_t>(image.channels());
+    Bytes row(static_cast<std::size_t>(image.width()) * sizeof(decltype(convert(Sample()))));
     for (int y = image.height() - 1; y >= 0; --y) {
-        at_simd_level([convert,
-                       step,
-                       from = &image.row(y)[static_cast<std::size_t>(channel)],
-                       to = row.data(),
-                       count = row.size()] {
-            for (std::size_t x = 0; x < count; ++x) {
-                to[x] = convert(from[x * step]);
-            }
-        });
-        hasher.add(std::as_bytes(std::span(row)));
+        ChannelRow<Sample>(image.view(), y, channel).write(convert, row.data());
+        hasher.add(row);
     }
 }
 

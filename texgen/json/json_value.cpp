@@ -156,7 +156,7 @@ JsonDocument::JsonDocument(std::string_view text, std::string file) : file_(std:
         };
         tree_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text, check_depth));
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", file_, reason(error.what())));
+        fail_to_read(file_, reason(error.what()));
     }
 }
 

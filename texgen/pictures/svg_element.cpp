@@ -2,6 +2,7 @@
 
 #include "texgen/pictures/svg_element.h"
 
+#include "core/files/content_text.h"
 #include "core/files/file_io.h"
 #include "core/files/shown_text.h"
 #include "texgen/pictures/svg_text.h"
@@ -17,11 +18,6 @@
 namespace foam::texgen {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-    return text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin);
-}
 
 // Returns a property as it is given, even if it is "inherit".
 std::string_view given_property(const pugi::xml_node& node, std::string_view name) {

@@ -2,6 +2,7 @@
 
 #include "texgen/preset/key_values.h"
 
+#include "core/files/content_text.h"
 #include "texgen/preset/assignment.h"
 
 #include <fmt/core.h>
@@ -39,13 +40,6 @@ std::vector<std::string_view> split(std::string_view text) {
     }
     parts.push_back(text.substr(begin));
     return parts;
-}
-
-/// Returns a text without the spaces and line breaks at its beginning and its end.
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kSpaces = " \t\r\n";
-    const std::size_t first = std::min(text.find_first_not_of(kSpaces), text.size());
-    return text.substr(first, text.find_last_not_of(kSpaces) + 1 - first);
 }
 
 /// Returns the number that the whole text represents, or nullopt if it is not a number.

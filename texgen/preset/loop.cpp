@@ -80,11 +80,11 @@ Keys<LoopOptions> loop_keys() {
             .used_with("loop.kind", {"boil"}),
         key("rise",
             Reals{0.15, 5.0},
-            "for \"boil\": how large the bubbles grow that vanish, relative to their size without "
-            "a loop; lower values close the loop sooner; where the foam does not return to its "
-            "first state, bubbles grow less large",
+            "for \"boil\": largest rise of the area of each bubble that vanishes, relative to its "
+            "area without a loop; lower values close the loop sooner; where the foam does not "
+            "return to its first state, the rise is reduced",
             &LoopOptions::rise)
-            .in("areas of the bubble")
+            .in("fraction of the area")
             .used_with("loop.kind", {"boil"}),
         key("drift",
             IntegerPairs{{-kMaxPeriods, kMaxPeriods}},

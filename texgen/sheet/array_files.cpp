@@ -3,6 +3,7 @@
 #include "texgen/sheet/array_files.h"
 
 #include "core/parallel/parallel_for.h"
+#include "texgen/image/format.h"
 #include "texgen/image/texture_file.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/sheet/map_frame.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,17 +40,14 @@ GpuEncoding encoding_of(const ManifestMap& map) {
 
 // Reads a file that contains a texture of one layer.
 GpuTexture read_texture(const TextureFormat& format, const std::filesystem::path& path) {
-    const Bytes content = read_file(path, kImageInput);
-    try {
+    return decode_file(path, [&](std::span<const std::byte> content) {
         GpuTexture texture = format.decode(content);
         if (texture.layers.size() != 1) {
             throw InputError(fmt::format("the file is an array of {} layers, not a single image",
                                          texture.layers.size()));
         }
         return texture;
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
-    }
+    });
 }
 
 GpuTexture texture_in(const MapFile& file, const ManifestMap& map) {

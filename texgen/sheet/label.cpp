@@ -2,6 +2,8 @@
 
 #include "texgen/sheet/label.h"
 
+#include "core/files/content_text.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -149,12 +151,6 @@ std::size_t end_of_line(std::string_view text, std::size_t longest) {
     return separator == std::string_view::npos ? longest : separator + 1;
 }
 
-/// Returns a text without the spaces at its beginning and its end.
-std::string_view without_outer_spaces(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
-    return text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
-
 }  // namespace
 
 int label_width(std::string_view text, int magnification) {
@@ -164,12 +160,13 @@ int label_width(std::string_view text, int magnification) {
 std::vector<std::string> wrapped_label(std::string_view text, int width, int magnification) {
     const auto longest =
         static_cast<std::size_t>(std::max(1, (width + magnification) / (kAdvance * magnification)));
+    constexpr std::string_view kSpace = " ";
     std::vector<std::string> lines;
-    text = without_outer_spaces(text);
+    text = trimmed(text, kSpace);
     while (text.size() > longest) {
         const std::size_t end = end_of_line(text, longest);
-        lines.emplace_back(without_outer_spaces(text.substr(0, end)));
-        text = without_outer_spaces(text.substr(end));
+        lines.emplace_back(trimmed(text.substr(0, end), kSpace));
+        text = trimmed(text.substr(end), kSpace);
     }
     lines.emplace_back(text);
     return lines;

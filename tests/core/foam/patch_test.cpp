@@ -252,7 +252,7 @@ TEST(SeedPatch, RejectsAnOutlineThatFillsTooLittleOfItsBoundingBox) {
         EXPECT_STREQ(error.what(),
                      "no valid patch of 3 bubbles fits into this outline: it is too narrow, or has "
                      "parts too small for a bubble; use more bubbles or a wider outline (of 103000 "
-                     "random points in its bounding box, only 0 are inside)");
+                     "random points, only 0 are inside)");
     }
 }
 
