@@ -4,13 +4,16 @@
 
     tests/bench/user_table.py                                   # all rows, with build/release/texgen/foamtex
     tests/bench/user_table.py --against OLD/foamtex lit exr     # rows whose names contain lit or exr, and the ratio to OLD
+    tests/bench/user_table.py 1,000,000                         # a raw diagram of a million bubbles, left out by default
+    tests/bench/user_table.py --tables                          # all rows, and the tables of three other benchmarks
 
 Every row is measured over several presets, files or seeds. With --against, the two programs run alternately, so that
 other work on the machine affects both. Times of maps are processor times of one frame, drawn with one thread from a cache
 and written. Times of raw diagrams and of files of Surface Evolver are processor times of all threads, from file to file for
 the latter; beside them is the time of Surface Evolver, if it is installed. All other times are elapsed times with all
 threads. Memory is the largest of all runs of a row. Raw diagrams need the program raw_table, which is run if it was built
-with the program. raster_peers and png_bench, which compare with cairo, AGG, OpenCV and libpng, print tables of their own.
+with the program. With --tables, the tables of solver_table (frames of a coarsening foam), raster_peers (beside cairo, AGG
+and OpenCV) and png_bench (beside libpng) follow.
 """
 import argparse
 import os
@@ -22,6 +25,8 @@ import sys
 import tempfile
 import time
 
+MILLION = 1_000_000
+TABLES = ("solver_table", "raster_peers/raster_peers", "png_bench")  # programs beside raw_table
 EIGHT_MAPS = "albedo,height,normal,occlusion,curvature,roughness,motion,id"
 RELIEF_MAPS = "height,normal,occlusion,curvature"
 EVOLVER_FILES = pathlib.Path(__file__).resolve().parents[1] / "data" / "evolver"
@@ -148,8 +153,9 @@ def print_row(row, program, against, repeats):
 
 
 def print_raw_row(name, raw_table, bubbles, against):
-    """Prints the row of raw diagrams of the seeds 1 to 5."""
-    printed = subprocess.run([raw_table, "5", str(bubbles)], check=True, capture_output=True, text=True).stdout
+    """Prints the row of raw diagrams of the seeds 1 to 5, or 1 alone if it has a million bubbles."""
+    seeds = "5" if bubbles < MILLION else "1"
+    printed = subprocess.run([raw_table, seeds, str(bubbles)], check=True, capture_output=True, text=True).stdout
     _, _, reached, median, worst, _, memory, _ = (cell.strip() for cell in printed.splitlines()[-1].split("|"))
     cells = [f"{name} ({reached} seeds)", median, worst, memory]
     print(f"| {' | '.join(cells + ([''] if against else []) + [''])} |", flush=True)
@@ -161,9 +167,15 @@ def main():
     parser.add_argument("--program", default="build/release/texgen/foamtex")
     parser.add_argument("--against", help="another version of the program; its time is divided by that of the program")
     parser.add_argument("--repeats", type=int, default=3, help="runs per preset, of which the median counts")
+    parser.add_argument("--tables", action="store_true", help=f"also print the tables of {', '.join(TABLES)}")
     arguments = parser.parse_args()
     program = os.path.abspath(arguments.program)
     against = os.path.abspath(arguments.against) if arguments.against else None
+    benchmarks = pathlib.Path(program).parents[1] / "tests" / "bench"
+    tables = [benchmarks / name for name in TABLES] if arguments.tables else []
+    for table in tables:
+        if not table.exists():
+            sys.exit(f"{table} is not built")
 
     def is_wanted(name):
         return not arguments.rows or any(word in name for word in arguments.rows)
@@ -174,12 +186,15 @@ def main():
         for row in rows_of(Lab(program, folder)):
             if is_wanted(row[0]):
                 print_row(row, program, against, arguments.repeats)
-        raw_table = pathlib.Path(program).parents[1] / "tests" / "bench" / "raw_table"
+        raw_table = benchmarks / "raw_table"
         if raw_table.exists():
-            for bubbles in (1000, 10000, 20000, 30000, 100000):
+            for bubbles in (1000, 10000, 20000, 30000, 100000, MILLION):
                 name = f"equilibrium from a raw diagram, {bubbles:,} bubbles"
-                if is_wanted(name):
+                if is_wanted(name) and (bubbles < MILLION or "1,000,000" in arguments.rows):
                     print_raw_row(name, raw_table, bubbles, against)
+    for table in tables:
+        print(f"\n{table.name}:\n", flush=True)
+        subprocess.run([table], check=True)
 
 
 if __name__ == "__main__":
