@@ -24,13 +24,15 @@ void append_numbers(std::string& file, std::span<const Number> numbers) {
     file.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
-// A file whose header begins with "solid" is taken for the text format.
+// A file whose header begins with "solid" is taken for the text format. The header ends with a zero
+// byte, because programs such as admesh print everything up to the first one.
 std::string header_of(std::string_view title) {
     std::string header = "foamtex mesh in millimeters: ";
     header += title;
-    header.resize(kHeaderBytes, ' ');
+    header.resize(kHeaderBytes - 1, ' ');
     std::ranges::replace_if(
         header, [](char c) { return c < ' ' || c > '~'; }, '?');
+    header += '\0';
     return header;
 }
 

@@ -34,7 +34,8 @@ TEST(Stl, HasTheLayoutOfBinaryFiles) {
 TEST(Stl, ALongTitleIsCutAndOtherCharactersAreReplaced) {
     const std::string file = to_stl({}, std::string(200, 'x'));
     EXPECT_EQ(file.size(), 84U);
-    EXPECT_EQ(file[79], 'x');
+    EXPECT_EQ(file[78], 'x');
+    EXPECT_EQ(file[79], '\0');
     EXPECT_TRUE(to_stl({}, "f\xC3\xB6n").starts_with("foamtex mesh in millimeters: f??n"));
 }
 
