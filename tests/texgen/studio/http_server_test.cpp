@@ -281,9 +281,9 @@ class OneFreeDescriptor {
     rlimit before_{};
 };
 
-// The client takes the only free descriptor, so that the server has none for the connection. A first request makes sure
-// that all threads of the server run before: UndefinedBehaviorSanitizer opens a pipe when it meets a virtual table for
-// the first time.
+// The client takes the only free descriptor, so that the server has none for the connection. A
+// first request makes sure that all threads of the server run before: UndefinedBehaviorSanitizer
+// opens a pipe when it meets a virtual table for the first time.
 TEST(HttpServer, WaitsForAFreeDescriptorWithoutSpinning) {
     const RunningServer server(echo);
     const Client first(server.port());
