@@ -190,7 +190,7 @@ def main():
         if raw_table.exists():
             for bubbles in (1000, 10000, 20000, 30000, 100000, MILLION):
                 name = f"equilibrium from a raw diagram, {bubbles:,} bubbles"
-                if is_wanted(name) and (bubbles < MILLION or "1,000,000" in arguments.rows):
+                if is_wanted(name) and (bubbles < MILLION or f"{MILLION:,}" in arguments.rows):
                     print_raw_row(name, raw_table, bubbles, against)
     for table in tables:
         print(f"\n{table.name}:\n", flush=True)
