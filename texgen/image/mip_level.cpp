@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 // A box filter for images of any width and height. If the larger level has `from` pixels along an
@@ -13,8 +14,8 @@
 // of the larger level. The quotient is 2 if `from` is even, 1 if `from` is 1, and more than 2 and
 // at most 3 if `from` is any other odd number. The mean weights every covered pixel by the covered
 // fraction of its area. The filter is separable, so means are computed first along rows and then
-// across rows. Integers are ids, which cannot be averaged. A pixel of ids therefore gets the id at
-// the center of the covered area.
+// across rows. Images of 32-bit integers contain ids, which cannot be averaged. A pixel of such an
+// image therefore gets the id at the center of the covered area.
 
 namespace foam::texgen {
 
@@ -26,25 +27,26 @@ int half_of(int extent) {
 
 /// The interval that a pixel of the smaller level covers along one axis of the larger level.
 struct Footprint {
-    int from;   // number of pixels of the larger level along the axis
-    int to;     // number of pixels of the smaller level along the axis
-    int pixel;  // index of the pixel in the smaller level
+    // These numbers have 64 bits, because their products may exceed 32 bits.
+    std::int64_t from;   // number of pixels of the larger level along the axis
+    std::int64_t to;     // number of pixels of the smaller level along the axis
+    std::int64_t pixel;  // index of the pixel in the smaller level
 
     /// The pixels of the larger level that the interval overlaps are first(), ..., last() - 1.
-    int first() const { return pixel * from / to; }
-    int last() const { return ((pixel + 1) * from + to - 1) / to; }
+    int first() const { return static_cast<int>(pixel * from / to); }
+    int last() const { return static_cast<int>(((pixel + 1) * from + to - 1) / to); }
 
     /// Returns the fraction of the interval that is in a pixel of the larger level; `larger` is the
     /// index of this pixel. The fractions of all pixels that the interval overlaps add up to 1.
     /// Here the unit of length is 1 / `to` of a pixel of the larger level, so that the ends of all
     /// intervals are integers. Precondition: first() <= larger < last().
     double weight(int larger) const {
-        const int begin = std::max(pixel * from, larger * to);
-        const int end = std::min((pixel + 1) * from, (larger + 1) * to);
-        return static_cast<double>(end - begin) / from;
+        const std::int64_t begin = std::max(pixel * from, larger * to);
+        const std::int64_t end = std::min((pixel + 1) * from, (larger + 1) * to);
+        return static_cast<double>(end - begin) / static_cast<double>(from);
     }
     /// Returns the pixel of the larger level that contains the middle of the interval.
-    int middle() const { return (2 * pixel + 1) * from / (2 * to); }
+    int middle() const { return static_cast<int>((2 * pixel + 1) * from / (2 * to)); }
 };
 
 /// Computes the mean over each interval of row y of the larger level and adds it, multiplied by

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -73,6 +75,20 @@ TEST(MipLevel, ShiftsAroundTheTorus) {
     std::vector<float> level = samples_of(mean_level(row_of(values).view(), 0));
     std::rotate(level.begin(), level.begin() + 1, level.end());
     EXPECT_EQ(samples_of(mean_level(row_of(shifted).view(), 0)), level);
+}
+
+// Products of two indices of pixels exceed 32 bits.
+TEST(MipLevel, LongRows) {
+    const int width = 200'001;
+    Image<float> row(width, 1, 1);
+    std::ranges::fill(row.samples(), 3.0F);
+    EXPECT_EQ(samples_of(mean_level(row.view(), 0)),
+              std::vector<float>(static_cast<std::size_t>(width / 2), 3.0F));
+    Image<std::uint32_t> ids(width, 1, 1);
+    std::iota(ids.samples().begin(), ids.samples().end(), 0U);
+    const Image<std::uint32_t> level = central_level(ids.view(), 0);
+    EXPECT_EQ(level.samples().front(), 1U);
+    EXPECT_EQ(level.samples().back(), static_cast<std::uint32_t>(width - 2));
 }
 
 TEST(MipLevel, IntegersAreChosen) {
