@@ -36,7 +36,7 @@ struct Style {
     bool is_visible = true;
     bool is_even_odd = false;
 
-    // Returns the style of an element within an element of this style.
+    // Returns the style of `node`, given that the element around it has this style.
     Style within(const Node& node) const {
         Style style = *this;
         style.map = map * parse_svg_transform(node.attribute("transform").value());
@@ -74,7 +74,8 @@ Vec2 viewport_of_document(const Node& root) {
 }
 
 // Returns the style within the viewport of an <svg> or a <symbol> of the given style, or nullopt if
-// the viewport is empty. The size that a <use> of the element gives overrides that of the element.
+// the viewport is empty. If a <use> of the element states a size, this size replaces the size of
+// the element. `use` is null if there is no <use>.
 std::optional<Style> within_viewport(const Style& style, const Node& node, const Node& use) {
     const auto position = [&](const char* name, double whole) {
         return element_length(node, name, whole).value_or(0.0);
@@ -135,7 +136,8 @@ BezierPath rectangle(const Node& node) {
     return {path};
 }
 
-// Returns the path of a basic shape, or nullopt if the element is no basic shape.
+// Returns the path of an element that can be filled: a <path> or a basic shape other than <line>.
+// Returns nullopt for any other element.
 std::optional<BezierPath> path_of(const Node& node) {
     const std::string_view name = element_name(node);
     const auto center = [&] { return Vec2(length(node, "cx"), length(node, "cy")); };
@@ -170,8 +172,8 @@ class ShapeReader {
     std::vector<SvgShape> shapes;
 
   private:
-    // Collects the elements that can be used by their ids. Of several elements with the same id,
-    // the first one counts.
+    // Collects the elements that have an id, so that a <use> can refer to them. If several elements
+    // have the same id, the first one counts.
     void collect_ids(const Node& root) {
         struct Walker : pugi::xml_tree_walker {
             explicit Walker(std::map<std::string, Node>& map) : by_id(map) {}
@@ -247,10 +249,11 @@ class ShapeReader {
             return;
         }
         for (const Subpath& part : *path) {
-            curves_ += part.curves.size();
+            curves_ += part.curves.size() + 1;  // the start of a subpath counts, too
         }
         if (curves_ > kMaxCurves) {
-            throw InputError(fmt::format("it has more than {} lines and curves", kMaxCurves));
+            throw InputError(
+                fmt::format("it has more than {} lines, curves and subpaths", kMaxCurves));
         }
         shapes.push_back({mapped(*path, style.map), style.is_even_odd});
     }

@@ -22,8 +22,8 @@ struct SvgShape {
 /// and style sheets are ignored. Viewports of nested <svg> and <symbol> move and scale shapes, but
 /// do not clip them. Throws InputError, whose message does not name the file, if the document is no
 /// SVG, if an attribute that a filled shape needs is malformed, if a <use> refers to no element, if
-/// the document contains visible text, or if it has more than 100,000 lines and curves, 200,000
-/// elements or 64 nested elements. An element counts each time that a <use> draws it.
+/// the document contains visible text, or if it has more than 100,000 lines, curves and subpaths,
+/// 200,000 elements or 64 levels of nesting. An element counts each time that a <use> draws it.
 std::vector<SvgShape> read_svg_shapes(std::string_view document);
 
 }  // namespace foam::texgen

@@ -19,21 +19,27 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns a property as it is given, even if it is "inherit".
+// Returns the value of a property as it is given, even if the value is "inherit". In the attribute
+// `style`, the last value that is marked "!important" counts, or the last value if none is marked.
 std::string_view given_property(const pugi::xml_node& node, std::string_view name) {
+    std::string_view found = node.attribute(std::string(name).c_str()).value();
+    bool is_important = false;
     std::string_view style = node.attribute("style").value();
     while (!style.empty()) {
         const std::string_view one = style.substr(0, style.find(';'));
         style.remove_prefix(std::min(style.size(), one.size() + 1));
-        const std::size_t colon = one.find(':');
-        if (colon != std::string_view::npos && trimmed(one.substr(0, colon)) == name) {
-            return trimmed(one.substr(colon + 1));
+        const std::size_t colon = std::min(one.size(), one.find(':'));
+        const std::size_t mark = std::min(one.size(), one.find('!'));
+        const bool is_marked = mark < one.size();
+        if (colon < mark && trimmed(one.substr(0, colon)) == name && (is_marked || !is_important)) {
+            found = trimmed(one.substr(colon + 1, mark - colon - 1));
+            is_important = is_marked;
         }
     }
-    return node.attribute(std::string(name).c_str()).value();
+    return found;
 }
 
-// Returns the number of pixels per unit of length, or nullopt for other units.
+// Returns the length of a unit in pixels, or nullopt if the table in this function lacks the unit.
 std::optional<double> pixels_per(std::string_view unit) {
     constexpr std::array<std::pair<std::string_view, double>, 7> kUnits = {{{"", 1.0},
                                                                             {"px", 1.0},

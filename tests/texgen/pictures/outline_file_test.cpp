@@ -220,6 +220,14 @@ TEST(OutlineFile, SaysWhatIsWrongWithADrawing) {
     }
     EXPECT_EQ(fault_of("<svg>" + deep + "</svg>"),
               "its elements are nested too deeply, or are too many");
+    std::string subpaths;
+    std::string uses;
+    for (int k = 0; k < 400; ++k) {
+        subpaths += "M0 0 ";
+        uses += "<use href='#a'/>";
+    }
+    EXPECT_EQ(fault_of("<svg><path id='a' d='" + subpaths + "'/>" + uses + "</svg>"),
+              "it has more than 100000 lines, curves and subpaths");
 }
 
 TEST(OutlineFile, NamesTheFile) {

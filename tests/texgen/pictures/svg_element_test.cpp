@@ -39,5 +39,18 @@ TEST(SvgElement, HasNamePropertiesAndLengths) {
     EXPECT_THROW(element_length(node, "y"), InputError);
 }
 
+// The rules of CSS: the last value counts, but not if an earlier one is important.
+TEST(SvgElement, StylesMayRepeatAProperty) {
+    pugi::xml_document xml;
+    ASSERT_TRUE(
+        xml.load_string("<rect style='fill:red; fill:none; display:none !important; display:block; "
+                        "opacity:1; opacity:0 !important; a!b:c'/>"));
+    const pugi::xml_node node = xml.document_element();
+    EXPECT_EQ(element_property(node, "fill"), "none");
+    EXPECT_EQ(element_property(node, "display"), "none");
+    EXPECT_EQ(element_property(node, "opacity"), "0");
+    EXPECT_EQ(element_property(node, "a!b"), "");
+}
+
 }  // namespace
 }  // namespace foam::texgen
