@@ -6,6 +6,7 @@
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/vector_files.h"
+#include "texgen/blocks/texel_block.h"
 #include "texgen/image/format.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/preset/drawn_images.h"
@@ -21,7 +22,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The size of a drawing or table in bytes per bubble: SVG files have about 1,000, others fewer.
+// The size of a drawing or table in bytes per bubble. SVG files have about 1,000 bytes per bubble;
+// files of other formats have fewer.
 constexpr double kVectorFileBytes = 1000.0;
 
 // The size of a file of one map, in bytes per pixel, as a PNG and as an EXR.
@@ -31,11 +33,12 @@ struct MeasuredSize {
     double exr;
 };
 
-// Means over frame 1 of the presets sea_foam, potion and lava at 1024 x 1024 pixels, with the
-// default compression and without the texts that name the program, preset and seed:
+// The sizes are means over three images, frame 1 of each of the presets sea_foam, potion and lava.
+// The images have 1024 x 1024 pixels; their files have the default compression and do not contain
+// the texts that name the program, preset and seed. The command was:
 //   foamtex bake PRESET --set loop.kind=none --set frames.count=1 --set frames.warm_up=0
 //     --set output.texts=left-out --maps ... --out '{map}.png' (or '{map}.exr')
-// Most maps varied by less than 20 % between the presets.
+// The sizes of most maps varied by less than 20 % between the presets.
 constexpr std::array<MeasuredSize, 12> kVaried{{{"albedo", 1.0, 2.3},
                                                 {"thin_film", 1.4, 3.1},
                                                 {"lit", 1.0, 2.7},
@@ -57,16 +60,20 @@ constexpr MeasuredSize kFlat{"", 0.15, 0.35};
 // The number of pixels of all mip levels of an image, divided by the number of its own pixels.
 constexpr double kMipLevels = 4.0 / 3.0;
 
-// Returns the size without compression, in bytes per pixel. Each channel of an EXR counts as a
-// float of 4 bytes.
+// Returns the size that the file of a map has without compression, in bytes per pixel. Each channel
+// of an EXR counts as a float of 4 bytes.
 double raw_bytes_per_pixel(const MapTraits& map, bool stores_codes) {
     return channel_count(map) * (stores_codes ? map.png_bits / 8.0 : 4.0);
 }
 
-// Returns the bytes per pixel of a texture for graphics hardware with all mip levels.
-double texture_bytes_per_pixel(const MapTraits& map, const OutputOptions& output) {
+// Returns the bytes per pixel of a texture for graphics hardware. If output.mip_levels is true, the
+// bytes of all mip levels are included.
+double texture_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
+    const OutputOptions& output = preset.output;
+    const bool has_whole_blocks =
+        preset.image.width % kBlockSide == 0 && preset.image.height % kBlockSide == 0;
     const bool is_compressed = output.block_compression == BlockCompression::Auto &&
-                               map.png_bits == 8 && map.kind != MapKind::Id;
+                               has_whole_blocks && map.png_bits == 8 && map.kind != MapKind::Id;
     const int channels = channel_count(map);
     const double bytes = is_compressed ? (channels == 1 ? 0.5 : 1.0)
                                        : (channels == 3 ? 4 : channels) * map.png_bits / 8.0;
@@ -76,7 +83,7 @@ double texture_bytes_per_pixel(const MapTraits& map, const OutputOptions& output
 double map_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
     const OutputOptions& output = preset.output;
     if (FilePattern(preset).format().is_lossy) {
-        return texture_bytes_per_pixel(map, output);
+        return texture_bytes_per_pixel(map, preset);
     }
     const bool stores_codes = FilePattern(preset).format().samples == FormatSamples::Codes;
     const double levels =
@@ -91,8 +98,8 @@ double map_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
     return levels * (stores_codes ? size.png : size.exr);
 }
 
-// Returns the size of an image in bytes per pixel: the sum over its maps, which is only approximate
-// for a packing.
+// Returns the size of the file of an image in bytes per pixel: the sum over the maps from which the
+// image is drawn. The sum is only approximate for a packing, which stores channels of several maps.
 double bytes_per_pixel(const DrawnImage& image, const Preset& preset) {
     double bytes = 0.0;
     for (const Map* const map : image.sources()) {
