@@ -178,8 +178,8 @@ void StagedFile::write(std::span<const std::byte> content) {
 
 // linkat does not replace an existing file. If a file with the name of the target exists, the new
 // file first gets a temporary name, and is then renamed, which replaces the existing file. If
-// closing the file fails, its content may be lost. It is then not renamed; the destructor removes
-// it, even if it already has the name of the target.
+// closing the new file fails, its content may be lost. The file is then not renamed, and the
+// destructor removes it, even if it already has the name of the target.
 void StagedFile::publish() {
     if (name_.empty()) {
         std::filesystem::path name = target_;
@@ -245,6 +245,9 @@ std::filesystem::path nearest_existing(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::path existing = folder.empty() ? std::filesystem::current_path(error)
                                                     : std::filesystem::absolute(folder, error);
+    if (error) {
+        throw OutputError(fmt::format("cannot find the working directory: {}", error.message()));
+    }
     while (!is_existing(existing) && existing.has_relative_path()) {
         existing = existing.parent_path();
     }

@@ -40,8 +40,8 @@ inline void append(Bytes& to, std::span<const std::byte> bytes) {
 Bytes read_file(const std::filesystem::path& path, const InputKind& kind);
 
 /// Returns true if the name can be a part of a file name: it is not empty, has at most 200 bytes,
-/// is harmless (is_harmless in shown_text.h), and has no '/' and no leading '.'. Names in files
-/// from an untrusted source must be plain before they become parts of paths.
+/// is harmless (is_harmless in shown_text.h), and has no '/' and no leading '.'. A name that is
+/// read from an untrusted file must pass this test before it becomes a part of a path.
 bool is_plain_name(std::string_view name);
 
 /// Selects when the content of a file reaches the disk.
@@ -54,9 +54,10 @@ enum class Durability {
 };
 
 /// A file whose content is written before it gets its name, so that no reader sees a partial file.
-/// If the file system supports it, the file has no name before `publish`, and the system removes it
-/// if the program is killed. Otherwise it is in the same folder under a temporary name, which ends
-/// in ".part". The destructor removes the file if it has not been published.
+/// On a file system that supports files without names, the file has no name before `publish`, and
+/// the system removes it if the program is killed. On other file systems, the file is in the folder
+/// of the target under a temporary name, which ends in ".part". The destructor removes the file if
+/// it has not been published.
 class StagedFile {
   public:
     /// Writes the content. Precondition: the folder of `target` exists. Throws OutputError if
@@ -86,8 +87,9 @@ class StagedFile {
     int file_ = -1;               // file descriptor, or -1
 };
 
-/// Writes a file atomically: stages and publishes it (StagedFile). Precondition: the folder exists.
-/// Throws OutputError if writing fails; an existing file of this name then stays unchanged.
+/// Writes a file atomically: stages and publishes it (StagedFile). Precondition: the folder of
+/// `path` exists. Throws OutputError if writing fails; an existing file of this name then stays
+/// unchanged.
 void write_file(const std::filesystem::path& path,
                 std::span<const std::byte> content,
                 Durability durability = Durability::Later);
@@ -103,9 +105,9 @@ std::filesystem::path nearest_existing(const std::filesystem::path& folder);
 
 /// Throws OutputError if files cannot be written into a folder, or if the folder does not exist and
 /// cannot be created, for example because its path is too long. A long computation can call this
-/// function first. To test the folder, the function creates an empty folder with a temporary name
-/// in it, or in the nearest existing folder above it, and removes it again; `folder` itself is not
-/// created. An empty path means the working directory.
+/// function first. As a test, the function creates an empty folder with a temporary name inside
+/// `folder`, or inside the nearest existing folder above `folder`, and removes this empty folder
+/// again. It never creates `folder` itself. An empty path means the working directory.
 void check_writable(const std::filesystem::path& folder);
 
 /// Creates a folder and its parent folders if they do not exist. Does nothing for an empty path,
