@@ -15,26 +15,34 @@ namespace {
 
 // The signal that arrived last, or 0.
 std::atomic<int> stop_signal{0};
-// True if throw_if_interrupted has thrown because of this signal. Otherwise the next call of
-// handle_stop_signals keeps the signal, so that none is lost between two parts of a run.
+// True if throw_if_interrupted has thrown because of this signal. If false, the next call of
+// handle_stop_signals keeps the signal, so that no signal is lost between two parts of a run.
 std::atomic<bool> is_reported{false};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
-// The text that the signal handler writes. handle_stop_signals sets it before it installs the
-// handlers.
-std::string_view stop_note;
+// How the run stops, which the signal handler writes. handle_stop_signals may change it while
+// handlers are installed.
+std::atomic<Stopping> stopping_of_run{Stopping::AfterStep};
+static_assert(std::atomic<Stopping>::is_always_lock_free, "signal handlers may use it");
+
+std::string_view note_on(Stopping stopping) {
+    return stopping == Stopping::AfterStep
+               ? "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
+               : "\nfoamtex: stopping; the same signal again stops at once\n";
+}
 
 // The signal handler: stores the signal and writes a note. Calls only functions that a signal
 // handler may call.
 void take_signal(int signal) {
-    const int error = errno;  // of the code that the signal interrupts
+    const int error = errno;  // the errno of the code that the signal interrupts
     stop_signal = signal;
     // If stderr is a pipe without a reader, the write must fail instead of ending the process.
     struct sigaction ignore {};
     struct sigaction before {};
     ignore.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &ignore, &before);
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, stop_note.data(), stop_note.size());
+    const std::string_view note = note_on(stopping_of_run);
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, note.data(), note.size());
     sigaction(SIGPIPE, &before, nullptr);
     errno = error;
 }
@@ -51,10 +59,7 @@ void handle_stop_signals(Stopping stopping) {
     if (is_reported.exchange(false)) {
         stop_signal = 0;
     }
-    stop_note =
-        stopping == Stopping::AfterStep
-            ? "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
-            : "\nfoamtex: stopping; the same signal again stops at once\n";
+    stopping_of_run = stopping;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action {};
         sigaction(signal, nullptr, &action);

@@ -18,8 +18,9 @@ class Interrupted : public std::runtime_error {
     int signal_;
 };
 
-/// Selects how a run stops after a signal: after its current step, or soon if it has no steps. The
-/// signal handler tells the user.
+/// Selects how a run stops after a signal: after its current step, such as a time step or the
+/// drawing of a frame, or soon if the run has no steps. The signal handler writes to stderr which
+/// of the two it is.
 enum class Stopping { AfterStep, Soon };
 
 /// Installs handlers for SIGINT, SIGTERM and SIGHUP. If one of these signals arrives, the process
@@ -28,8 +29,9 @@ enum class Stopping { AfterStep, Soon };
 /// the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
 void handle_stop_signals(Stopping stopping = Stopping::AfterStep);
 
-/// Throws Interrupted if a signal has arrived since the first call of handle_stop_signals. A signal
-/// for which this function has thrown counts until the next call of handle_stop_signals.
+/// Throws Interrupted if one of these signals has arrived. Once this function has thrown, it throws
+/// at every further call, until a new call of handle_stop_signals forgets the signal. If this
+/// function has not thrown yet, handle_stop_signals does not forget the signal.
 void throw_if_interrupted();
 
 }  // namespace foam::texgen
