@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::string_view kMapKeyword = "Map";  // keyword of the text that names the map
 
-// Returns the name of the map that is stored in the texts of a picture, or an empty text if there
-// is none.
+// Returns the name of a picture's map, which its metadata contain under the keyword kMapKeyword, or
+// an empty text if they do not contain it.
 std::string map_in_texts(const Picture& picture) {
     for (const auto& [keyword, text] : picture.metadata.text) {
         if (keyword == kMapKeyword) {
@@ -46,9 +46,9 @@ bool is_map_of_colors(std::string_view map) {
     return found != maps.end() && found->kind == MapKind::Color;
 }
 
-// Converts the colors of a picture to other primaries. `map` is the map of a picture without
-// layers. If `map` is empty, the channels R, G and B of such a picture count as colors. The name of
-// a layer is the name of its map.
+// Converts the colors of a picture to other primaries. `map` names the map that channels without a
+// layer show; if it is empty, their channels R, G and B count as colors. The map of a layer is the
+// one that the layer is named after.
 void change_primaries(Picture& picture, std::string_view map, Primaries to) {
     const Primaries from = picture.metadata.primaries;
     for (const PictureChannel& channel : channels_of(picture)) {
@@ -89,10 +89,11 @@ std::vector<ComparedImage> compare_pictures(const ImagePair& pair,
                                             Picture a,
                                             Picture b,
                                             const CompareOptions& options) {
+    const std::string map = first_known({options.map, pair.map, map_in_texts(a), map_in_texts(b)});
     if (!have_same_layout(a, b)) {
-        return {{pair, first_known({options.map, pair.map}), {}, Verdict::DifferentLayout}};
+        return {{pair, map, {}, Verdict::DifferentLayout}};
     }
-    change_primaries(b, first_known({options.map, pair.map}), a.metadata.primaries);
+    change_primaries(b, map, a.metadata.primaries);
     if (options.difference) {
         write_png(
             *options.difference, difference_picture(a, b).view(), {}, {.filter = PngFilter::Up});
