@@ -19,14 +19,17 @@ namespace {
 namespace py = pybind11;
 
 // Returns a value of Python as the text of a TOML value: True becomes true, and a list or a tuple
-// becomes a list. A text stays as it is, as on the command line, but a text in a list or a tuple
-// becomes a quoted string.
+// becomes a list. A text is returned unchanged, as on the command line, but a text in a list or a
+// tuple becomes a quoted string.
 std::string value_text(const py::handle& value) {
     if (py::isinstance<py::str>(value)) {
         return value.cast<std::string>();
     }
     if (value.is_none()) {
         throw foamtex::ArgumentError("the value of a key must not be None");
+    }
+    if (py::hasattr(value, "tolist")) {  // an array or a number of NumPy
+        return value_text(value.attr("tolist")());
     }
     if (py::isinstance<py::bool_>(value)) {
         return value.cast<bool>() ? "true" : "false";
@@ -51,8 +54,8 @@ std::map<std::string, std::string> values_of(const py::dict& values) {
     return texts;
 }
 
-// Deletes a simulation. Other threads of Python run meanwhile, because its destructor waits until
-// the step that is running has ended.
+// Deletes a simulation. Lets other threads of Python run meanwhile, because the destructor of the
+// simulation waits for the end of the step that is being computed.
 struct SimulationDeleter {
     void operator()(foamtex::Simulation* simulation) const {
         const py::gil_scoped_release others_may_run;
@@ -105,9 +108,9 @@ py::array frame_table(const py::object& self) {
     return view_of(self.cast<const foamtex::Frame&>().records().*member, self);
 }
 
-// Fits a copy without the GIL, so that other threads may use the preset meanwhile. If another
-// thread has changed the preset meanwhile, the copy is dropped: a call of `set` ends the validity
-// of fitted ranges in any case.
+// Fits the automatic ranges of the maps in a copy of the preset. Does not hold the GIL meanwhile,
+// so that other threads may use the preset. If another thread has changed the preset meanwhile, the
+// copy is dropped, because ranges that were fitted before a call of `set` are not valid after it.
 void fit_ranges(foamtex::Preset& preset, int threads) {
     const foamtex::Preset before = preset;
     foamtex::Preset fitted = preset;
@@ -146,7 +149,8 @@ void bind_preset(py::module_& module) {
         .def_property_readonly("description", &foamtex::Preset::description)
         .def_property_readonly(
             "frame_count", &foamtex::Preset::frame_count, "Number of frames of the animation.")
-        .def_property_readonly("maps", &foamtex::Preset::maps, "Names of the maps of image.maps.")
+        .def_property_readonly(
+            "maps", &foamtex::Preset::maps, "Names of the maps in the key image.maps.")
         .def_property_readonly("width", &foamtex::Preset::width, "Width of images, in pixels.")
         .def_property_readonly("height", &foamtex::Preset::height, "Height of images, in pixels.")
         .def("toml", &foamtex::Preset::toml, "The whole preset as the text of a preset file.")
@@ -155,17 +159,18 @@ void bind_preset(py::module_& module) {
             [](const foamtex::Preset& self, const std::optional<std::string>& frames, int threads) {
                 return OwnedSimulation(new foamtex::Simulation(self, frames.value_or(""), threads));
             },
-            "Starts the simulation and returns an iterator of its frames. `frames` are numbers "
-            "such "
-            "as \"1-48\"; by default all. A thread computes a few frames ahead.",
+            "Starts the simulation and returns an iterator of its frames. `frames` selects "
+            "the frames to return, such as \"1-48\"; by default, all of them. A thread computes a "
+            "few frames ahead.",
             py::arg("frames") = py::none(),
             py::kw_only(),
             py::arg("threads") = 0)
         .def("fit_ranges",
              &fit_ranges,
-             "Fits the automatic ranges of maps to the whole animation. Integer samples of maps "
-             "with automatic ranges need this, again after each call of `set`. If another thread "
-             "calls `set` meanwhile, no range is fitted.",
+             "Fits the automatic ranges of maps to the whole animation. Before a map with an "
+             "automatic range can be drawn as integers, this function must be called, and again "
+             "after each call of `set`. If another thread calls `set` meanwhile, no range is "
+             "fitted.",
              py::kw_only(),
              py::arg("threads") = 0)
         .def("__repr__", [](const foamtex::Preset& self) {
@@ -186,11 +191,11 @@ void bind_texture(py::module_& module) {
         "One frame of an animation: a foam, and its images. Several threads may use it.")
         .def("map",
              &draw_map,
-             "Draws a map: an array of height x width x channels, with the top row first. float32: "
-             "numbers in the unit of the map; of a map of colors, linear light from 0 to 1, "
-             "multiplied by the opacity if there is one. uint8 or uint16: integers as in a PNG of "
-             "this depth; with the depth of the map's own PNG, the samples that `foamtex bake` "
-             "writes. Maps of colors do not allow uint16.",
+             "Draws a map and returns an array of height x width x channels, with the top row "
+             "first. With float32, samples are numbers in the unit of the map; samples of a map of "
+             "colors are linear light from 0 to 1, multiplied by the opacity if the map has one. "
+             "With uint8 or uint16, samples are the integers that a PNG of this depth contains. (A "
+             "bake may write the map with another depth.) Maps of colors do not allow uint16.",
              py::arg("name"),
              py::arg("dtype") = py::dtype::of<float>(),
              py::kw_only(),
