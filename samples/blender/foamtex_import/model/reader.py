@@ -98,7 +98,9 @@ def _displacements_of(baked, entry, files):
     """Returns the displacements of the files of a map of heights, or None if they are unknown."""
     if all("displacement" in file for file in files):
         return {file["frame"]: file["displacement"] for file in files}
-    if entry["name"] != "height" or not re.search(r'^mean_bubble = "current"', baked.get("toml", ""), re.M):
+    if entry["name"] != "height" or _format_of(entry)["is_codes"]:
+        return None
+    if not re.search(r'^mean_bubble = "current"', baked.get("toml", ""), re.M):
         return None
     foam = {frame["frame"]: frame for frame in baked["foam"]}
     if not all(file["frame"] in foam and foam[file["frame"]]["tiles"] for file in files):
