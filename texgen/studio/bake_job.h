@@ -18,7 +18,8 @@ class BakeRuns : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
-/// Runs the bakes that pages start, one at a time, below the folder of the studio. Thread-safe.
+/// Runs the bakes that pages of the studio start, one at a time. Their files are written below the
+/// folder of the studio. Thread-safe.
 class BakeJobs {
   public:
     /// Keeps references to the folder and the store.
@@ -28,8 +29,8 @@ class BakeJobs {
     BakeJobs& operator=(const BakeJobs&) = delete;
 
     /// Starts a bake. Returns the answer to /api/bake (README.md). Throws BakeRuns,
-    /// SettingsRejected, PathRejected, and the exceptions of check_bake, check_sheets and
-    /// parse_frame_range.
+    /// SettingsRejected, PathRejected, and the exceptions of check_bake, check_sheets, check_scenes
+    /// and parse_frame_range.
     Json start(const BakeRequest& request);
 
     /// Returns the answer to /api/bake/status. Throws std::invalid_argument if `bake` is not the
@@ -54,7 +55,7 @@ class BakeJobs {
 
     const StudioFolder& folder_;
     FrameStore& store_;
-    std::mutex mutex_;  // protects the job
+    std::mutex mutex_;  // protects job_ and count_
     std::unique_ptr<Job> job_;
     int count_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <stdexcept>
 #include <thread>
 
 namespace foam::texgen {
@@ -33,6 +34,18 @@ TEST(BakeJobs, ABakeCanStartAfterAnotherWasStopped) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     EXPECT_EQ(bakes.status(2)["status"], "complete");
+}
+
+TEST(BakeJobs, AnImpossibleSceneIsRejectedBeforeTheBake) {
+    const ScratchFolder scratch;
+    const StudioFolder folder(scratch.path());
+    FrameStore store(1UL << 20);
+    BakeJobs bakes(folder, store);
+    BakeRequest request = small_bake();
+    request.maps = {"id"};
+    request.settings.set.emplace_back("output.scene=[\"usda\"]");
+    EXPECT_THROW(bakes.start(request), std::invalid_argument);
+    EXPECT_FALSE(bakes.is_running());
 }
 
 }  // namespace

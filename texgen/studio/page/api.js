@@ -16,10 +16,13 @@ export class ApiError extends Error {
     }
 }
 
+/** Reports that the server cannot be reached, or that the connection broke off during an answer. */
+export class ConnectionError extends Error {}
+
 /** A random word that tells the server which page asks. */
 export const page = crypto.randomUUID?.() ?? String(Math.random()).slice(2);
 
-/** Emits "online", "offline" or "forbidden" when the connection changes. */
+/** Emits "online", "offline" or "forbidden" (the server denies access) when the connection changes. */
 export const connection = new Signal();
 let state = "online";
 
@@ -58,22 +61,30 @@ async function errorOf(response) {
     }
 }
 
-async function send(path, options) {
-    let response;
+// Returns what `promise`, a call of `fetch` or the reading of a body, gives. If the connection fails, throws
+// ConnectionError. An AbortError is passed on.
+async function received(promise) {
     try {
-        response = await fetch(path, {credentials: "same-origin", ...options});
+        return await promise;
     } catch (error) {
-        if (error.name !== "AbortError") {
-            setState("offline");
+        if (error.name === "AbortError") {
+            throw error;
         }
-        throw error;
+        setState("offline");
+        throw new ConnectionError("The program cannot be reached.", {cause: error});
     }
+}
+
+async function send(path, options) {
+    const response = await received(fetch(path, {credentials: "same-origin", ...options}));
     setState(response.status === 403 ? "forbidden" : "online");
     if (!response.ok) {
         throw await errorOf(response);
     }
     return response;
 }
+
+const jsonOf = async (response) => JSON.parse(await received(response.text()));
 
 const postOptions = (body, signal) => ({
     method: "POST",
@@ -82,35 +93,39 @@ const postOptions = (body, signal) => ({
     signal,
 });
 
-/** Posts a request and returns the JSON of the answer, or null if the answer is empty. Throws ApiError. */
+/** Posts a request and returns the JSON of the answer, or null if it is empty. Throws ApiError and ConnectionError. */
 export async function post(path, body, signal) {
     const response = await send(path, postOptions(body, signal));
-    return response.status === 204 ? null : response.json();
+    return response.status === 204 ? null : jsonOf(response);
 }
 
 /** Returns what the program can do: presets, maps, profiles, the schema of preset files. */
-export const getProgram = async () => (await send("/api/program", {})).json();
+export const getProgram = async () => jsonOf(await send("/api/program", {}));
 
 /**
- * Asks for samples: /api/picture or /api/baked. Returns the header of the answer, and the samples as `pixels`
- * (ImageData) or, for the samples "float", as `numbers` (Float32Array). Throws ApiError.
+ * Requests the samples of an image from `path`, which is /api/picture or /api/baked. Returns an object with the members
+ * of the header X-Foamtex-Picture, and with the samples as `pixels` (ImageData) or, if `body.samples` is "float", as
+ * `numbers` (Float32Array). Throws ApiError and ConnectionError.
  */
 export async function postPicture(path, body, signal) {
     const response = await send(path, postOptions({page, ...body}, signal));
     const info = JSON.parse(response.headers.get("X-Foamtex-Picture"));
-    const buffer = await response.arrayBuffer();
+    const buffer = await received(response.arrayBuffer());
     if (body.samples === "float") {
         return {...info, numbers: new Float32Array(buffer)};
     }
     return {...info, pixels: new ImageData(new Uint8ClampedArray(buffer), info.width, info.height)};
 }
 
-/** Posts a download and hands the file to the browser under its name, or under `fallback` if the server names none. */
+/**
+ * Requests a file from /api/download. The browser saves the file under the name that the server gives, or under
+ * `fallback` if the server gives none. Returns this name.
+ */
 export async function download(body, fallback) {
     const response = await send("/api/download", postOptions({page, ...body}));
     const name = /filename="?([^";]+)/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ?? fallback;
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(await response.blob());
+    link.href = URL.createObjectURL(await received(response.blob()));
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);

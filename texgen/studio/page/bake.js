@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The dialog that bakes: what, where, and the progress of the bake.
+// The dialog in which the user chooses what to bake and in which folder, and sees the progress of the bake.
 
 import {$, el} from "./dom.js";
 import {ApiError, post} from "./api.js";
@@ -10,6 +10,7 @@ const kPoll = 400; // milliseconds between two questions about the progress
 export class BakeDialog {
     #studio;
     #bake = null;
+    #status = null; // the last known progress of the bake
     #mapsChosen = false;
 
     constructor(studio) {
@@ -30,7 +31,7 @@ export class BakeDialog {
         this.#fill();
     }
 
-    /** Opens the dialog with the settings of the document, or with the progress of the bake in work. */
+    /** Opens the dialog with the progress of the running bake, or with the form if no bake runs. */
     open() {
         if (!this.#studio.answer) {
             return;
@@ -78,7 +79,8 @@ export class BakeDialog {
         $("bake-height").value = answer.size[1];
         $("bake-count").textContent = `${answer.frames} frames`;
         $("bake-range").placeholder = `1-${answer.frames}`;
-        $("bake-command").textContent = answer.command ?? "The events are changed: the command needs a preset file.";
+        $("bake-command").textContent =
+            answer.command ?? "None: the events have been changed, so the command would need a preset file.";
         this.#showRange();
         this.#showProfile();
     }
@@ -166,8 +168,12 @@ export class BakeDialog {
                 return;
             }
         } catch (error) {
-            if (error instanceof ApiError && error.status === 404) {
-                this.#finish({status: "failed", message: "The program was started again; the bake ended."});
+            // The server no longer knows the bake (422), or no longer admits the page (403).
+            if (error instanceof ApiError && (error.status === 422 || error.status === 403)) {
+                const message = "The program was started again, or another page has begun a bake.";
+                const status = {...this.#status, status: "failed", message};
+                this.#showStatus(status);
+                this.#finish(status);
                 return;
             }
         }
@@ -190,7 +196,9 @@ export class BakeDialog {
         this.#studio.gallery.refreshBakes();
     }
 
-    #showStatus({status, phase, done, total, seconds, seconds_left, files, first_file, message}) {
+    #showStatus(progress) {
+        this.#status = progress;
+        const {status, phase, done, total, seconds, seconds_left, files, first_file, message} = progress;
         const running = status === "running";
         const part = total > 0 ? done / total : running ? 0 : 1;
         const titles = {running: "Baking", complete: "Complete", failed: "Failed", cancelled: "Cancelled"};
@@ -209,11 +217,12 @@ export class BakeDialog {
         $("bake-chip").textContent = `Baking ${Math.round(100 * part)} %`;
     }
 
-    // Shows the baked set in the picture. It is the newest set of its folder, and thus the last one in the list.
+    // Shows the images of the bake (a baked set) in the view. This set is the newest one of its folder, and thus the
+    // last of the folder's sets in the answer to /api/bakes.
     async #openFolder() {
         const folder = $("bake-folder").value.trim().replace(/\/+$/, "");
         const {bakes} = await post("/api/bakes", {});
-        const found = bakes.find((one) => one.folder === folder) ?? bakes.find((one) => one.folder.startsWith(folder));
+        const found = bakes.find((one) => one.folder === folder) ?? bakes.find((one) => one.folder.startsWith(`${folder}/`));
         const bake = bakes.findLast((one) => one.folder === found?.folder);
         if (bake) {
             $("bake-dialog").close();

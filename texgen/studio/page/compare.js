@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Compares the picture with the one before the last change: a dividing line over the picture can be moved.
+// Compares the current picture with an earlier one: the picture before the last change, or a picture that the user has
+// kept. The earlier picture is shown to the left of a dividing line, which the user can move.
 
 import {$, clamp} from "./dom.js";
 
-const kStep = 0.02; // fraction of the width for a press of an arrow key
+const kStep = 0.02; // how far a press of an arrow key moves the line, as a fraction of the width of the canvas
 
 export class Compare {
     #studio;
@@ -30,16 +31,21 @@ export class Compare {
         this.#studio.ui.set("compare", !this.#studio.ui.get("compare"));
     }
 
-    /** Keeps the picture that is shown as the one to compare with, until another one is kept. */
+    /** Keeps the current picture for comparison, until another is kept or a preset is opened. */
     keep() {
+        const {picture} = this.#studio.view;
+        if (!picture) {
+            return;
+        }
         this.#kept = true;
-        this.#remember();
+        this.#studio.view.keepBefore(picture);
         this.#studio.ui.set("compare", true);
         this.#show();
         this.#studio.status.say("The picture is kept for comparison.");
     }
 
-    // The first edit of a gesture keeps the picture before the edit.
+    // Remembers the picture before an edit, unless the user has kept a picture. Of the edits of one gesture, such as
+    // the dragging of a control, only the first one does this.
     #onEdit({opened, keys, live}) {
         const gesture = live ? keys.join() : null;
         if (opened) {

@@ -57,7 +57,10 @@ export function setLabel(button, label) {
     button.title = label;
 }
 
-/** Returns a function that calls `action` once it has not been called for `milliseconds`. */
+/**
+ * Returns a function `call`. When `milliseconds` have passed since the last call of `call`, `action` is called once,
+ * with the arguments of this last call. `call.cancel()` prevents this.
+ */
 export function debounce(milliseconds, action) {
     let timer = 0;
     const call = (...values) => {
@@ -67,6 +70,9 @@ export function debounce(milliseconds, action) {
     call.cancel = () => clearTimeout(timer);
     return call;
 }
+
+/** Returns how far an event "wheel" scrolls down, in CSS pixels. `deltaY` may count pixels, lines or pages. */
+export const wheelPixels = (event) => event.deltaY * [1, 20, 400][event.deltaMode];
 
 /** Returns true if the user asked the system for less motion. */
 export const reducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;

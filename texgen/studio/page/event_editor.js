@@ -37,7 +37,10 @@ export class EventEditor {
         studio.view.moved.on(() => this.#placePin());
     }
 
-    /** Shows an event of the list, or closes the panel if `event` is null. */
+    /**
+     * Shows `event`, the event with the given index in the list of the track (EventTrack, events.js), or closes the
+     * panel if `event` is null.
+     */
     show(index, event) {
         this.#index = event ? index : null;
         $("event-editor").hidden = !event;
@@ -128,7 +131,8 @@ export class EventEditor {
         }
     }
 
-    // While a position is picked, the next click in the picture sets it.
+    // Begins or ends the picking of a position. While it lasts, the next click in the picture sets
+    // the position.
     #pick(on) {
         this.#picking = on;
         this.#studio.readout.suspended = on;
@@ -139,7 +143,7 @@ export class EventEditor {
         }
     }
 
-    // Positions of events are fractions from the lower left corner.
+    // Positions of events are fractions of the width and the height, from the lower left corner.
     #onClick([x, y]) {
         if (this.#picking) {
             this.#pick(false);

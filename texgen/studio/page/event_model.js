@@ -58,7 +58,7 @@ export function newEvent(kind, frame, count) {
     return kind.keys.some((key) => key.name === "at") ? {...event, at: "[0.5, 0.5]"} : event;
 }
 
-/** Returns the event as one of another kind, with the keys that the other kind has too. */
+/** Returns an event of the given kind. It keeps the values of those keys of `event` that this kind has, too. */
 export function withKind(event, kind) {
     const names = new Set(kind.keys.map((key) => key.name));
     const kept = Object.entries(event).filter(([name]) => names.has(name));

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The events on a track below the time line: add, move, change their length, select, delete.
+// Shows the events on a track below the time line, where the user adds, moves, lengthens, shortens,
+// selects and deletes them.
 
 import {$, clamp, el} from "./dom.js";
 import {EventEditor} from "./event_editor.js";
 import {kindOf, newEvent, rangeOf, toTexts, withRange} from "./event_model.js";
 
-const kRow = 16; // CSS pixels of an event on the track, including the gap
-const kEdge = 7; // CSS pixels at the ends of an event that change its length
+const kRow = 16; // height of an event on the track, including the gap, in CSS pixels
+const kEdge = 7; // width of the handle at each end of an event, in CSS pixels; dragging a handle changes the length
 
 export class EventTrack {
     #studio;
@@ -32,7 +33,7 @@ export class EventTrack {
         this.#show();
     }
 
-    /** The events of the document, as texts in TOML. */
+    /** The events of the document (state.js) as the page keeps them (event_model.js); none if a baked set is shown. */
     get list() {
         if (this.#studio.baked) {
             return [];
@@ -44,7 +45,7 @@ export class EventTrack {
         return this.#selected;
     }
 
-    /** The program's message about an event, or null. */
+    /** The program's error about an event: {index, key, message}, or null if there is none. */
     get error() {
         return this.#error;
     }
@@ -53,7 +54,11 @@ export class EventTrack {
     add() {
         const {player, eventKinds, status, baked} = this.#studio;
         if (player.count < 2 || baked) {
-            status.say("Events need an animation of at least two frames.");
+            status.say(
+                baked
+                    ? "Baked images cannot be edited; open a preset to add events."
+                    : "Events need an animation of at least two frames.",
+            );
             return;
         }
         this.#replace([...this.list, newEvent(eventKinds[0], player.frame, player.count)]);
@@ -79,7 +84,7 @@ export class EventTrack {
         this.#show();
     }
 
-    // The program names events by their number: event[1].frames.
+    // In errors of the program, the key of an event contains the event's number: event[1].frames.
     #onError(error) {
         const found = /^event(?:\[(\d+)\])?/.exec(error.key ?? "");
         if (found) {
@@ -184,7 +189,8 @@ export class EventTrack {
     }
 }
 
-// Returns the frames after a drag of a part of the event. Events begin at frame 2 or later.
+// Returns the new frames [first, last] of an event after its first frame, its last frame or both are
+// moved by `step` frames; `part` is "first", "last" or "all". Events begin at frame 2 or later.
 function moved([first, last], part, step, count) {
     if (part === "first") {
         return [clamp(first + step, 2, last), last];

@@ -7,7 +7,7 @@ import {toToml} from "./toml.js";
 
 let gestures = 0;
 
-/** Splits "#rrggbb@0.25" into the color and the position with its "@", which is empty if there is none. */
+/** Splits "#rrggbb@0.25" into "#rrggbb" and "@0.25". The second part is empty if the text has no position. */
 function splitColor(text) {
     const at = text.indexOf("@");
     return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at)];
@@ -19,8 +19,8 @@ function cssStop(text) {
     return position ? `${color} ${100 * Number(position.slice(1))}%` : color;
 }
 
-// Returns "#rrggbb" for "#rgb" and for colors without "#"; returns other texts unchanged, so that the program explains
-// them.
+// Returns "#rrggbb" for "#rgb" and for colors without "#". Other texts are only trimmed: the page sends them to the
+// program, whose error message tells what is wrong.
 function fullColor(text) {
     const [color, position] = splitColor(text.trim());
     const digits = color.trim().replace(/^#/, "");
@@ -173,7 +173,8 @@ class ColorList {
         event.stopPropagation();
     }
 
-    // A drag needs its element to stay in the page, so it selects without drawing.
+    // Drawing replaces the swatches. The swatch that a drag moves must stay in the page, so the
+    // start of a drag selects without drawing.
     #select(index, draw = true) {
         this.#selected = index;
         if (draw) {

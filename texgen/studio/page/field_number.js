@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The control of a number: a slider, a text field, and for some keys a switch for a word such as "auto" or a dice.
+// The control of a number: a slider, a text field, and for some keys a dice, or a switch for a word
+// such as "auto".
 
 import {clamp, el, iconButton} from "./dom.js";
 import {formatNumber, scaleOf, stepOf} from "./scale.js";
@@ -10,13 +11,17 @@ const kShortUnits = {pixels: "px", degrees: "°", nanometers: "nm", "percent of 
 const kPause = 800; // milliseconds after which another press of an arrow key is an edit of its own
 const kLargestDice = 100000;
 
-// Returns the text of a field in TOML. A text that is no number is sent too, so that the program can explain the error.
+// Returns the text of a field as a value in TOML. A text that is no number becomes a string, which is sent to the
+// program, too: the program accepts it (a word such as "auto"), or its error message says what is wrong.
 function textToToml(text) {
     const trimmed = text.trim();
     return trimmed !== "" && Number.isFinite(Number(trimmed)) ? trimmed : toToml(trimmed);
 }
 
-/** Counts gestures: edits of one drag, or of arrow keys in short succession, belong together. */
+/**
+ * Numbers the gestures of the user. All edits by one drag have the same number, and so have edits by arrow keys that
+ * follow each other within kPause.
+ */
 class Gesture {
     #number = 0;
     #last = 0;
@@ -36,8 +41,9 @@ class Gesture {
 }
 
 /**
- * Creates the control of a number. `edit(text, {gesture, live})` is called with the value in TOML. Returns the element,
- * the element that carries the value, and `show(value, text)`.
+ * Creates the control of a number (fields.js explains controls). `edit(text, {gesture, live})` is
+ * called with the value in TOML. Edits with the same `gesture` are undone together; `live` is true
+ * while the slider is being dragged.
  */
 export function numberField(key, id, edit, {largest, label}) {
     const scale = scaleOf(key, largest);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Creates the control of a key, by its kind. A control has `element`, `control` (the element that carries the value and
-// the attribute data-key), `show(value, text)`, `busy()` (true while the user edits it), and `wide` if it needs a whole
-// row.
+// Creates the control of a key, by the kind of the key. A control is an object with `element` (the element to insert
+// into the page), `control` (the element that carries the value and the attribute data-key), `show(value, text)`,
+// `busy()` (true while the user edits the value), and `wide` (true if the control needs a whole row).
 
 import {colorField, colorsField} from "./field_colors.js";
 import {numberField} from "./field_number.js";
@@ -10,14 +10,17 @@ import {el} from "./dom.js";
 import {formatNumber} from "./scale.js";
 import {toToml} from "./toml.js";
 
-const kSegments = 3; // choices with more words than this are menus
+// If a key has more choices than kSegments, or if they have more letters in all than kSegmentLetters, its control
+// is a menu instead of radio buttons.
+const kSegments = 3;
 const kSegmentLetters = 22;
 
 const never = () => false;
 
 /**
- * Creates the control of a key. `edit(text, {gesture, live})` gets the value in TOML. `options.label` is its accessible
- * name, `options.largest` limits sliders.
+ * Creates the control of a key. The control calls `edit(text, {gesture, live})` with the new value in TOML. Edits with
+ * the same `gesture` are undone together; `live` is true while a slider is being dragged or a color is being picked.
+ * `options.label` is the accessible name of the control; `options.largest` limits sliders.
  */
 export function createField(key, id, edit, options) {
     const create = {
@@ -92,12 +95,14 @@ function choicesField(key, id, edit, {label}) {
     return {element: group, control: group, wide: true, show, busy: never};
 }
 
-// Some numbers side by side, such as a width and a height. A text that is no number is sent as it is.
+// A list of numbers. A list of fixed length, such as a width and a height, has a field for each
+// number; any other list has one field. A text that is no number is sent to the server too, whose
+// error message then says what is wrong.
 function numbersField(key, id, edit, options) {
     return key.length === null ? numberListField(key, id, edit, options) : fixedNumbersField(key, id, edit, options);
 }
 
-// An input for text. `more` are further attributes.
+// An input for text. `more` contains further attributes.
 const textInput = (key, id, label, more = {}) =>
     el("input", {
         type: "text",

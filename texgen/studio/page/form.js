@@ -20,7 +20,8 @@ export class Form {
     #chosen = loadChosen();
 
     /**
-     * Creates the controls of all keys. `tables` are from schema.js; `largestFoam` limits the slider of the bubbles.
+     * Creates the controls of all keys. `tables` is the result of `tablesOf` (schema.js). `largestFoam` is the upper
+     * limit of the slider of the key `foam.bubbles`.
      */
     constructor(tables, state, largestFoam) {
         this.#state = state;
@@ -44,7 +45,11 @@ export class Form {
         this.#filter();
     }
 
-    /** Opens the sections whose keys a preset sets, unless the user opened or closed them. `base` are its values. */
+    /**
+     * Opens the section "foam", and each section with a key whose value in the preset is not the
+     * default, except the sections of kClosed. Closes the other sections. A section that the user
+     * has opened or closed stays as the user chose. `base` contains the values of the preset.
+     */
     showPreset(base) {
         for (const section of this.#sections) {
             const set =
@@ -57,7 +62,7 @@ export class Form {
         this.#filter();
     }
 
-    /** Shows an error of the program beside its field, or above the form if it is about no key of the form. */
+    /** Shows an error of the program in the row of its key, or above the form if it is about no key of the form. */
     showError(error) {
         const row = this.#rows.get(error?.key);
         for (const other of this.#rows.values()) {
@@ -70,14 +75,14 @@ export class Form {
         this.#filter();
     }
 
-    /** Shows the marks of changed keys before the answer of the server. */
+    /** Marks the changed keys. Does not wait for the answer of the server. */
     showChanges() {
         for (const row of this.#rows.values()) {
             row.showChanged(this.#state.change(row.key.path) !== undefined);
         }
     }
 
-    /** Shows the first section. */
+    /** Scrolls to the first section. */
     scrollToTop() {
         $("form").parentElement.scrollTop = 0;
     }

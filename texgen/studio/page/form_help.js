@@ -14,7 +14,7 @@ function allowedText(key) {
         case "number":
             return `${word}${key.integer ? "an integer" : "a number"} from ${range}`;
         case "numbers":
-            return `${key.length} ${key.integer ? "integers" : "numbers"} from ${range}`;
+            return `${key.length ?? "a list of"} ${key.integer ? "integers" : "numbers"} from ${range}`;
         case "color":
             return 'a color "#rrggbb"';
         case "colors":

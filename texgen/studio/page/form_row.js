@@ -5,16 +5,19 @@ import {el, iconButton} from "./dom.js";
 
 const kLabeled = new Set(["INPUT", "SELECT", "TEXTAREA"]);
 
-// The program names the option --set at the start of a message, which the page has no use for.
+// Messages of the program begin with the option --set and its argument. The page removes both,
+// because its users do not type options.
 const withoutOption = (message) => message.replace(/^--set .*?: (?=key ')/, "");
 
-/** A row of a form: the name of a key, its control, a button that resets it, and a message. */
+/** A row of a form: the name of a key, its control, a button that resets the key, and a message. */
 export class FormRow {
     changed = false;
     invalid = false;
 
     /**
-     * Creates the row. `edit(text, {gesture, live})` gets a value in TOML; `reset()` restores the value of the preset.
+     * Creates the row. `edit(text, {gesture, live})` is called with a value in TOML. Edits with the same `gesture` are
+     * undone together; `live` is true while a control is being dragged. `reset()` removes the user's change of the key.
+     * `largest` limits a slider; the ids of the elements begin with `prefix`.
      */
     constructor(key, {edit, reset, largest, prefix = "f"}) {
         this.key = key;
@@ -39,7 +42,10 @@ export class FormRow {
         this.text = `${key.path} ${name} ${key.help}`.toLowerCase();
     }
 
-    /** Shows a value, and the TOML text of the change if the key is changed. Does not disturb a control in use. */
+    /**
+     * Shows the value of the key. `text` is the changed value in TOML, or undefined if the key is
+     * not changed. A control that the user is editing keeps its content.
+     */
     showValue(value, text) {
         this.showChanged(text !== undefined);
         if (!this.field.busy()) {
@@ -55,7 +61,7 @@ export class FormRow {
         }
     }
 
-    /** Shows a key without effect as such. */
+    /** Marks the row as unused if the key has no effect. */
     showUsed(used) {
         this.element.classList.toggle("unused", !used);
     }
@@ -78,7 +84,9 @@ export class FormRow {
         }
     }
 
-    /** Returns true if the key contains all words in its path or its help text. */
+    /**
+     * Returns true if the path, the name and the help text of the key together contain all words.
+     */
     matches(words) {
         return words.every((word) => this.text.includes(word));
     }

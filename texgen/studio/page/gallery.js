@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The presets with their pictures, the files of the folder, and the baked sets below the folder.
+// The gallery: the shipped presets with their pictures, the preset files in the folder of the studio, and the baked
+// sets in this folder and its subfolders.
 
 import {$, debounce, el, icon} from "./dom.js";
 import {getProgram, post} from "./api.js";

@@ -77,7 +77,7 @@ const kNames = {
 };
 const nameOf = (key) => kNames[key] ?? (key.length === 1 ? key.toUpperCase() : key);
 
-// Keys that the focused element uses itself are not taken from it.
+// Returns true if the focused element uses the key itself, or if a dialog or a menu is open.
 function isTaken(event) {
     const target = event.target;
     if (target.closest("dialog[open], [popover]:popover-open")) {
@@ -92,7 +92,8 @@ function isTaken(event) {
     return event.key === " " && target.matches("button, input, summary, a, [role=slider], [role=button]");
 }
 
-// A text that is not committed yet has its own undo.
+// Returns true if the element is a text field, but not if it is a number field whose text is unchanged since it was
+// last shown or confirmed (`data-shown`, field_number.js). If true, Ctrl+Z and Ctrl+Y are left to the text field.
 function isWriting(target) {
     return target.matches("textarea, input[type=text], input[type=search]") && target.value !== target.dataset.shown;
 }

@@ -22,12 +22,10 @@ export class Lane {
     /** Runs `request`, a function from an AbortSignal to a promise, now or as soon as possible. */
     run(request) {
         this.#waiting = request;
-        if (!this.#running) {
-            this.#next();
-        } else if (performance.now() - this.#running.start > this.#patience) {
-            this.#running.abort.abort();
-        } else {
+        if (this.#running) {
             this.#cancelWhenOverdue(this.#running);
+        } else {
+            this.#next();
         }
     }
 
@@ -37,12 +35,15 @@ export class Lane {
         this.#running?.abort.abort();
     }
 
+    // Cancels the running request as soon as it has been running for `patience` milliseconds, which may already be so.
     #cancelWhenOverdue(running) {
-        running.timer ??= setTimeout(() => {
+        const left = running.start + this.#patience - performance.now();
+        const cancel = () => {
             if (this.#waiting) {
                 running.abort.abort();
             }
-        }, this.#patience);
+        };
+        running.timer ??= setTimeout(cancel, Math.max(0, left));
     }
 
     async #next() {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The tab that shows the material on a lit surface. While the loop plays, the surface plays, too: the maps of all frames
-// are loaded one frame after another and kept.
+// The tab that shows the material on a lit surface. While the loop plays, the surface shows the
+// frame that the player (player.js) has reached, as soon as the maps of this frame are loaded. The
+// maps of all frames are loaded one frame after another and kept.
 
 import {$, debounce} from "./dom.js";
 import {ApiError, postPicture} from "./api.js";
 
 const kRest = 200; // milliseconds without an edit after which the maps are requested
 const kWidth = 512; // largest width of the maps, in pixels
-const kBytesPerPixel = 28; // of the seven maps
-const kRetry = 1000; // milliseconds after an error
+const kBytesPerPixel = 28; // bytes per pixel of the seven maps of a frame (#images) together
+const kRetry = 1000; // milliseconds from an error until frames may be loaded again
 const kMemory = 384 * 1024 * 1024; // bytes for the maps of all frames of a loop
 
 export class Lit {
@@ -18,9 +19,9 @@ export class Lit {
     #abort = null;
     #stale = true;
     #frames = new Map(); // the maps of each frame that was loaded while the loop played
-    #loading = false; // maps of a frame of the loop
-    #updating = false; // the maps of the frame that is shown
-    #retryAt = 0; // when frames may be loaded again after an error, in milliseconds
+    #loading = false; // true while the frames of the loop are being loaded
+    #updating = false; // true while #update loads the maps of one frame at the full width, kWidth
+    #retryAt = 0; // the time, in milliseconds, from which frames may be loaded again after an error
     #wasPlaying = false;
     #later = debounce(kRest, () => this.#update());
 
@@ -48,11 +49,11 @@ export class Lit {
 
     #onEdit() {
         this.#frames.clear();
-        this.#abort?.abort(); // maps of the settings before
+        this.#abort?.abort(); // a request that still runs asks for maps of the previous settings
         this.#onChange();
     }
 
-    // After the loop was paused, the frame that is shown is drawn at the full size.
+    // When the loop is paused, requests the maps of the current frame at the full width.
     #onPlayerChange() {
         const {playing} = this.#studio.player;
         if (this.#wasPlaying && !playing) {
@@ -74,7 +75,8 @@ export class Lit {
         }
     }
 
-    // Loads the maps of all frames, first those after the current one, until the loop is paused or everything is loaded.
+    // Loads the maps of all frames, first those after the current one, until the loop is paused or
+    // everything is loaded.
     async #loadFrames() {
         const {player} = this.#studio;
         const frames = this.#frames;
@@ -94,7 +96,7 @@ export class Lit {
                 frames.set(frame, images);
             }
         } catch (error) {
-            if (error instanceof ApiError) { // not an aborted request
+            if (error.name !== "AbortError") {
                 this.#retryAt = performance.now() + kRetry;
             }
             this.#report(error);
@@ -103,7 +105,8 @@ export class Lit {
         }
     }
 
-    // Returns a width at which the maps of all frames fit into memory.
+    // Returns the width of the maps of a loop: kWidth or, if square maps of all frames would then
+    // need more than kMemory bytes, a smaller width, but not below 64.
     #loopWidth() {
         let width = kWidth;
         while (width > 64 && kBytesPerPixel * width * width * this.#studio.player.count > kMemory) {
@@ -137,7 +140,8 @@ export class Lit {
         }
     }
 
-    // The module and its WebGL context are created when the tab is opened for the first time.
+    // Loads the module surface.js and creates its WebGL context when the tab is opened for the
+    // first time. Returns false if this fails.
     async #create() {
         try {
             const {Surface} = await import("./surface.js");
@@ -171,6 +175,11 @@ export class Lit {
             this.#show(await this.#images(abort.signal, this.#studio.player.frame, kWidth));
             this.#apply();
         } catch (error) {
+            this.#stale ||= !abort.signal.aborted; // requests the maps again when the surface is opened again
+            // Status 409: the simulation was stopped, so the maps are requested again after a moment.
+            if (error instanceof ApiError && error.status === 409 && !abort.signal.aborted) {
+                this.#onChange();
+            }
             this.#report(error);
         } finally {
             if (this.#abort === abort) { // no later update has begun

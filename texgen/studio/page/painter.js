@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Decides which pictures are requested, and shows them: drafts and small pictures while a control moves, full pictures
-// when it rests, then the other frames of the loop.
+// Decides which pictures are requested, and shows them. While a control is moved, these are drafts
+// (frame 1 without the warm-up, the events and the loop) or pictures of a small width. When the
+// control rests, it is the full picture (the simulated frame), then the other frames of the loop.
 
-import {ApiError} from "./api.js";
+import {ApiError, ConnectionError} from "./api.js";
 import {debounce} from "./dom.js";
 import {Lane} from "./lane.js";
 import {Signal} from "./signal.js";
 
 const kPatience = 120; // milliseconds after which a newer request cancels a running one
 const kRest = 150; // milliseconds without an edit after which a dragged control rests
-const kSlow = 50; // milliseconds of a full picture above which smaller ones are requested during a drag
-const kSmall = 256; // their width, in pixels
-const kLoad = 400; // milliseconds after an edit of the looks until the loop is loaded again
+const kSlow = 50; // if a full picture takes more milliseconds, a drag requests small pictures
+const kSmall = 256; // largest width of small pictures, in pixels
+const kLoad = 400; // milliseconds from the full picture to the loop, if the edit does not change the foam
 const kSharpen = 600; // milliseconds of rest after which a magnified picture is requested at full size
+// Ranks of pictures: a picture does not replace one of the same edit that has a higher rank.
 const kDraft = 0,
     kSmaller = 1,
     kFull = 2,
-    kSharp = 3; // of two pictures of the same edit, the higher one is shown
+    kSharp = 3;
 
 export class Painter {
-    /** Emits {busy, message}: whether a full picture is awaited, and the error of the last picture or null. */
+    /**
+     * Emits {busy, message, error}. `busy` is true while a full picture is awaited; `message` is
+     * the message of the last picture's error, or null; `error` is this ApiError, if any.
+     */
     status = new Signal();
     /** Emits a full picture that was shown. */
     painted = new Signal();
@@ -49,24 +54,24 @@ export class Painter {
         view.moved.on(() => this.#sharpen());
     }
 
-    /** Where pictures come from: see source.js. */
+    /** The source of the pictures (source.js). */
     get source() {
         return this.#source;
     }
 
-    /** Sets where pictures come from. Does not request a picture. */
+    /** Sets the source of the pictures. Does not request a picture. */
     setSource(source) {
         this.#source = source;
     }
 
-    /** True if a picture of the current foam has been shown that is no draft. */
+    /** True if a picture of the current foam that is not a draft has been shown. */
     get settled() {
         return this.#settled;
     }
 
     /**
-     * Requests the picture again after an edit. `foam` tells whether the foam changes; `live` whether the control is
-     * still being moved.
+     * Requests the picture again after an edit. `foam` is true if the foam changes; `live` is true
+     * while the control is being moved.
      */
     refresh({foam = false, live = false} = {}) {
         this.#order += 1;
@@ -91,7 +96,7 @@ export class Painter {
         }
     }
 
-    /** Requests a draft too, because the last edit has turned out to change the foam. */
+    /** Requests a draft as well. Called when the last edit turns out to change the foam. */
     addDraft() {
         if (this.#settled && this.#shown[0] < this.#order) {
             this.#settled = false;
@@ -155,18 +160,20 @@ export class Painter {
             this.#show(order, rank, picture);
             return picture;
         } catch (error) {
-            if (error instanceof ApiError && error.status === 409) {
+            const isAnswer = error instanceof ApiError;
+            if (isAnswer && error.status === 409) {
                 this.#askAgain(order);
-            } else if (error instanceof ApiError && order === this.#order) {
+            } else if (isAnswer && order === this.#order) {
                 this.status.emit({busy: false, message: error.message, error});
-            } else if (error.name !== "AbortError" && !(error instanceof ApiError) && !(error instanceof TypeError)) {
+            } else if (!isAnswer && !(error instanceof ConnectionError) && error.name !== "AbortError") {
                 throw error;
             }
             return null;
         }
     }
 
-    // A late request about an older foam can stop the simulation of the newest one.
+    // Requests the full picture again if its simulation was stopped (status 409). This can happen
+    // if a request about an earlier foam reaches the server late.
     #askAgain(order) {
         setTimeout(() => {
             if (order === this.#order && !this.#full.busy) {
@@ -197,7 +204,8 @@ export class Painter {
         }
     }
 
-    // Requests the picture at the size of the preset if its pixels would be magnified otherwise.
+    // Requests the picture at the full size of the images (`size` of the source), or at the largest
+    // width that is allowed, if the shown picture is smaller and the screen magnifies its pixels.
     #paintSharp() {
         const source = this.#source;
         const shown = this.#view.picture;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Creates the parts of the page around the picture and the form. Each part knows the Studio, but not the other parts.
+// Creates the parts of the page that surround the picture and the form of the keys. Each part gets the object of the
+// class Studio, through which it reaches the other parts.
 
 import {BakeDialog} from "./bake.js";
 import {Compare} from "./compare.js";

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The frames of a loop in memory: loads them in order, and plays them.
+// Keeps the frames of a loop in memory: loads them in order, and plays them.
 
 import {ApiError} from "./api.js";
 import {Signal} from "./signal.js";
 
 const kRequests = 2; // frames that are requested at the same time
-const kAhead = 0.5; // seconds of frames that must exist before the loop starts to play
+const kAhead = 0.5; // seconds of frames that must be loaded before the loop starts to play
 const kMemory = 768 * 1024 * 1024; // bytes for the frames of a loop
+const kAttempts = 3; // how often the loading is started, if the simulation is stopped each time
+const kRetry = 1000; // milliseconds between two attempts
 
 export class Player {
-    /** Emits the number of the frame that must be shown, and its picture or null if it is not loaded. */
+    /**
+     * Emits the number of the frame that must be shown, and its picture, or null if the picture is
+     * not loaded.
+     */
     framed = new Signal();
     /** Emits when frames were loaded or dropped, or when playing starts or stops. */
     changed = new Signal();
@@ -36,7 +41,7 @@ export class Player {
         this.changed.emit();
     }
 
-    /** Forgets all frames and stops to load. */
+    /** Forgets all frames and stops loading. */
     clear() {
         this.#abort?.abort();
         this.#abort = null;
@@ -64,7 +69,7 @@ export class Player {
         return this.#abort !== null;
     }
 
-    /** Returns the width of frames of a loop: `width`, or less so that all frames fit into memory. */
+    /** Returns `width`, or a smaller width at which all frames of the loop fit into memory. */
     loopWidth(width, aspect) {
         let narrow = width;
         while (narrow > 64 && 4 * narrow * narrow * aspect * this.count > kMemory) {
@@ -84,26 +89,35 @@ export class Player {
     }
 
     /**
-     * Loads all missing frames, first those after the current one. `request(frame, signal)` returns a picture. Frames
-     * whose automatic range was not known yet are loaded again at the end.
+     * Loads all missing frames, in order from the current one. `request(frame, signal)` returns a
+     * picture. Pictures that were drawn before the automatic range of the map was known (`exact` is
+     * false) are loaded again at the end. If the simulation is stopped (status 409), the loading
+     * starts again after `kRetry` milliseconds, at most `attempts` - 1 times.
      */
-    async load(request) {
+    async load(request, attempts = kAttempts) {
         this.#abort?.abort();
         const abort = new AbortController();
         this.#abort = abort;
+        let failure = null;
         try {
             await this.#loadWhere((picture) => !picture, request, abort.signal);
             await this.#loadWhere((picture) => !picture?.exact, request, abort.signal);
         } catch (error) {
             abort.abort();
-            if (error instanceof ApiError && error.status !== 409) {
-                this.failed.emit(error);
-            }
+            failure = error instanceof ApiError ? error : null;
         }
-        if (this.#abort === abort) {
-            this.#abort = null;
-            this.changed.emit();
+        if (this.#abort !== abort) {
+            return; // the frames were cleared, or are loaded by a later call
         }
+        if (failure?.status === 409 && attempts > 1) {
+            setTimeout(() => this.#abort === abort && this.load(request, attempts - 1), kRetry);
+            return;
+        }
+        this.#abort = null;
+        if (failure) {
+            this.failed.emit(failure);
+        }
+        this.changed.emit();
     }
 
     async #loadWhere(isMissing, request, signal) {
@@ -150,7 +164,7 @@ export class Player {
         this.changed.emit();
     }
 
-    /** Starts to count time anew, because the speed has changed. */
+    /** Restarts the clock of the loop at the current frame. Called when the speed has changed. */
     restart() {
         this.#clock = null;
     }
@@ -180,7 +194,9 @@ export class Player {
             this.#clock = this.complete || this.#ready() ? {start: time, frame: this.frame} : null;
             return;
         }
-        // Rounded, because at the rate of the screen a fraction just below a whole number would skip frames.
+        // The number of steps is rounded. If the loop plays at the refresh rate of the screen, this
+        // number can be just below a whole number. If its fraction were cut off, some frames would
+        // be shown twice and the frames after them skipped.
         const steps = Math.round(((time - this.#clock.start) * this.framesPerSecond * this.speed) / 1000);
         const frame = ((this.#clock.frame - 1 + steps) % this.count) + 1;
         if (frame === this.frame) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Tells the value of the map under the pointer, and the bubble there.
+// Shows the value that the map has under the pointer, and facts about the bubble there.
 
 import {$, el} from "./dom.js";
 import {ApiError} from "./api.js";
 import {formatNumber} from "./scale.js";
 import {Lane} from "./lane.js";
 
-const kPatience = 2000;
+const kPatience = 2000; // milliseconds after which a newer request cancels a running one
 
 export class Readout {
     #studio;
@@ -28,10 +28,10 @@ export class Readout {
         $("readout-unpin").addEventListener("click", () => this.#unpin());
     }
 
-    /** Set while another part of the page waits for a click in the picture. */
+    /** True while another part of the page waits for a click in the picture. */
     suspended = false;
 
-    // A click keeps the readout at a point; a click near it lets the readout follow the pointer again.
+    // A click keeps the readout at a point, until the button in the readout is pressed (#unpin).
     #click(point) {
         if (this.suspended) {
             return;
@@ -99,7 +99,7 @@ export class Readout {
         $("readout-bubble").replaceChildren(...(bubble ? factsOf(bubble) : []));
     }
 
-    // The numbers that black and white stand for.
+    // Shows the numbers that black and white stand for, if the map has numbers and these are known.
     #showLegend(picture = null) {
         const map = this.#studio.program.maps.find((one) => one.name === this.#studio.map);
         const known = picture && picture.low !== null && picture.low !== undefined && map?.kind === "number";
@@ -112,8 +112,8 @@ export class Readout {
     }
 }
 
-// The part of a unit that describes PNG files does not matter here.
-const shortUnit = (unit) => unit.split(/;|, by default/)[0];
+// Returns the unit of a map without the part that tells how PNG files store the numbers.
+const shortUnit = (unit) => unit.split(/;|PNG:/)[0].trim();
 
 function factsOf(bubble) {
     const facts = {

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Maps the values of a number key to positions of its slider, and writes numbers.
+// Maps the values of a preset key that is a number to positions of the key's slider, and writes numbers as text.
 
-const kPositions = 1000; // of a slider that is not linear
-const kWide = 10; // a range this many times the reference value gets a logarithmic slider
-const kSpan = 5; // narrower ranges that begin near 0 get a linear slider
-const kLargestSlider = 1e9;
+const kPositions = 1000; // largest position of a slider that is not linear
+// A range from min >= 0 to max gets a logarithmic slider if two conditions hold (scaleOf): max - min is more than
+// kWide times the difference between the reference value (referenceOf) and min; and max - min is more than kSpan, or
+// min is positive and max / min is more than 1000. A range with min < 0 gets a symmetric slider, logarithmic on both
+// sides of 0, if max is at least 1000 and more than kWide times the reference value.
+const kWide = 10;
+const kSpan = 5;
+const kLargestSlider = 1e9; // the widest range that has a slider
 
-/** Returns the number with at most `digits` significant digits, without an exponent if it is moderate. */
+/**
+ * Returns the number as text, with at most `digits` significant digits unless it is an integer.
+ * Only very large and very small numbers have an exponent.
+ */
 export function formatNumber(value, digits = 6) {
     if (!Number.isFinite(value)) {
         return String(value);
@@ -16,9 +23,10 @@ export function formatNumber(value, digits = 6) {
 }
 
 /**
- * Returns the scale of a slider, or null if the key has no slider because its range is too wide, such as that of a
- * seed. A scale has `min`, `max` and `step` of the slider, and the functions `position` and `value`. `largest` limits
- * the range.
+ * Returns the scale of a slider, or null if the range of the key is too wide for a slider, such as
+ * the range of a seed. A scale contains `min`, `max` and `step` of the slider, and the functions
+ * `position`, from a value to a position, and `value`, from a position to a value. The range ends at
+ * the largest value of the key or at `largest`, whichever is smaller.
  */
 export function scaleOf(key, largest = Infinity) {
     const max = Math.min(key.max, largest);
@@ -36,7 +44,8 @@ export function scaleOf(key, largest = Infinity) {
     return wide ? logarithmicScale(key, max, reference) : linearScale(key, max);
 }
 
-// The value that decides the scale: the default, or a typical value if the default is the minimum.
+// Returns the reference value, which determines the kind of the scale: the magnitude of the default,
+// or a typical value if this magnitude is not inside the range.
 function referenceOf(key, max) {
     const standard = typeof key.default === "number" ? Math.abs(key.default) : 0;
     if (standard > key.min && standard < max) {
@@ -59,8 +68,9 @@ function linearScale(key, max) {
     };
 }
 
-// value = min + s (exp(k t) - 1), where t goes from 0 to 1: nearly linear far below the reference, logarithmic above
-// it.
+// Returns a scale on which the position kPositions t, with t from 0 to 1, has the value
+// min + s (exp(k t) - 1). Here s is `size` and k is `rate`. The scale is nearly linear far below the
+// reference value and logarithmic above.
 function logarithmicScale(key, max, reference) {
     const size = (reference - key.min) / 4;
     const rate = Math.log((max - key.min) / size + 1);
@@ -69,7 +79,7 @@ function logarithmicScale(key, max, reference) {
     return {min: 0, max: kPositions, step: 1, position, value: (at) => rounded(value(at), key)};
 }
 
-// The same curve on both sides of 0; the reference value is half way to each end.
+// Returns a scale with the curve of logarithmicScale on each side of 0.
 function symmetricScale(key, max, reference) {
     const half = logarithmicScale({...key, min: 0, integer: false}, max, reference);
     return {

@@ -6,10 +6,11 @@ const kColor = "^#[0-9a-fA-F]{6}$";
 const kColorStart = "^#[0-9a-fA-F]{6}"; // also the start of the pattern of a color with a position
 
 /**
- * Returns the tables of the schema in its order: {name, keys}. A key has `path`, `table`, `name`, `kind`, `help`,
- * `unit`, `default`, `condition` (see conditions.js), and what its kind needs: `choices`, `min`, `max`, `integer`,
- * `word` (the value beside the numbers, such as "auto" or 0), `length`. Kinds are number, choice, color, colors,
- * choices, numbers, texts and text.
+ * Returns the tables of the schema, in the order of the schema: {name, keys}. A key has `path`,
+ * `table`, `name`, `kind`, `help`, `unit`, `default` and `condition` (see conditions.js). Depending
+ * on its kind, it also has `choices`, `min`, `max`, `integer`, `word` (a special value that is
+ * allowed instead of a number of the range, such as "auto" or 0) and `length`. Kinds are number,
+ * choice, color, colors, choices, numbers, texts and text.
  */
 export function tablesOf(schema) {
     return Object.entries(schema.properties)
@@ -17,7 +18,7 @@ export function tablesOf(schema) {
         .map(([name, table]) => ({name, keys: keysOf(name, table.properties)}));
 }
 
-/** Returns the kinds of events: {name, help, keys, required}. */
+/** Returns the kinds of events: {name, help, keys}. */
 export function eventKindsOf(schema) {
     return schema.properties.event.items.anyOf.map((kind) => ({
         name: kind.properties.kind.enum[0],
@@ -88,7 +89,8 @@ function kindOf(schema) {
     return schema.pattern === kColor ? {kind: "color"} : {kind: "text"};
 }
 
-// A key with alternatives takes a word or a number ("auto", 0), or one item or a list of items, which may also be empty.
+// A key with alternatives takes either a number or one special value, such as "auto" or 0; or it
+// takes one item or a list of items, which may also be empty.
 function kindOfAlternatives(nested) {
     const alternatives = nested.flatMap((one) => one.anyOf ?? [one]);
     const word = alternatives.find((one) => "const" in one);

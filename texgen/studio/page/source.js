@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Where pictures come from: the settings of the page, or a baked folder. A source has `size` (of full pictures),
-// `drafts` (whether it has drafts), `largestWidth`, `map`, `picture(frame, width, quality, signal)`, which returns a
-// picture: {pixels, width, height, frame, exact, low, high, map, transparent, draft}, and `pick(picture, x, y, signal)`,
-// which returns the answer to /api/pick for a pixel of a picture.
+// A source provides the pictures that the page shows: pictures drawn with the settings of the page,
+// or the images of a baked set. A source has the members `size` (the size of the preset or of the
+// baked images), `drafts` (true if the source can draw drafts), `largestWidth` and `map`, and two
+// functions:
+//   picture(frame, width, quality, signal)
+//     returns a picture: {pixels, width, height, frame, exact, low, high, map, transparent, draft}
+//     `exact` is false for a draft, and while an automatic range of the map is provisional.
+//   pick(picture, x, y, signal)
+//     returns the answer to /api/pick or /api/baked/pick for a pixel of a picture
 
 import {page, post, postPicture} from "./api.js";
 
-/** Returns a source that draws settings. `transparent` tells whether pictures have pixels without foam. */
+/**
+ * Returns a source that draws settings. `transparent` is true if pictures have pixels without foam.
+ */
 export function settingsSource(settings, {size, map, largestWidth, transparent}) {
     return {
         size,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The document of the page: a preset, the changes to it, and its events. Every edit makes a new snapshot, so that undo
-// and redo only move along the list of snapshots.
+// The document of the page: a preset, the changes to it, and its events. Every edit makes a new snapshot of the
+// document, or replaces the latest snapshot if the edit belongs to the same gesture as the edit before it, such as the
+// dragging of a control. Undo and redo therefore only move along the list of snapshots.
 
 import {Signal} from "./signal.js";
 import {eventsToToml, toToml} from "./toml.js";
@@ -9,10 +10,14 @@ import {eventsToToml, toToml} from "./toml.js";
 const kLimit = 200; // snapshots that are kept
 const kStore = "foamtex-studio-document"; // key in sessionStorage
 
-// Setting one of these keys clears the other one in a preset, so only the last one is kept as a change.
+// In a preset, setting one of these keys clears the other one. Only the key that was set last is
+// therefore kept as a change.
 const kRivals = {"albedo.colors": "albedo.colormap", "albedo.colormap": "albedo.colors"};
 
-/** Tables whose keys usually change the foam, and not only its looks. A wrong guess costs time, but no correctness. */
+/**
+ * Tables whose keys usually change the foam, and not only its looks; kLookKeys are exceptions. changesFoam is therefore
+ * only a guess. If it is wrong, the pictures take longer, but they are right.
+ */
 const kFoamTables = /^(foam|dynamics|frames|loop|event)(\.|\[|$)/;
 const kLookKeys = new Set(["frames.smoothing"]);
 
@@ -24,7 +29,11 @@ function without(changes, key) {
 }
 
 export class StudioState {
-    /** Emits {foam, live, keys} after every change; `live` is true while a control is being dragged. */
+    /**
+     * Emits {foam, live, keys, opened} after every change. `foam` is true if the change probably needs another
+     * simulation, `live` is true while a control is being dragged, `keys` lists the changed keys ("event" stands for
+     * the events), and `opened` is true if a preset or file has been opened, also by undo or redo.
+     */
     changed = new Signal();
 
     /** The values of the preset without changes, by the path of the key; null while they are unknown. */
@@ -79,12 +88,8 @@ export class StudioState {
         return {preset: this.preset, set, events: this.events === null ? null : eventsToToml(this.events)};
     }
 
-    /** Sets a key to a value in TOML. Edits with the same `gesture` are undone together. */ set(
-        key,
-        text,
-        gesture = null,
-        live = false,
-    ) {
+    /** Sets a key to a value in TOML. Edits with the same `gesture` are undone together. */
+    set(key, text, gesture = null, live = false) {
         if (this.change(key) === text) {
             if (!live && gesture !== null) {
                 this.changed.emit({foam: changesFoam(key), live, keys: [key]});
@@ -96,7 +101,7 @@ export class StudioState {
         this.changed.emit({foam: changesFoam(key), live, keys: [key]});
     }
 
-    // Returns true if the preset has this value without changes, so that it is no change.
+    // Returns true if the key has this value in the preset, so that setting the value is no change.
     #isBase(key, text) {
         const value = this.base?.[key];
         if (value === undefined || this.change(kRivals[key]) !== undefined) {
@@ -117,7 +122,7 @@ export class StudioState {
         this.changed.emit({foam: true, live, keys: ["event"]});
     }
 
-    /** Opens a preset or a file without changes. */
+    /** Opens a preset or a file, and begins without changes to it. */
     open(preset) {
         this.base = null;
         this.#push({preset, changes: [], events: null});
@@ -143,6 +148,9 @@ export class StudioState {
         this.#store();
         const keys = changedKeys(before, this.#current);
         const opened = before.preset !== this.preset;
+        if (opened) {
+            this.base = null;
+        }
         this.changed.emit({foam: opened || keys.some(changesFoam), live: false, keys, opened});
     }
 
@@ -157,7 +165,7 @@ export class StudioState {
         this.#store();
     }
 
-    // Keeps the work when the page is loaded again.
+    // Stores the snapshots after a short delay, so that they survive when the page is loaded again.
     #store() {
         clearTimeout(this.storing);
         this.storing = setTimeout(() => this.storeNow(), 200);
@@ -180,7 +188,7 @@ export class StudioState {
                 this.#index = stored.index;
             }
         } catch {
-            // What another version of the page stored is ignored.
+            // Data that another version of the page has stored are ignored.
         }
     }
 }

@@ -40,7 +40,8 @@ export class StatusBar {
         this.#watch();
     }
 
-    // A message about a key is shown beside its field.
+    // Shows an error over the picture. The message of an error about a key is shown beside the
+    // field of the key; over the picture, another text says only which settings are shown.
     #showError(error) {
         $("stage-message").hidden = !error;
         $("stage-message").textContent = error?.key

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Connects the parts of the page: an edit of the document asks for its settings and its picture at the same time.
+// Connects the parts of the page. After each edit of the document (the preset with the changes of the page, state.js),
+// sends the requests /api/settings and /api/picture at the same time.
 
 import {ApiError, connection, post} from "./api.js";
 import {$, reducedMotion} from "./dom.js";
@@ -19,9 +20,12 @@ import {View} from "./view.js";
 const kPatience = 1000; // milliseconds after which a newer request for settings cancels a running one
 
 export class Studio {
-    /** Emits every answer of /api/settings to the newest settings. */
+    /** Emits each answer of /api/settings that belongs to the newest settings. */
     answered = new Signal();
-    /** Emits when other pictures are shown: after an edit, and when the map or the source changes. */
+    /**
+     * Emits when the picture is requested anew: after an edit, and when the map, the width or the source (the document
+     * or a baked set) changes.
+     */
     refreshed = new Signal();
     /** Emits {key, message} if the newest settings are not allowed. */
     rejected = new Signal();
@@ -97,7 +101,7 @@ export class Studio {
         this.#playAtFirst();
     }
 
-    /** Returns to the document. */
+    /** Shows the document again instead of a baked set. */
     closeBaked(refresh = true) {
         if (this.baked) {
             this.baked = null;
@@ -130,7 +134,8 @@ export class Studio {
         }
     }
 
-    // Pictures are requested before the answer to the settings is known. The server rejects frames beyond the end.
+    // Limits the current frame to the probable number of frames: the picture is requested before
+    // the answer to the settings is known, and the server rejects frames beyond the end.
     #limitFrames() {
         const count = Number(this.state.change("frames.count") ?? this.presetInfo?.frames);
         if (count >= 1 && count < this.player.count) {
@@ -145,7 +150,7 @@ export class Studio {
         this.player.frame = 1;
     }
 
-    // Draws the picture of the current document and map.
+    // Requests the picture of the document, or of the baked set that is shown instead.
     #refresh(how) {
         this.painter.setSource(this.#source());
         this.painter.refresh(how);
@@ -198,7 +203,8 @@ export class Studio {
         }
     }
 
-    // The picture was requested before the answer was known. Requests it again if the guess was wrong.
+    // The picture was requested before the answer was known, with a guess of its size, its map, its frame, and whether
+    // the foam tiles. Requests it again if one of these guesses was wrong.
     #correctPicture(before) {
         const {answer} = this;
         const wrong =
@@ -214,7 +220,8 @@ export class Studio {
         }
     }
 
-    // The values of the preset without changes tell which sections to open, and which edits are no changes.
+    // Requests the values of the preset without the changes of the page. They determine which
+    // sections of the form are open, and which edits are no changes.
     async #requestBase(answer, settings) {
         const plain = settings.set.length === 0 && settings.events === null;
         const base = plain ? answer : await post("/api/settings", {settings: {...settings, set: [], events: null}});
@@ -224,7 +231,7 @@ export class Studio {
         }
     }
 
-    // A loop plays by itself, unless the user prefers less motion.
+    // Plays an animation that has just been opened, unless the user prefers less motion.
     #playAtFirst() {
         if (!reducedMotion()) {
             this.player.play();

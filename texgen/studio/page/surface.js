@@ -16,10 +16,10 @@ const kQualities = {
     full: {antialias: true, anisotropy: 8, shadowSteps: 12, cells: 660, pixelRatio: 2, samplesAtRest: 1},
     fast: {antialias: false, anisotropy: 1, shadowSteps: 5, cells: 324, pixelRatio: 1, samplesAtRest: 4},
 };
-const kSmoothing = 1;  // levels of detail by which the displacement is smoother than the mesh could show
-const kRest = 250;  // milliseconds after the last change
-const kLongestBeforeRest = 1500;  // milliseconds of a picture with one sample per pixel
-const kLargestAtRest = 4e6;  // pixels
+const kSmoothing = 1;  // heights are read this many mip levels above the level with one texel per cell of the mesh
+const kRest = 250;  // milliseconds without a change after which the picture is drawn with more samples
+const kLongestBeforeRest = 1500;  // a picture that takes more milliseconds gets no further samples
+const kLargestAtRest = 4e6;  // largest number of samples of a picture, unless it has one per pixel
 const kNoWebGl = "The lit preview needs WebGL 2, which this browser does not offer or has turned off.";
 
 // Draws on a canvas whenever something changed. After the user has moved the light, the canvas gets the event
@@ -49,12 +49,13 @@ export class Surface {
         this.listen();
     }
 
-    // Each image is null or {width, height, data}; a missing one is null. Rows go from the top to the bottom, and data
-    // are bytes R G B A. Colors are sRGB; alpha of the base color shows the background. The map height may be a
-    // Float32Array with one number per pixel; its property `unit` is the number of tile widths that the number 1 (or
-    // the code 255) stands for. `unit` is 1 for floats and 0.05 for bytes, unless it is given. Without normals, the
-    // normals of the height are used. An image that is the same object as before is not sent to the graphics card
-    // again. Throws an Error if an image is too large or its data have the wrong length.
+    // Each image is {width, height, data}, or null if there is no such map. Rows go from the top to the bottom, and
+    // `data` are bytes R G B A. Colors are sRGB; where alpha of the base color is 0, the background is visible. `data`
+    // of the image `height` may also be a Float32Array with one number per pixel. The image `height` may have a member
+    // `unit`: the number of tile widths that the number 1 (or the code 255) stands for, by default 1 for floats and
+    // 0.05 for bytes. Without the image `normal`, normals are computed from the image `height`. An image that is
+    // the same object as before is not sent to the graphics card again. Throws an Error if an image is too large or its
+    // data have the wrong length.
     setImages(images) {
         const largest = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE) ?? Infinity;  // null if the context is lost
         for (const name of kImages) {
@@ -65,7 +66,7 @@ export class Surface {
         this.invalidate();
     }
 
-    // "plane", "sphere" or "cylinder". Shows the default view of the shape.
+    // Shows another shape, "plane", "sphere" or "cylinder", in its default view.
     setShape(shape) {
         if (!(shape in kShapes)) {
             throw new Error(`There is no shape "${shape}"; allowed are ${Object.keys(kShapes).join(", ")}.`);
@@ -83,8 +84,8 @@ export class Surface {
         this.set("tiling", Math.max(Math.round(tiling), 1));
     }
 
-    // The direction to the light in degrees, as in the map lit: the azimuth is counterclockwise from the right, and the
-    // elevation is the angle above the plane, or from the outline of a round shape towards the viewer.
+    // The direction to the light in degrees, as in the map `lit`: the azimuth is counterclockwise from the right. The
+    // elevation is the angle above the plane. A round shape is lit from the side if it is 0, and from the front if 90.
     setLight({azimuth, elevation}) {
         this.set("light", {azimuth, elevation});
     }
@@ -94,7 +95,7 @@ export class Surface {
         this.set("lightStrength", strength);
     }
 
-    // The brightness of a white surface below the whole sky. The default is 0.4.
+    // The brightness of a white surface that faces the middle of the sky. The default is 0.4.
     setAmbient(ambient) {
         this.set("ambient", ambient);
     }
@@ -123,8 +124,8 @@ export class Surface {
         this.invalidate();
     }
 
-    // Draws now. Pixels can be read from the canvas in the same task. Otherwise the browser calls this function before
-    // it shows the next picture, if something changed.
+    // Draws now, so that pixels can be read from the canvas in the same task. After a change, no
+    // call is needed: the browser calls this function before it shows the canvas again.
     render() {
         cancelAnimationFrame(this.frame);
         clearTimeout(this.timer);
@@ -135,8 +136,8 @@ export class Surface {
         }
     }
 
-    // Draws with several samples per pixel, unless that takes too long; the browser computes their mean when it shows
-    // the canvas.
+    // Draws with several samples per pixel, unless one sample per pixel has already taken too long.
+    // The browser computes the mean of the samples when it shows the canvas.
     refine() {
         if (!this.fence.isPassed()) {
             this.timer = setTimeout(() => this.refine(), kRest);
@@ -188,7 +189,7 @@ export class Surface {
         }
     }
 
-    // Waits while the last picture is in work, so that pictures do not queue up.
+    // Waits until the last picture is finished, so that pictures do not queue up.
     renderIfIdle() {
         this.frame = 0;
         if (this.fence.isPassed()) {
@@ -237,7 +238,7 @@ export class Surface {
         return width > 0 && height > 0;
     }
 
-    // Creates everything that a context holds, after the start and after the context was restored.
+    // Creates all objects of the WebGL context: at the start, and after a lost context was restored.
     build() {
         const gl = this.gl;
         this.program = linked(gl, kVertexShader, kFragmentShader);

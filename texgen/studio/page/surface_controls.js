@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Pointer, wheel and keyboard of the lit preview.
+// Lets the user turn, light and magnify the lit preview with the pointer, the wheel and the keyboard.
+
+import {wheelPixels} from "./dom.js";
 
 const kTurnPerHeight = Math.PI;  // radians by which a drag along the height of the canvas turns the shape
 const kTurnPerKey = Math.PI / 36;
@@ -13,9 +15,10 @@ const kArrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], Arrow
 // with the canvas:
 //   orbit(turn, tilt)   turns the shape, in radians
 //   light(x, y)         moves the light, in half-heights of the canvas, x to the right and y up
-//   zoom(factor, at)    magnifies about a point, in half-widths and half-heights of the canvas from its center
+//   zoom(factor, at)    magnifies about the point `at`, x in half-widths and y in half-heights of the canvas from the
+//                       center of the canvas; without `at`, about the center
 //   reset()             shows the default view
-// Returns a function that stops this.
+// Returns a function that removes the listeners.
 export function attachControls(canvas, actions) {
     const stop = new AbortController();
     const listen = (type, listener, options = {}) =>
@@ -71,8 +74,7 @@ export function attachControls(canvas, actions) {
     listen("dblclick", () => actions.reset());
     listen("wheel", (event) => {
         event.preventDefault();
-        const pixels = event.deltaY * [1, 20, 400][event.deltaMode];
-        actions.zoom(Math.exp(-Math.min(Math.max(pixels, -300), 300) * 0.0015), positionOf(event));
+        actions.zoom(Math.exp(-Math.min(Math.max(wheelPixels(event), -300), 300) * 0.0015), positionOf(event));
     }, {passive: false});
     listen("keydown", (event) => {
         if (actOnKey(event, actions)) {
@@ -82,7 +84,7 @@ export function attachControls(canvas, actions) {
     return () => stop.abort();
 }
 
-// Returns true if the key has a meaning.
+// Calls the action of the key. Returns false if the key has none.
 function actOnKey(event, actions) {
     if (event.ctrlKey || event.altKey || event.metaKey) {
         return false;

@@ -4,12 +4,15 @@
 // towards a viewer who looks at the front. A mesh is an array of floats, kFloatsPerVertex for each vertex, and an
 // array of indices of triangles.
 //
-// Texture coordinates are in turns of the tile before they are repeated: u grows to the right and v grows up, and both
-// are 0 at the middle of the front. `tiles` tells how often the tile repeats along one unit of u, per setTiling(1).
-// `tileWidth` is the width of a tile in the units of positions, before it is divided by setTiling. All mappings of the
-// surfaces preserve angles, so that bubbles stay round and the slopes of the normal map stay correct.
+// The texture coordinate u grows to the right and v grows up; both are 0 at the middle of the
+// front. Their unit is the side of the plane, or the circumference of a round shape. A mesh also has
+// two numbers that are valid after Surface.setTiling(1): `tiles` is the number of tiles along one
+// unit of u, and `tileWidth` is the width of a tile in the units of positions. All mappings of the
+// surfaces preserve angles, so that bubbles stay round and the slopes of the normal map stay
+// correct.
 
-// Position (3), normal (3), tangent (3), texture coordinates (2), factor on the displacement, and 1 on walls.
+// The floats of a vertex are: position (3), normal (3), tangent (3), texture coordinates (2),
+// factor on the displacement (1), and a number that is 1 on walls and 0 elsewhere (1).
 export const kFloatsPerVertex = 13;
 
 const kCylinderRadius = 0.72;
@@ -140,11 +143,13 @@ function cylinder(columns) {
     return {builder, tiles: 2, tileWidth: circumference / 2, cellsPerTurn: columns};
 }
 
-// `turnsAbout` is the axis about which dragging to the side turns the shape: "y" or "z". `tilts` are the limits of
-// the angle in radians by which the camera is above the middle of the front, and `tilt` is its default. `radius` is
-// the radius of a sphere that the view must contain. `sky` is the direction of the sky. `middle` is the height that is
-// not displaced, as a fraction of the largest one; the edges of the cylinder only meet if it is 0. `lift` moves the
-// image up if the camera is tilted, as the near side of the plane looks larger than the far one.
+// `turnsAbout` is the axis about which the shape turns when the user drags to the side: "y" or "z".
+// `tilt` is the default of the angle, in radians, by which the camera is above the middle of the
+// front (below it, if the angle is negative); `tilts` are the limits of this angle. `radius` is the
+// radius of a sphere that the view must contain. `sky` is the direction to the middle of the sky.
+// `middle` is the height that is not displaced, as a fraction of the largest height; the edges of
+// the cylinder meet only if it is 0. `lift` moves the image up if the camera is tilted, because the
+// near side of the plane then looks larger than the far side.
 const kDegree = Math.PI / 180;
 const kAnyTilt = [-89 * kDegree, 89 * kDegree];
 export const kShapes = {
@@ -162,8 +167,9 @@ export const kShapes = {
     },
 };
 
-// Returns the mesh of the shape `name`: vertices, indices, tiles, tileWidth, and the number of cells of the mesh along
-// one unit of u. The circumference of round shapes has `cells` cells, a multiple of 6.
+// Returns the mesh of the shape `name`: vertices, indices, tiles, tileWidth, and cellsPerTurn, the
+// number of cells of the mesh along one unit of u. `cells`, a multiple of 6, is this number for
+// round shapes; for the plane it is 2/3 of `cells`.
 export function meshOf(name, cells) {
     const {builder, ...measures} = kShapes[name].make(cells);
     return {vertices: builder.vertices, indices: builder.indices, ...measures};

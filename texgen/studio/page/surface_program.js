@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The program of the lit preview, and its meshes on the graphics card.
+// The WebGL program (the linked shaders) of the lit preview, and the preview's meshes on the graphics card.
 
 import {kFloatsPerVertex} from "./surface_mesh.js";
 
@@ -24,10 +24,10 @@ export class Fence {
     constructor(gl) {
         this.gl = gl;
         this.sync = null;
-        this.milliseconds = 0;  // between the last calls of set and of isPassed that found it finished
+        this.milliseconds = 0;  // from `set` until `isPassed` finds that the picture is finished
     }
 
-    // Call this function after the commands of a picture.
+    // Call this function after the commands that draw a picture.
     set() {
         this.gl.deleteSync(this.sync);
         this.sync = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -57,7 +57,7 @@ function compiled(gl, type, source) {
     return shader;
 }
 
-// Returns a program. Throws an Error if the shaders do not compile.
+// Returns the WebGL program of two shaders. Throws an Error if they cannot be compiled or linked.
 export function linked(gl, vertexSource, fragmentSource) {
     const program = gl.createProgram();
     const shaders = [compiled(gl, gl.VERTEX_SHADER, vertexSource), compiled(gl, gl.FRAGMENT_SHADER, fragmentSource)];
@@ -70,7 +70,7 @@ export function linked(gl, vertexSource, fragmentSource) {
     return program;
 }
 
-// Returns the locations of the uniforms by name.
+// Returns the locations of the uniforms of a program, by name.
 export function uniformsOf(gl, program) {
     const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) ?? 0;
     const names = Array.from({length: count}, (_, k) => gl.getActiveUniform(program, k).name);

@@ -9,12 +9,12 @@ in vec3 a_position;
 in vec3 a_normal;
 in vec3 a_tangent;
 in vec2 a_uv;
-in vec2 a_rise;  // factor on the displacement; 1 on the walls of the slab
+in vec2 a_rise;  // x: factor on the displacement; y: 1 on the walls of the slab, 0 elsewhere
 
 uniform mat3 u_turn;        // turns the shape
 uniform mat4 u_projection;  // from turned positions to the clip space
 uniform float u_repeat;     // tiles per unit of a_uv
-uniform float u_origin;     // coordinates of the middle of the front, in tiles
+uniform float u_origin;     // both texture coordinates of the middle of the shape's front, in tiles
 uniform float u_tile_width; // in units of positions
 uniform float u_height_scale;  // tile widths per unit of the height map
 uniform float u_height_middle; // the height that is not displaced, in tile widths
@@ -64,7 +64,7 @@ uniform vec3 u_background;   // sRGB
 
 uniform sampler2D u_base_color;
 uniform sampler2D u_normal;
-uniform sampler2D u_data;  // occlusion, roughness, metallic, and the height as a fraction of the largest one
+uniform sampler2D u_data;  // occlusion, roughness, metallic, and height divided by u_height_top
 uniform sampler2D u_emission;
 
 out vec4 o_color;
@@ -145,7 +145,8 @@ vec3 ambient_light(Material material, vec3 normal, vec3 view) {
 }
 
 // The fraction of the light that the relief lets through. Marches through the height map from the surface towards the
-// light, until no height can be above the ray. The penumbra grows with the distance to the blocker.
+// light, until the ray has risen to the largest height or by a quarter of a tile width. The penumbra grows with the
+// distance to the blocker.
 float visible_light(vec3 tangent, vec3 bitangent, vec3 normal, float start) {
     vec3 light = vec3(dot(u_light, tangent), dot(u_light, bitangent), dot(u_light, normal));
     float reach = min(u_height_top - start, 0.25);
@@ -167,9 +168,9 @@ float visible_light(vec3 tangent, vec3 bitangent, vec3 normal, float start) {
     return 1.0 - clamp(blocked, 0.0, 1.0);
 }
 
-// Keeps colors up to 0.8 nearly as they are and compresses brighter ones towards white: "PBR Neutral" of the Khronos
-// Group (2024). kVeil is the brightness that reflected surroundings add to every color, and that is removed again. It
-// is 0.04 there, for brighter surroundings.
+// Nearly keeps colors up to 0.8 and compresses brighter ones towards white: "PBR Neutral" of the
+// Khronos Group (2024). This function removes kVeil, the brightness that reflected surroundings add
+// to every color. The original has 0.04 instead of kVeil, for brighter surroundings.
 vec3 tone_mapped(vec3 color) {
     const float kVeil = 0.016;
     const float kStart = 0.8 - kVeil;
@@ -201,8 +202,9 @@ void main() {
     vec4 data = texture(u_data, v_uv);
     vec3 slopes = texture(u_normal, v_uv).xyz * 2.0 - 1.0;
 
-    // A texel of a mip level is the mean of normals. The shorter it is, the more these normals differ, and the rougher
-    // the surface looks from far away (Toksvig, "Mipmapping normal maps", 2004).
+    // A texel of a mip level is the mean of normals. The shorter this mean is, the more the normals
+    // differ, and the rougher the surface looks from far away (Toksvig, "Mipmapping normal maps",
+    // 2004).
     float size = clamp(length(slopes), 0.1, 1.0);
     float variance = clamp((1.0 - size) / size - 0.006, 0.0, 0.3);  // 0.006: rounding to 8 bits
     float alpha = max(data.g * data.g, 0.004);

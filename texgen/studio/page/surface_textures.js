@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Textures of the lit preview.
+// Textures of the lit preview (surface.js), which shows the maps of a material on a shape under a light.
 
-// Values of the maps that are null: a gray surface without relief.
+// Images that replace maps that are null. Together they show a gray surface without relief.
 const kNoImage = {
     baseColor: {width: 1, height: 1, data: new Uint8ClampedArray([160, 160, 160, 255])},
     normal: {width: 1, height: 1, data: new Uint8ClampedArray([128, 128, 255, 255])},
@@ -10,12 +10,12 @@ const kNoImage = {
 };
 const kNoHeight = {width: 1, height: 1, data: new Float32Array([0])};
 const kNoData = {occlusion: 255, roughness: 140, metallic: 0};
-const kUnitOfCodes = 0.05;  // tile widths of the code 255, for a height of 8 bits without `unit`
+const kUnitOfCodes = 0.05;  // default of the member `unit` of a height image of 8 bits (Surface.setImages)
 
-// The textures of the five samplers. An image that is the same object as before is not sent again, so that the frames
-// of a loop should be new objects.
+// The textures of the five samplers of the shaders. An image that is the same object as before is not sent to the
+// graphics card again, so each frame of a loop must be a new object.
 export class Textures {
-    // `anisotropy` is the largest number of samples along a slanted pixel.
+    // `anisotropy` is the largest number of samples that anisotropic filtering takes per pixel; 1 turns it off.
     constructor(gl, anisotropy) {
         this.gl = gl;
         this.slots = {};
@@ -25,8 +25,9 @@ export class Textures {
                                      gl.getExtension("EXT_color_buffer_half_float"));
     }
 
-    // Sends the images to the graphics card. Returns {heightUnit, heightTop, heightWidth}: the tile widths of the
-    // height 1, the largest height in tile widths, and the width of the height map in pixels.
+    // Sends the images to the graphics card. Returns {heightUnit, heightTop, heightWidth}: the
+    // number of tile widths that the height 1 stands for, the largest height in tile widths, and
+    // the width of the height map in pixels.
     update(images) {
         const gl = this.gl;
         const colors = {internal: gl.SRGB8_ALPHA8, format: gl.RGBA, type: gl.UNSIGNED_BYTE, mips: true};
@@ -92,7 +93,7 @@ export class Textures {
         }
     }
 
-    // Binds the textures to the units 0, 1, ... in the order of `names`.
+    // Binds the textures to the texture units 0, 1, ... in the order of `names`.
     bind(names) {
         names.forEach((name, unit) => {
             this.gl.activeTexture(this.gl.TEXTURE0 + unit);
@@ -108,7 +109,8 @@ export class Textures {
     }
 }
 
-// Throws an Error if `image` is neither null nor an image of the right size.
+// Throws an Error if the number of samples in `image` does not fit its width and height, or if one of these exceeds
+// `largest`. `image` may be null.
 export function checkImage(name, image, largest) {
     if (image == null) {
         return;
@@ -123,7 +125,8 @@ export function checkImage(name, image, largest) {
     }
 }
 
-// Returns the height as numbers, and the tile widths of the number 1 as `unit`.
+// Returns the height as numbers, with `unit`: the number of tile widths that the number 1 stands
+// for.
 function asFloats(image) {
     const {width, height, data} = image;
     if (data instanceof Float32Array) {
@@ -133,8 +136,9 @@ function asFloats(image) {
     return {width, height, data: numbers, unit: image.unit ?? kUnitOfCodes};
 }
 
-// Returns an image with the maps occlusion, roughness and metallic in its channels R, G and B, and in A the height as a
-// fraction of the largest one. It has the size of the largest of the maps; smaller ones are repeated pixel by pixel.
+// Returns an image with the maps occlusion, roughness and metallic in its channels R, G and B, and
+// in A the height as a fraction of the largest height. The image has the size of the largest map;
+// the pixels of smaller maps are repeated.
 function packed(images, largest) {
     const channels = Object.entries(kNoData).map(([name, code]) => codesOf(images[name], code));
     channels.push(codesOf(images.height, 0, largest.heightTop / largest.heightUnit));
@@ -153,8 +157,9 @@ function packed(images, largest) {
     return {width, height, data};
 }
 
-// Describes the numbers of a gray image: multiplied by `scale`, they are codes of 8 bits. `code` replaces an image that
-// is null. The code 255 of an image of floats stands for `largest`.
+// Describes the samples of a gray image: a sample times `scale` is a code of 8 bits. The code 255
+// stands for the number `largest`; in an image of bytes, the byte b is the number b / 255. An image
+// that is null is replaced by one pixel of the code `code`.
 function codesOf(image, code, largest = 1) {
     if (!image) {
         return {width: 1, height: 1, data: [code], stride: 1, scale: 1};
@@ -164,7 +169,7 @@ function codesOf(image, code, largest = 1) {
     return {width, height, data, stride: floats ? 1 : 4, scale: floats ? 255 / (largest || 1) : 1 / (largest || 1)};
 }
 
-// Returns the normals of a height map that tiles, or null if there is none.
+// Returns the normals of a height map, which must tile. Returns null if the height map is null.
 function normalsOfHeight(image) {
     if (!image) {
         return null;

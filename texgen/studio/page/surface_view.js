@@ -2,10 +2,12 @@
 
 import {kShapes} from "./surface_mesh.js";
 
-// The camera of the lit preview, and how the shape is turned below it. The camera is on a circle around the x axis;
-// `tilt` is its angle above the z axis. `turn` rotates the shape about its own axis. The light and the sky stay where
-// they are, so that the lit side always faces the viewer. `zoom` magnifies the image about the point `pan` (in
-// half-widths and half-heights of the canvas).
+// The camera of the lit preview (surface.js), and the rotation of the shape, a plane, a sphere or a
+// cylinder, in front of the camera. The camera is on a circle around the x axis; `tilt` is its
+// angle above the z axis. `turn` rotates the shape about its own axis. The light and the sky stay
+// where they are, so that the lit side always faces the viewer. `zoom` magnifies the image; `pan`
+// is the position of the middle of the magnified image on the canvas, in half-widths and
+// half-heights of the canvas from the center of the canvas.
 const kFieldOfView = 28 / 180 * Math.PI;
 const kLargestZoom = 24;
 const kSmallestZoom = 0.5;
@@ -34,7 +36,8 @@ export class View {
         this.tilt = Math.min(Math.max(this.tilt + tilt, least), most);
     }
 
-    // Magnifies by `factor` and keeps the point at `at` where it is.
+    // Magnifies the image by `factor`. The point of the image that is at the position `at` of the canvas (in the units
+    // of `pan`) stays there, unless the limits of `pan` prevent this.
     zoomBy(factor, at = [0, 0]) {
         const zoom = Math.min(Math.max(this.zoom * factor, kSmallestZoom), kLargestZoom);
         const applied = zoom / this.zoom;
@@ -69,7 +72,8 @@ export class View {
         const x = y / aspect;
         const c = Math.cos(this.tilt);
         const s = Math.sin(this.tilt);
-        // The depth before the camera is w = distance - s y - c z; the axis of the view that points up is (0, c, -s).
+        // The depth in front of the camera is w = distance - s y - c z. The axis of the view that
+        // points up is (0, c, -s).
         const a = (far + near) / (far - near);
         const b = -2 * far * near / (far - near);
         const panX = this.pan[0];

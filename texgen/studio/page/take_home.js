@@ -37,14 +37,16 @@ export class TakeHome {
     async copyCommand() {
         const command = this.#studio.answer?.command;
         if (!command) {
-            this.#studio.status.say("Changed events need a preset file. Save the preset, then bake the file.");
+            this.#studio.status.say(
+                "The events are changed: the command needs a preset file. Save the preset, then bake the file.",
+            );
             return;
         }
         try {
             await navigator.clipboard.writeText(command);
             this.#studio.status.say(`Copied: ${command}`);
         } catch {
-            this.#studio.status.say("The browser did not allow to copy. The command is in the dialog “Bake”.");
+            this.#studio.status.say("The browser did not allow copying. The command is in the dialog “Bake”.");
         }
     }
 
@@ -59,7 +61,10 @@ export class TakeHome {
         $("save-name").select();
     }
 
-    /** Downloads the preset, the frame as a picture or a drawing, or the loop. `width` is null for the size of the preset. */
+    /**
+     * Downloads the preset, the frame as a picture or a drawing, or the loop. `width` is the width
+     * of the loop in pixels; null stands for the size of the preset.
+     */
     async download(kind, width = null) {
         const {state, player, map, status} = this.#studio;
         const name = state.preset.replace(/\.toml$/, "");
@@ -81,7 +86,7 @@ export class TakeHome {
     #prepare() {
         const {answer, baked, player} = this.#studio;
         $("copy-command").disabled = Boolean(baked) || !answer?.command;
-        $("copy-command").title = answer?.command ?? "Changed events need a preset file.";
+        $("copy-command").title = answer?.command ?? "The events are changed: the command needs a preset file.";
         for (const id of ["save-preset", "download-preset", "download-frame", "download-drawing"]) {
             $(id).disabled = Boolean(baked);
         }

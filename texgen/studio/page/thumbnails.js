@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 
-import {ApiError, connectionState, postPicture} from "./api.js";
+import {ApiError, ConnectionError, connectionState, postPicture} from "./api.js";
 
 const kWidth = 160; // pixels
 const kPause = 30; // milliseconds between two pictures
-const kPauseLoading = 250; // the same while the loop is being loaded
-const kWait = 250; // milliseconds until the next look, while the picture of the document is awaited
-const kRest = 1000; // milliseconds after an edit without thumbnails
+const kPauseLoading = 250; // milliseconds between two pictures while the loop is being loaded
+const kWait = 250; // milliseconds until the next attempt, while thumbnails have to wait
+const kRest = 1000; // for this many milliseconds after an edit, no thumbnails are drawn
 
 /**
- * Draws the thumbnails of the gallery one after the other, those in sight first, and only while nothing else is drawn.
+ * Draws the thumbnails of the gallery one after the other when they are in sight. Thumbnails wait
+ * while a full picture for the studio's view is awaited, while the server cannot be reached, and
+ * for a second after an edit.
  */
 export class Thumbnails {
     #studio;
@@ -92,8 +94,11 @@ export class Thumbnails {
             canvas.getContext("2d").putImageData(picture.pixels, 0, 0);
             canvas.classList.add("drawn");
         } catch (error) {
+            if (error instanceof ConnectionError) {
+                return; // the thumbnail waits until the server can be reached again
+            }
             if (!(error instanceof ApiError)) {
-                return;
+                console.error(error);
             }
         }
         this.#waiting = this.#waiting.filter((other) => other !== entry);

@@ -2,7 +2,7 @@
 
 // Writes values in the notation of TOML, which the option --set and preset files use.
 
-/** Returns a string, number, boolean, list or object of these in the notation of TOML. */
+/** Returns a string, a number, a boolean, or a list of such values in the notation of TOML. */
 export function toToml(value) {
     if (typeof value === "string") {
         return JSON.stringify(value);
@@ -13,7 +13,10 @@ export function toToml(value) {
     return String(value);
 }
 
-/** Returns the value of a text in TOML that `toToml` wrote, or the text itself if it is none. */
+/**
+ * Returns the value of a text that `toToml` wrote. Returns the text itself if it is not such a
+ * text.
+ */
 export function fromToml(text) {
     try {
         return JSON.parse(text);

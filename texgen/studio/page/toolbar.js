@@ -37,7 +37,7 @@ export class Toolbar {
         this.#showZoom();
     }
 
-    /** Shows the next map of the list, or the one before. */
+    /** Shows the next map of the list if `step` is 1, the previous map if it is -1. */
     stepMap(step) {
         const options = [...$("map").options];
         const index = options.findIndex((option) => option.value === this.#studio.map);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Play, pause, scrub, speed, and a bar that shows which frames are loaded.
+// The controls below the picture: buttons that play, pause and step, a slider that selects the frame, the choice of the
+// speed, and a bar that shows which frames are loaded.
 
 import {$, setIcon, setLabel} from "./dom.js";
 
-const kUpdate = 100; // milliseconds between two updates while frames are loaded
+const kUpdate = 100; // milliseconds between two updates while frames are being loaded
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export class Transport {
@@ -40,7 +41,7 @@ export class Transport {
         this.#player.restart();
     }
 
-    /** Takes the next speed of the list, or the one before. */
+    /** Selects the next speed of kSpeeds if `step` is 1, the previous speed if it is -1. */
     stepSpeed(step) {
         const index = kSpeeds.indexOf(this.#player.speed) + step;
         this.setSpeed(kSpeeds[Math.min(Math.max(index, 0), kSpeeds.length - 1)]);
@@ -51,7 +52,8 @@ export class Transport {
         this.#player.seek(frame);
     }
 
-    // Many frames are loaded within a second, and the browser needs milliseconds to draw the bar.
+    // Shows the state of the player soon. Many frames are loaded within a second, and drawing the
+    // bar takes milliseconds, so several changes share one update.
     #schedule() {
         if (!this.#scheduled) {
             this.#scheduled = true;

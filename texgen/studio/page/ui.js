@@ -8,12 +8,15 @@ const kDefaults = {
     width: -1, // largest width of pictures, in pixels; 0 is the size of the preset, -1 suits the window
     frame: 1,
     speed: 1,
-    mode: "picture", // what the workspace shows: picture, lit or variations
+    mode: "picture", // what the workspace shows: "picture", "lit" or "variations"
     compare: false,
     gallery: true, // whether the gallery is open
 };
 
-/** How the page shows the document: values that are no part of presets. They survive a reload, but are not undone. */
+/**
+ * Values that determine how the page shows the document of the studio: the preset and its changes
+ * (state.js). The values are not part of presets. They survive a reload; undo does not change them.
+ */
 export class Ui {
     #values = {...kDefaults};
     #listeners = new Map();
@@ -22,7 +25,7 @@ export class Ui {
         try {
             Object.assign(this.#values, JSON.parse(sessionStorage.getItem(kStore)));
         } catch {
-            // What another version of the page stored is ignored.
+            // Without access to the storage, or if its text is not JSON, the defaults apply.
         }
     }
 
@@ -40,14 +43,14 @@ export class Ui {
         try {
             sessionStorage.setItem(kStore, JSON.stringify(this.#values));
         } catch {
-            // A full storage does not matter here.
+            // If the storage is full, the new value is only lost at the next reload.
         }
         for (const listener of this.#listeners.get(name) ?? []) {
             listener(value);
         }
     }
 
-    /** Calls the listener with the new value whenever one of the names changes. */
+    /** Calls the listener with the new value whenever the value of one of `names` (a name or an array) changes. */
     on(names, listener) {
         for (const name of [names].flat()) {
             this.#listeners.set(name, [...(this.#listeners.get(name) ?? []), listener]);

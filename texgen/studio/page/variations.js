@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// A sheet of small pictures with other seeds, or with other values of one key. A click keeps one of them.
+// A sheet of small pictures of the preset, which differ in the value of one key, such as the seed. A click on a picture
+// sets the key to the value of this picture.
 
 import {$, debounce, el} from "./dom.js";
 import {ApiError, postPicture} from "./api.js";
@@ -10,11 +11,12 @@ import {randomSeed} from "./field_number.js";
 import {tablesOf} from "./schema.js";
 import {toToml} from "./toml.js";
 
-const kWidth = 256; // pixels of a picture
+const kWidth = 256; // largest width and height of a picture in pixels
 const kGap = 12; // CSS pixels between pictures, as in tools.css
-const kCaption = 28; // CSS pixels of the text below a picture
-const kSmallest = 96; // CSS pixels of the side of a picture
-const kEdit = 250; // milliseconds after the last edit
+const kCaption = 28; // height of the text below a picture in CSS pixels
+const kSmallest = 96; // smallest side of a picture in CSS pixels
+const kEdit = 250; // milliseconds from the last edit until the sheet is drawn again
+const kEven = {position: (value) => value, value: (position) => position}; // a linear scale for any range
 
 export class Variations {
     #studio;
@@ -79,7 +81,9 @@ export class Variations {
         $("vary-key").value = "foam.seed";
     }
 
-    // The range around the present value: from half to twice, or the whole range if that is not wide.
+    // Shows the fields for the chosen key. For a number, sets the range of its values: from half of
+    // the present value to twice this value. If the key allows only a narrow range, or if the
+    // present value is not positive, sets the whole range of the key.
     #onKey(draw = true) {
         const key = this.#key;
         const ranged = key.kind === "number" && key.name !== "seed";
@@ -115,10 +119,12 @@ export class Variations {
         return [current, ...Array.from({length: count - 1}, () => String(randomSeed()))];
     }
 
-    // Values at equal distances on the slider of the key.
+    // Returns numbers that are evenly spaced on a slider for the range. If the range is empty or too
+    // wide for a slider, the numbers themselves are evenly spaced.
     #numbers(key, count) {
         const [from, to] = [Number($("vary-from").value), Number($("vary-to").value)];
-        const scale = scaleOf({...key, min: Math.min(from, to), max: Math.max(from, to) + 1e-12});
+        const range = {...key, min: Math.min(from, to), max: Math.max(from, to)};
+        const scale = (range.min < range.max && scaleOf(range)) || kEven;
         const position = (index) =>
             scale.position(from) + ((scale.position(to) - scale.position(from)) * index) / (count - 1);
         const values = Array.from({length: count}, (_, index) => scale.value(position(index)));
@@ -180,7 +186,8 @@ export class Variations {
         return {element, canvas, caption, text};
     }
 
-    // Another foam is drawn as a draft, so that the simulation of the document is not stopped.
+    // A picture with another foam than the edited preset is drawn as a draft, because a full picture would stop the
+    // simulation of the edited preset.
     async #drawCell(key, cell, signal) {
         const {state, map, player} = this.#studio;
         const foam = changesFoam(key.path) || !this.#studio.painter.settled;

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The picture on its canvas: tiles, pan and zoom, and the picture before a change on one side of a dividing line.
+// The picture on its canvas: tiles, pan and zoom. For comparison, an earlier picture can be shown to the left of a
+// dividing line.
 
 import {Signal} from "./signal.js";
 import {ViewGestures} from "./view_gestures.js";
 import {clamp} from "./dom.js";
 
 const kMargin = 24; // CSS pixels around a picture that fits
-const kLargestZoom = 64; // CSS pixels per pixel of the preset
-const kSmoothBelow = 2; // device pixels per pixel of the picture, from which pixels are drawn as squares
-const kSmallCanvas = 900; // device pixels of the shorter side, up to which pictures 512 pixels wide are sharp enough
+const kLargestZoom = 64; // CSS pixels per pixel of View.size
+const kSmoothBelow = 2; // a pixel of the picture that is at least this many device pixels wide is drawn as a square
+// If the shorter side of the canvas has at most this many device pixels, pictures 512 pixels wide are sharp enough.
+const kSmallCanvas = 900;
 const kChecker = 8; // CSS pixels of a square behind transparent pictures
 
-// The pixels of a picture on a canvas of their own, from which they are scaled.
+// A picture on a canvas that is not part of the page. From there it is drawn, scaled, on the visible canvas.
 class Layer {
     canvas = document.createElement("canvas");
     picture = null;
@@ -40,9 +42,12 @@ export class View {
     #center = [0, 0];
     #zoom = 1;
 
-    /** The size of the preset in pixels. The view does not change when a picture of another width is shown. */
+    /**
+     * The size of the images of the preset (`image.size`) or of the baked set, in pixels. The view does not change when
+     * a picture of another width is shown.
+     */
     size = [1024, 1024];
-    /** Copies of the tile in each direction. */
+    /** The number of copies of the tile in each direction. */
     tiling = 1;
     /** The position of the dividing line as a fraction of the canvas's width; null shows no comparison. */
     split = null;
@@ -60,7 +65,7 @@ export class View {
         return this.#picture.picture;
     }
 
-    /** CSS pixels per pixel of the preset. */
+    /** CSS pixels per pixel of `size`. */
     get zoom() {
         return this.#zoom;
     }
@@ -70,7 +75,7 @@ export class View {
         return this.#fitted;
     }
 
-    /** Shows a picture: {pixels, width, height, frame, exact, map}. */
+    /** Shows a picture, as a source returns it (source.js). */
     show(picture) {
         this.#picture.show(picture);
         this.draw();
@@ -143,7 +148,8 @@ export class View {
     }
 
     /**
-     * Returns the point of the tile at `x`, `y` (CSS pixels of the canvas) as fractions from the upper left, or null.
+     * Returns the point of a tile that is at `x`, `y` (CSS pixels of the canvas), as fractions of the tile's width and
+     * height from its upper left corner. Returns null if there is no tile.
      */
     pointAt(x, y) {
         const point = this.#toWorld(x, y).map((value, axis) => value / this.size[axis]);
@@ -164,7 +170,7 @@ export class View {
         return Math.min(this.#canvas.width, this.#canvas.height) > kSmallCanvas ? 1024 : 512;
     }
 
-    /** Device pixels per pixel of the preset. */
+    /** Device pixels per pixel of `size`. */
     get deviceZoom() {
         return this.#zoom * devicePixelRatio;
     }

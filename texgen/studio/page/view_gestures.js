@@ -3,6 +3,7 @@
 // Mouse, pen, touch and arrow keys on the picture: pan, zoom, and the point under the pointer.
 
 import {Signal} from "./signal.js";
+import {wheelPixels} from "./dom.js";
 
 const kClick = 4; // CSS pixels that the pointer may move during a click
 const kArrow = 40; // CSS pixels for a press of an arrow key
@@ -34,8 +35,7 @@ export class ViewGestures {
 
     #wheel(event) {
         event.preventDefault();
-        const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
-        this.#view.zoomBy(Math.exp(-event.deltaY * lines * 0.002), event.offsetX, event.offsetY);
+        this.#view.zoomBy(Math.exp(-wheelPixels(event) * 0.002), event.offsetX, event.offsetY);
     }
 
     #down(event) {
