@@ -40,7 +40,7 @@ using foam::require_from;
 using foam::require_threads;
 
 // The largest strain of one call, and the largest displacement of a push along x and y, in radii.
-// Larger ones would take too many substeps of the step or small steps of the push.
+// A larger strain would take too many substeps, and a larger displacement too many small steps.
 constexpr double kMaxStrain = 100.0;
 constexpr double kMaxPush = 1000.0;
 constexpr int kMaxBubbles = 10'000'000;

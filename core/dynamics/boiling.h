@@ -23,8 +23,8 @@ struct BoilingBubble {
     // The position at which the bubble last vanished. Before the bubble has vanished for the first
     // time, this is the mean position of the junctions that it had when it was chosen.
     Vec2 last_position{0.0, 0.0};
-    // The bubbles between which the bubble last vanished. Empty if it last vanished as a lone
-    // bubble; nothing until it has vanished.
+    // The bubbles between which the bubble last vanished: an empty set if it last vanished as a
+    // lone bubble, and std::nullopt until it has vanished for the first time.
     std::optional<std::set<BubbleIdentity>> neighbors{};
     // False if the bubble has vanished between the same bubbles the last two times.
     bool neighbors_changed = true;

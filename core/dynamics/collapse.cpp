@@ -85,8 +85,8 @@ FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
 }
 
 // Removes a bubble of a raft of two by tearing `film`, the film between the two bubbles. As in
-// every T2, its neighbors get equal shares of its gas: the other bubble gets one half, and the
-// ghost gets the other half.
+// every T2, the neighbors of the removed bubble get equal shares of its gas: the other bubble gets
+// one half, and the ghost gets the other half.
 void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const bool is_left = foam.network.left(h) == bubble;
@@ -180,7 +180,8 @@ TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
         }
     }
     // Bubbles that vanished with a negative target area may have left their neighbors with too
-    // little gas. A bubble that vanishes from a raft of two leaves a lone bubble.
+    // little gas. A bubble that vanishes from a raft of two leaves a lone bubble, which may be too
+    // small as well.
     for (int before = -1; counts.t2 != before;) {
         counts.t2 += collapse_lone(foam, [&](const LoneBubble& bubble) {
             return bubble.target_area <= thresholds.t2_area;

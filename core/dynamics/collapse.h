@@ -16,9 +16,9 @@ struct TopologyCounts {
 };
 
 /// Returns true if the target area of the bubble is so small that the bubble has to vanish (E8;
-/// paper eq. 3). The limit is the T2 area for bubbles of two or three sides. For bubbles of more
-/// sides, for which the paper gives no limit, it is a tenth of the T2 area. By gas diffusion,
-/// bubbles of four and five sides shrink, and bubbles of six or more sides do not.
+/// paper eq. 3). The limit is the T2 area for bubbles of two or three sides, and a tenth of the T2
+/// area for bubbles of more sides. The paper gives no limit for bubbles of more sides, although gas
+/// diffusion makes bubbles of four and five sides shrink, too.
 bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThresholds& thresholds);
 
 /// Makes a bubble vanish. First its shortest films flip, until it has three or two sides and can

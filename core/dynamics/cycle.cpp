@@ -15,13 +15,13 @@
 #include <optional>
 #include <set>
 
-// At each position of the cycle, a bubble has the target area A (1 + amplitude sin 2 pi (t +
-// phase)), where A is its mean area; each bubble has its own phase (cycle_drive.h). The shear
-// strain of the torus is strain * sin 2 pi t, relative to the shear that the torus had when the
-// Cycle was constructed. Here t is the position divided by the number of steps. A step drives the
-// foam from its present state to these target areas and this shear (state_change.h). After each
-// step, the foam is moved back to its position at the start, because equilibrium does not determine
-// the position.
+// A position of the cycle is a number of steps since its start. At each position, a bubble has the
+// target area A (1 + amplitude sin 2 pi (t + phase)), where A is its mean area; each bubble has its
+// own phase (cycle_drive.h). The shear strain of the torus is strain * sin 2 pi t, relative to the
+// shear that the torus had when the Cycle was constructed. Here t is the position divided by the
+// number of steps per cycle. A step drives the foam from its present state to these target areas
+// and this shear (state_change.h). After each step, the foam is moved back to where it was at the
+// start (restore_positions), because equilibrium does not determine where the foam is.
 //
 // Boiling bubbles have the target areas of boiling.h instead. A system that is driven periodically
 // either reaches a periodic state or keeps changing. In a sheared suspension, the amplitude of the

@@ -15,12 +15,13 @@ namespace foam {
 /// topology, its target areas and its domain. If the target areas and the domain change
 /// periodically, the foam returns to the same state after each cycle, once the T1s and T2s of the
 /// first cycles have happened. If bubbles boil, some regions may not return to the same state;
-/// `calm` weakens the change there. No gas diffuses. After each step, a torus as a whole, or each
-/// raft of a patch, is moved back to its position at the start.
+/// `calm` weakens the periodic change there. No gas diffuses. After each step, a torus as a whole,
+/// or each raft of a patch, is moved back to the place where it was at the start.
 class Cycle {
   public:
-    /// Starts a cycle of a foam that is at position 0, with a random drive (random_drive). Each
-    /// step moves the foam back to its present position.
+    /// Starts a cycle with a random drive (random_drive). If the drive changes target areas, the
+    /// foam is not at position 0 of the cycle until step_to has been called with the position 0.
+    /// Each step moves the foam back to the place where it is now, when the Cycle is constructed.
     Cycle(const Foam& foam, const CycleOptions& options);
 
     /// Starts a cycle with the given drive, for example the drive of an earlier Cycle. Of the
@@ -43,10 +44,10 @@ class Cycle {
     /// (Foam::t1_armed), and these flags may make the next cycle differ.
     bool repeats() const;
 
-    /// Weakens the change where it keeps the foam from being the same after each cycle. Bubbles
-    /// whose neighbors keep changing from cycle to cycle oscillate less, and the boiling bubbles
-    /// nearest to them grow less large. Does nothing without boiling bubbles. Call it with the foam
-    /// at the end of each cycle.
+    /// Weakens the periodic change where it keeps the foam from being the same after each cycle.
+    /// Bubbles whose neighbors keep changing from cycle to cycle oscillate less, and the boiling
+    /// bubbles nearest to them grow to smaller areas. Does nothing if no bubbles boil. Call `calm`
+    /// with the foam at the end of each cycle.
     void calm(const Foam& foam);
 
   private:

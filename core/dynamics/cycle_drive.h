@@ -16,8 +16,10 @@ struct CycleOptions {
     double area_amplitude = 0.0;  // relative amplitude of target areas, with random phases
     double strain = 0.0;          // amplitude of the shear strain of a torus
     double boiling = 0.0;         // fraction of the bubbles that vanish and are born again
-    double boiling_rise = 2.5;    // initial area rise of these bubbles, in units of their areas
-    std::uint64_t seed = 1;       // seed of the random phases and of the choice of bubbles
+    // The largest rise of the target area of a boiling bubble at first (P in E9), relative to the
+    // target area that the bubble had before the boil.
+    double boiling_rise = 2.5;
+    std::uint64_t seed = 1;  // seed of the random phases and of the choice of bubbles
 };
 
 /// A bubble whose target area oscillates: at the time t, in cycles, the target area is

@@ -9,8 +9,8 @@
 
 namespace foam {
 
-/// Returns the center of each bubble of a patch: the mean of all points of its films. The center of
-/// a lone bubble is the center of its circle.
+/// Returns the center of each bubble of a patch: the mean of the points of its films, weighted by
+/// length. The center of a lone bubble is the center of its circle.
 std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch);
 
 /// Moves and rotates every raft of a patch as a rigid body so that the centers of its bubbles fit

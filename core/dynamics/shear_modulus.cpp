@@ -12,12 +12,13 @@ namespace foam {
 namespace {
 
 // The truncation error of the central difference is proportional to the square of this strain, and
-// the effect of the tolerance of Newton's method to its inverse.
+// the effect of the tolerance of Newton's method is proportional to the inverse of this strain.
 constexpr double kStrain = 1e-4;
-// Largest residual of an equilibrium. In large foams, rounding errors keep the residual above the
-// tolerance of Newton's method.
+// The final residual of Newton's method must be below this value. In large foams, rounding errors
+// keep the residual above the tolerance of Newton's method.
 constexpr double kConverged = 1e-9;
-constexpr double kEquilibrium = 1e-3;  // largest errors of a foam that counts as in equilibrium
+// The errors of the given foam must be below this value, so that it is in equilibrium.
+constexpr double kEquilibrium = 1e-3;
 
 // Returns the shear stress of a copy of the foam that is sheared and brought to equilibrium.
 std::optional<double> sheared_stress(Foam foam, double strain, NewtonSystem& system) {

@@ -47,7 +47,8 @@ const DrivenBubble* find_driven(const StateChange& change, BubbleIdentity bubble
     return found != change.driven.end() ? &*found : nullptr;
 }
 
-// Changes the target areas of driven lone bubbles, as drive does for the bubbles of the network.
+// Changes the target areas of driven lone bubbles. The function drive does the same for the bubbles
+// of the network.
 void drive_lone(Foam& foam, const StateChange& change, double fraction_of_rest) {
     for (LoneBubble& bubble : foam.lone_bubbles) {
         if (const DrivenBubble* driven = find_driven(change, bubble.identity)) {

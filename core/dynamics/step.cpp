@@ -27,8 +27,9 @@ namespace {
 // A bubble whose target area is at most this fraction of the mean may lose all its area by
 // diffusion in one substep.
 constexpr double kVanishingFraction = 0.25;
-// A driven bubble may lose all its target area in one substep if it is at most this many T2 areas.
-// With larger jumps, boiling loops (cycle.h) have twice as many T1s and take longer to close.
+// A driven bubble may lose all its target area in one substep if this area is at most
+// kVanishingAreas T2 areas. With larger jumps, boiling loops (cycle.h) have twice as many T1s and
+// take longer to close.
 constexpr double kVanishingAreas = 4.0;
 // The imposed change of areas never limits a substep to less than this fraction of the step. This
 // bounds the number of substeps if the change is impossible, for example if every bubble of a
@@ -48,7 +49,7 @@ double total_target_area(const Foam& foam) {
     return total;
 }
 
-// Returns the largest target area of the bubbles that may lose all their area by diffusion in one
+// Returns the largest target area with which a bubble may lose all its area by diffusion in one
 // substep.
 double vanishing_area(const Foam& foam) {
     const std::size_t count = foam.network.bubble_count() + foam.lone_bubbles.size();

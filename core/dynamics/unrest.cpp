@@ -7,15 +7,18 @@
 // A T1 that is not undone by the end of its cycle is usually a single lasting change: in the
 // following cycles, the neighbors are the same at the end of each cycle. Where neighbors change
 // again and again, the foam does not reach a periodic state, or its period is several cycles. With
-// the constants below, a bubble is restless if two changes of its neighbors are not more than four
-// cycles apart, or if its neighbors change in every fifth cycle.
+// the constants below, two changes of its neighbors make a bubble restless if they are at most four
+// cycles apart. If its neighbors change in every fifth cycle, it is restless from the third change
+// on.
 
 namespace foam {
 
 namespace {
 
 constexpr int kTransientCycles = 2;  // changes in these first cycles do not count
-constexpr double kMemory = 0.8;      // fraction of the unrest that is left after a cycle
+// In each cycle, the unrest of a bubble is multiplied by kMemory. Then 1 is added if the neighbors
+// of the bubble have changed.
+constexpr double kMemory = 0.8;
 // A bubble whose neighbors have just changed is restless if its unrest is at least this.
 constexpr double kRestlessUnrest = 1.4;
 

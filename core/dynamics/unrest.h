@@ -28,7 +28,7 @@ class Unrest {
 
     static Neighbors neighbors_of(const Foam& foam);
 
-    Neighbors neighbors_;  // sorted; at the end of the last cycle
+    Neighbors neighbors_;  // sorted neighbors of each bubble at the end of the last cycle
     // For each bubble, the sum of the weights of the cycles in which its neighbors changed. The
     // weight of the last cycle is 1; the weight of an older cycle decreases with its age.
     std::map<BubbleIdentity, double> unrest_;

@@ -8,8 +8,8 @@
 
 namespace foam {
 
-// Defects are marked from the residual, the marked set is grown by rings of neighbors, and a
-// breadth-first search divides it into connected regions.
+// The residual shows which bubbles are at defects. The set of these bubbles is grown by rings of
+// neighbors, and a breadth-first search divides the set into connected regions.
 
 namespace {
 
@@ -38,7 +38,7 @@ class BubbleSet {
 
     std::size_t size() const { return bubbles_.size(); }
 
-    // Returns the connected parts of the set, each in increasing order, and empties the set.
+    // Returns the connected parts of the set, each sorted by id, and empties the set.
     std::vector<DefectRegion> take_parts() {
         std::sort(bubbles_.begin(), bubbles_.end());
         std::vector<DefectRegion> parts;

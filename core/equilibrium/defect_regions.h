@@ -10,8 +10,8 @@
 
 namespace foam {
 
-/// Thresholds that decide where the foam is far from equilibrium, and the size of the regions
-/// around these defects.
+/// Thresholds that decide which junctions and bubbles are defects (far from equilibrium), and the
+/// size of the regions around the defects.
 struct DefectOptions {
     // A junction is a defect if the force on it is at least this number of film tensions.
     double force = 0.1;
@@ -22,8 +22,8 @@ struct DefectOptions {
     double largest_fraction = 0.3;
 };
 
-/// A connected set of bubbles around defects, in increasing order, that is solved or relaxed on its
-/// own.
+/// A connected set of bubbles around defects that is solved or relaxed on its own. The bubbles are
+/// listed by increasing id.
 using DefectRegion = std::vector<BubbleId>;
 
 /// Returns the connected regions around all defects, by increasing id of their first bubbles.

@@ -24,8 +24,8 @@ namespace foam {
 // defects whose force or area error is at least a fifth of the largest (worst_regions). At the end
 // of the round, the defect regions are solved. After a T1, most of the residual is in the defect
 // regions. Newton's method takes several damped steps there, while one step is enough elsewhere.
-// The defect regions are therefore solved on their own, with everything else held. README.md shows
-// the algorithm. NOTES.md has the measurements behind the constants.
+// The defect regions are therefore solved on their own, while everything else stays fixed.
+// README.md shows the algorithm. NOTES.md has the measurements behind the constants.
 
 namespace {
 

@@ -15,9 +15,10 @@ namespace foam {
 // The foam is scaled to a mean bubble area of 1 and a film tension of 1, since the default
 // thresholds (TopologyThresholds) apply to these units. Up to three attempts start from the given
 // state: Newton's method without an initial relaxation, then relaxation and Newton's method, and
-// finally both with T1s. Each attempt may change more of the state than the attempt before. A raw
-// diagram has no equilibrium with its own topology; the attempts to find one would take longer than
-// the last attempt alone.
+// finally both with T1s. Each attempt may change more of the state than the attempt before. If T1s
+// are due at many films (kFewDueT1), as in a raw diagram, only the last attempt is made: a raw
+// diagram has no equilibrium with its own topology, and the attempts to find one would take longer
+// than the last attempt alone.
 
 namespace {
 

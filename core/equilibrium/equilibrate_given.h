@@ -11,9 +11,9 @@ namespace foam {
 /// Brings a foam that was made elsewhere to mechanical equilibrium (E2), in its own units: its mean
 /// bubble area and its film tension may have any value. The first two attempts keep the topology.
 /// The first relaxes the whole foam (E4) at its start only if the foam is tangled (untangle.h); the
-/// second always does. If neither attempt converges, the third attempt allows T1s. If T1s are due
-/// at many films from the start (short_films; at more than five and at more than 1 % of all), as in
-/// a raw diagram, only the third attempt is made. Its T1 distance is the default of
+/// second always does. If neither attempt converges, the third attempt allows T1s. Only the third
+/// attempt is made if T1s are due at many films from the start, as in a raw diagram: if short_films
+/// returns more than five films and more than 1 % of all films. The T1 distance is the default of
 /// TopologyThresholds, in units in which the mean bubble area, without lone bubbles, is 1. If no
 /// attempt converges, the foam stays as it was given. The events of the T1s are appended to the
 /// events of the foam.

@@ -24,7 +24,9 @@ struct EquilibriumOptions {
     // Exception: in `equilibrate`, the first pass of the second, third, ... relaxation of the whole
     // foam has 15, 3, 1, 60, 15, ... sweeps if this number is 60 (next_sweeps in equilibrate.cpp).
     int relaxation_sweeps = 60;
-    int threads = 0;  // as in parallel_for; the result has the same bits for any number
+    // Number of threads; 0 for all threads of the hardware (thread_count). The result has the same
+    // bits for any number of threads.
+    int threads = 0;
     // Largest number of rounds. A round is a run of the solver and the response to its result: T1s,
     // relaxation, or solving the defect regions.
     int max_rounds = 100;

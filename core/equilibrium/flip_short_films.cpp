@@ -22,8 +22,9 @@ bool is_within(const Foam& foam, const Unknowns& part, FilmId film) {
            part.junction_rank[foam.network.head(h)] >= 0;
 }
 
-// Erases dead ids. If a film tears or a hole closes, junctions and films are removed from the
-// network. The T1 rule removes no bubble; dead bubbles are erased only as a precaution.
+// Erases from `part` the ids of elements that are no longer in the network. If a film tears or a
+// hole closes, junctions and films are removed from the network. The T1 rule removes no bubble; ids
+// of bubbles are erased only as a precaution.
 void remove_dead(const Network& network, Unknowns& part) {
     const auto is_dead = [&](auto id) { return !network.is_live(id); };
     std::erase_if(part.junctions, is_dead);

@@ -15,8 +15,8 @@ struct GlobalRelaxationOptions {
     // If true, the first pass resets pressures and half angles (RelaxationOptions::restarts). If
     // false, the first pass resets them only if the foam is tangled, has films at the limit of
     // their half angle, or is a patch far from equilibrium. A patch is far from equilibrium if its
-    // defect regions would be too large (DefectOptions::largest_fraction), or if only the arcs of
-    // outer films have large errors.
+    // defect regions would be too large (DefectOptions::largest_fraction), or if its only large
+    // errors are those of Laplace-Young's law at outer films, which no defect region contains.
     bool restarts = false;
     TopologyThresholds thresholds{};
     int threads = 0;  // same meaning as in parallel_for

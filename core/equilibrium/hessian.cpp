@@ -95,8 +95,8 @@ void append_rows(int begin, int end, std::vector<int>& rows) {
 
 }  // namespace
 
-// The block pattern of the matrix: for each node, the coupled nodes with a larger index (the later
-// nodes), each once and in increasing order.
+// The block pattern of the matrix: for each node, the nodes of a larger index (the later nodes) to
+// which a film couples it, each once and in increasing order.
 struct Hessian::NodePattern {
     std::vector<int> begins;  // start of each node's range in `later`; the last element is the end
     std::vector<int> later;

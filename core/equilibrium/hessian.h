@@ -24,7 +24,8 @@ class Hessian {
     /// has the network that was given to the constructor.
     const Eigen::SparseMatrix<double>& evaluate(const Foam& foam, int threads = 1);
 
-    /// Returns the matrix of the last call of `evaluate`, with later changes of its diagonal.
+    /// Returns the matrix of the last call of `evaluate`, with the changes that callers have made
+    /// to its diagonal since then (`diagonal`).
     const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
     /// Returns a reference to the diagonal entry of a row. It is the first value of the column with
@@ -32,10 +33,10 @@ class Hessian {
     double& diagonal(int row) { return matrix_.valuePtr()[matrix_.outerIndexPtr()[row]]; }
 
   private:
-    // The nodes of the pattern are the free junctions with two rows each, then the free bubbles and
-    // the half angles of outer films with one row each. A film couples four nodes: its tail, its
-    // head, and the bubbles on its left and right. An outer film also couples a fifth node, its
-    // half angle.
+    // The nodes of the pattern are those elements that are not held fixed (Unknowns), in this
+    // order: junctions with two rows each, bubbles with one row each, half angles of outer films
+    // with one row each. A film couples four nodes: its tail, its head, and the bubbles on its left
+    // and right. An outer film also couples a fifth node, its half angle.
     static constexpr std::size_t kMaxNodes = 5;
     using FilmNodes = std::array<int, kMaxNodes>;  // negative if the node is held fixed or absent
     // The positions of a film's contributions in the array of matrix values.
@@ -44,8 +45,9 @@ class Hessian {
         // the first value of the block with the rows of a and the columns of b. It is negative if a
         // node is held or absent, or if this block is not in the lower triangle.
         std::array<int, kMaxNodes * kMaxNodes> blocks;
-        // For each node b with two rows: the number of positions from an entry in its first column
-        // to the entry of the same row in its second column. Unused for other nodes.
+        // For each node b with two rows: the distance, in the array of matrix values, from an entry
+        // in its first column to the entry of the same row in its second column. Unused for other
+        // nodes.
         std::array<int, kMaxNodes> strides;
     };
     struct NodePattern;
@@ -63,7 +65,7 @@ class Hessian {
     const Unknowns& unknowns_;
     int junctions_;
     Eigen::SparseMatrix<double> matrix_;
-    std::vector<FilmSlots> slots_;  // one element per film of the unknowns
+    std::vector<FilmSlots> slots_;  // one element per element of Unknowns::films
 };
 
 }  // namespace foam

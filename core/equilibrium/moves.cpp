@@ -13,7 +13,7 @@ namespace foam {
 // Newton's method is globalized by limiting relative motion. The ends of a film may approach each
 // other, or rotate around each other, only by a fraction of its length. Their common motion is
 // free. Limiting the motion of each junction instead would also stop the common motion of short
-// films, and the rest of the step would not be a descent direction (NOTES.md).
+// films, and a step that is limited in this way would not be a descent direction (NOTES.md).
 
 namespace {
 
@@ -24,8 +24,9 @@ Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId j
     return row < 0 ? Vec2(0.0, 0.0) : Vec2(step.segment<2>(row));
 }
 
-// Returns true if the whole step would make the film shorter than `length`, and if the film can
-// flip or tear and would then stay open, judged by the forces before the step.
+// Returns true if three conditions are met: the whole step would make the film shorter than
+// `length`; the film can flip or tear; by the forces before the step, it would stay open after the
+// flip or tear (flipped_pulls_apart).
 bool would_flip_after_step(const Foam& foam,
                            const Unknowns& unknowns,
                            const Eigen::VectorXd& step,

@@ -101,7 +101,8 @@ bool backtrack(Foam& foam,
             return true;
         }
     }
-    // A zero step, because 0 times a step that is not finite would not restore the foam.
+    // A step of zeros is passed, because 0 times a step that is not finite would be NaN and would
+    // not restore the foam.
     set_state(foam, system.unknowns(), start, Eigen::VectorXd::Zero(step.size()), 0.0);
     return false;
 }

@@ -30,7 +30,8 @@ struct NewtonOptions {
     // would shorten by more than half (collapsing_films). Collapsed films always get a T1.
     bool predicts_t1 = true;
     // If false, the precision of the factor is raised only near equilibrium. Farther away, defects
-    // are a likelier cause of a stall, and a factor in double precision is costly in a large foam.
+    // are a likelier cause of a stall than low precision is, and a factor in double precision is
+    // costly in a large foam.
     bool raises_precision_far = true;
     TopologyThresholds thresholds{};
 };
@@ -50,7 +51,8 @@ enum class NewtonStatus {
 struct NewtonSummary {
     NewtonStatus status = NewtonStatus::IterationLimit;
     int iterations = 0;  // number of steps that were made
-    // The larger of the largest force and the largest area error, in the units of the tolerances.
+    // The larger of two numbers: the largest force, in film tensions, and the largest area error,
+    // relative to the target area.
     double residual = 0.0;
     std::vector<FilmId> collapsing;  // the films that need a T1, in increasing order
 };

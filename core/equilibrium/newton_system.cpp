@@ -9,21 +9,21 @@ namespace foam {
 
 namespace {
 
-// Regularization: a number that is added to each diagonal entry of the Hessian, because the Hessian
-// is singular. Its null modes are, for example, the translation of the whole foam and, on a torus,
-// a common change of all pressures (E3). For junctions and half angles, the number is the film
-// tension times one of the two constants below. For pressures, it is minus this constant times the
-// sum of 1e-12 and the magnitude of the diagonal entry, which may be 0. The regularization is small
-// compared with the stiffness of the softest shear mode of the foam, and large compared with
+// The regularization is a number that is added to each diagonal entry of the Hessian, because the
+// Hessian is singular. Its null modes are, for example, the translation of the whole foam and, on a
+// torus, a common change of all pressures (E3). For junctions and half angles, the number is the
+// film tension times one of the two constants below. For pressures, it is minus this constant times
+// the sum of 1e-12 and the magnitude of the diagonal entry, which may be 0. The regularization is
+// small compared with the stiffness of the softest shear mode of the foam, and large compared with
 // rounding errors in the LDLᵀ factor.
 constexpr double kSingleRegularization = 1e-6;
 constexpr double kDoubleRegularization = 1e-7;
 
-// Systems of fewer unknowns than this are factored in double precision. In a small foam, it may be
-// that no film resists a certain motion of junctions, but only the area constraint of a bubble
-// does. If the pressure of this bubble is eliminated after these junctions, a pivot of the
-// junctions is only as large as the regularization, and the pivot of the pressure has about the
-// magnitude of its inverse. Single precision is not enough for such pivots.
+// Systems of fewer unknowns than this are factored in double precision. In a small foam, there may
+// be a motion of junctions that no film resists; only the area constraint of a bubble resists it.
+// If the pressure of this bubble is eliminated after these junctions, a pivot of the junctions is
+// only as large as the regularization, and the pivot of the pressure has about the magnitude of the
+// inverse of the regularization. Single precision is not enough for such pivots.
 constexpr int kFewUnknowns = 500;
 
 // Subtracts the mean vector of all junctions from the vector of each junction. The vectors are in

@@ -65,7 +65,7 @@ class NewtonSystem {
 
     Unknowns unknowns_;
     std::optional<Hessian> hessian_;
-    std::optional<Network> network_;  // of the last start, if it was start_whole
+    std::optional<Network> network_;  // the network of the last start, if that was start_whole
     LinearSolver solver_;
     Precision precision_ = Precision::Double;
     int threads_ = 1;

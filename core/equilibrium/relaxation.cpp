@@ -79,15 +79,16 @@ class Relaxation {
             restart();
         }
         soft_.begin(options_.stiffness);
-        // Loads all bubbles beside the films of the part, including those that do not belong to it.
+        // Loads all bubbles beside the films of the part, including bubbles outside of the part.
         for (const FilmId film : part_.films) {
             soft_.load(foam_.network.left(forward_side(film)));
             soft_.load(foam_.network.right(forward_side(film)));
         }
     }
 
-    // Resets the pressures to a common value near the pressures in equilibrium, which makes inner
-    // films straight. Outer films get arcs that give their bubbles the target areas.
+    // Resets the pressures to a common value near the pressures in equilibrium. As the value is
+    // common, inner films become straight. Outer films get arcs that give their bubbles the target
+    // areas.
     void restart() {
         const double pressure = mean_pressure();
         for (const BubbleId bubble : part_.bubbles) {
@@ -96,9 +97,9 @@ class Relaxation {
         }
     }
 
-    // Returns an estimate of the pressures: the common pressure p for which T Σ l = 2 p Σ A, where
-    // l are chord lengths and A target areas. With arc lengths and areas, this relation holds for a
-    // patch in equilibrium (E3).
+    // Returns an estimate of the pressures: the common pressure p for which T Σ c = 2 p Σ A, where
+    // c are chord lengths and A target areas. In the equilibrium of a patch, T Σ l = 2 Σ p A holds
+    // with arc lengths l and the pressure p of each bubble (E3).
     double mean_pressure() const {
         double length = 0.0;
         for (const FilmId film : part_.films) {

@@ -13,8 +13,8 @@ namespace foam {
 
 namespace {
 
-// A two-sided bubble is collapsed if it has less than this fraction of its target area. Exceptions
-// are bubbles with an outer film, and bubbles whose two ends have the same third film.
+// Only a two-sided bubble of two inner films, whose ends have different third films (third_film),
+// can be collapsed. It is collapsed if its area is less than this fraction of its target area.
 constexpr double kCollapsedAreaFraction = 0.01;
 // Largest move of an end of a bubble, in chord lengths of the third film at this end.
 constexpr double kLargestMove = 1.0 / 3.0;

@@ -20,7 +20,8 @@ Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads
 
 /// Dimensionless norms of a residual. Forces are in units of the film tension, area errors in units
 /// of the target area. The error of Laplace-Young's law at an outer film counts as a force in
-/// `force` and `squares`. If a residual is NaN, the norms that depend on it are NaN.
+/// `force` and `squares`. If an entry of the residual is NaN, the norms that depend on this entry
+/// are NaN.
 struct ResidualNorms {
     double force = 0.0;    // largest force on a junction, or largest error at an outer film
     double area = 0.0;     // largest magnitude of an area error

@@ -41,7 +41,8 @@ class SoftFoam {
     double slope(BubbleId bubble) const { return bubbles_[bubble].slope; }
     /// Adds `area` to the area of a bubble, which changes its pressure.
     void add_area(BubbleId bubble, double area) { bubbles_[bubble].area += area; }
-    /// Makes the present pressure the pressure at the target area (method of multipliers, E4).
+    /// Sets the p of a bubble (E4), which is its pressure at the target area, to its present
+    /// pressure, as the method of multipliers requires.
     void update_multiplier(BubbleId bubble);
 
     /// Returns the arc of a film along its forward side.
@@ -52,10 +53,10 @@ class SoftFoam {
         const double segment = arcs_[film_of(h)].shape.segment;
         return is_forward(h) ? segment : -segment;
     }
-    /// Sets the half angle of a film along its forward side; for an outer film also in the foam.
-    /// Also updates the areas of the two bubbles beside the film. The area of the film's segment
-    /// changes because of the new half angle, and because the squared chord length has changed from
-    /// `squared_before` to `squared_after`.
+    /// Sets the half angle of a film along its forward side, and updates the areas of the two
+    /// bubbles beside the film. If the film is an outer film, its half angle is also stored in the
+    /// foam. The area of the film's segment changes because of the new half angle, and because the
+    /// squared chord length has changed from `squared_before` to `squared_after`.
     void set_arc(FilmId film, double half_angle, double squared_before, double squared_after);
 
     /// Loads the arc of a film from the foam. The half angle of an inner film follows from the

@@ -15,10 +15,12 @@ namespace foam {
 
 namespace {
 
-// Largest number of films between a tangled junction and the junctions that move with it.
+// Largest number of films between a tangled junction (is_tangled) and a junction moved with it.
 constexpr int kReach = 2;
-constexpr int kSweeps = 20;         // enough for each of a thousand tested states
-constexpr double kNoLength = 1e-9;  // a shorter chord counts as zero, foam units
+// The number of times that each of these junctions is moved. In a test, each of a thousand tangled
+// foams reached equilibrium with this number.
+constexpr int kSweeps = 20;
+constexpr double kNoLength = 1e-9;  // in foam units; a shorter chord counts as zero
 // A negative angle of at most this magnitude, in radians, is a rounding error of the angle 0 and
 // does not stand for almost a full turn. Such angles occur because the two chords of a two-sided
 // bubble have the same direction.
@@ -92,8 +94,9 @@ void move_to_mean_of_neighbors(Foam& foam, JunctionId junction) {
 
 }  // namespace
 
-// The clockwise angles between successive films of the junction add up to one turn if the films
-// leave in the right order, and to two turns if they leave in the reversed order.
+// Network::leaving returns the films in the clockwise order that they should have. The clockwise
+// angles from each film to the next add up to one turn if the films really leave in this order, and
+// to two turns if they leave in the reversed order.
 bool is_tangled(const Foam& foam, JunctionId junction) {
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
     std::array<Vec2, 3> directions;

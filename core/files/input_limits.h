@@ -40,7 +40,7 @@ inline constexpr std::array kInputKinds = {kPresetInput,
 /// The largest size of the uncompressed content of a state of a cache, in bytes.
 inline constexpr std::uint64_t kMaxStateContent = 4096 * kMebibyte;
 
-/// The largest number of pixels of an image, as many as 32768 x 32768.
+/// The largest number of pixels of an image: 32768 x 32768.
 inline constexpr std::int64_t kMaxImagePixels = std::int64_t{1} << 30U;
 
 /// The largest width and the largest height of an image, in pixels. libpng has the same limit.

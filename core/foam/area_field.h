@@ -13,7 +13,7 @@ namespace foam {
 
 /// The relative areas that bubbles should have at every place of a rectangle. The rectangle is
 /// divided into a grid of equal cells, and the area is constant within a cell. The number of
-/// bubbles per unit area is proportional to 1 / area. Copies share the grid.
+/// bubbles per unit area is proportional to 1 / area. Copies of an AreaField share one grid.
 class AreaField {
   public:
     /// Creates a field on the rectangle from (0, 0) to (1, 1). `areas` has one positive number per
@@ -38,11 +38,12 @@ class AreaField {
     /// Precondition: the polygon is counter-clockwise.
     double mean_over(std::span<const Vec2> polygon) const;
 
-    /// Returns the point to which Lloyd's algorithm moves the site of a cell: the centroid of the
-    /// polygon for the weight 1 / area^2. With this weight, the algorithm makes the number of sites
-    /// per unit area proportional to 1 / area (Q. Du, V. Faber, M. Gunzburger, "Centroidal Voronoi
-    /// tessellations", SIAM Review 41, 1999: in the plane, the density of sites tends to the square
-    /// root of the weight). Precondition: the polygon is counter-clockwise.
+    /// Returns the point to which Lloyd's algorithm moves the site of a Voronoi cell: the centroid
+    /// of the cell, which is the given polygon, for the weight 1 / area^2. With this weight, the
+    /// algorithm makes the number of sites per unit area proportional to 1 / area (Q. Du, V. Faber,
+    /// M. Gunzburger, "Centroidal Voronoi tessellations", SIAM Review 41, 1999: in the plane, the
+    /// density of sites tends to the square root of the weight). Precondition: the polygon is
+    /// counter-clockwise.
     Vec2 centroid_of(std::span<const Vec2> polygon) const;
 
   private:

@@ -13,7 +13,8 @@ namespace foam {
 
 namespace {
 
-// Moments of area about the origin: the integrals of 1, x and x xᵀ.
+// Moments of a region about the origin: the integrals of 1, x and x xᵀ over the region, where x is
+// the position vector.
 struct AreaMoments {
     double area = 0.0;
     Vec2 first{0.0, 0.0};
@@ -35,7 +36,7 @@ void add_segment(AreaMoments& sum, const FilmArc& arc, const Vec2& middle) {
     const SegmentMoments segment = segment_moments(arc);
     const Vec2 along = arc.chord.normalized();
     const Vec2 left = turned_left(along);
-    const Vec2 offset = segment.y * left;  // first moment about the middle
+    const Vec2 offset = segment.y * left;  // first moment of the segment about `middle`
     sum.area += segment.area;
     sum.first += segment.area * middle + offset;
     sum.second += segment.area * middle * middle.transpose() + middle * offset.transpose() +
@@ -59,9 +60,9 @@ AreaMoments moments_of(const Frame& frame, BubbleId bubble) {
     return sum;
 }
 
-// Sets elongation and orientation. The eigenvalues of the second moments about the center are
-// mean +- spread. Each is proportional to the square of an axis of the ellipse. Sets nothing if an
-// eigenvalue is not positive.
+// Sets elongation and orientation. The matrix of the second moments about the center of area has
+// the eigenvalues `mean` + `spread` and `mean` - `spread`. Each is proportional to the square of an
+// axis of the ellipse. Sets nothing if an eigenvalue is not positive.
 void set_ellipse(BubbleShape& shape, const AreaMoments& moments) {
     const Mat2 central = moments.second - moments.first * moments.first.transpose() / moments.area;
     const double mean = 0.5 * (central(0, 0) + central(1, 1));

@@ -19,9 +19,9 @@ namespace {
 // The half-edge that starts at each corner, indexed by [cell][corner].
 using HalfEdgeTable = std::vector<std::vector<HalfEdgeId>>;
 
-// A side of `cell` starts at `corner`. Returns the index of the corner of the neighboring cell at
-// which the other side of the same film starts. Throws std::runtime_error if the neighboring cell
-// has no such corner.
+// The side of `cell` that starts at `corner` is one half-edge of a film. The other half-edge is a
+// side of the neighboring cell. Returns the index of the corner at which that side starts. Throws
+// std::runtime_error if the neighboring cell has no such corner.
 std::size_t matching_corner(const CellDiagram& cells, std::size_t cell, const CellCorner& corner) {
     const std::vector<CellCorner>& other = cells[corner.across];
     for (std::size_t k = 0; k < other.size(); ++k) {
@@ -78,8 +78,8 @@ void add_junction_at(HalfEdgeId h, const Vec2& point, Foam& foam) {
     }
 }
 
-// Returns the lattice offset of the copy of a junction that is at the point. `junction` is the
-// position of the junction.
+// A junction has the stored position `junction`, and one of its lattice copies is at `point`.
+// Returns the lattice offset of this copy.
 LatticeOffset copy_of(const Domain& domain, const Vec2& point, const Vec2& junction) {
     const Vec2 apart = point - junction;
     return {static_cast<std::int32_t>(std::lround(apart.x() / domain.width)),

@@ -20,9 +20,9 @@ struct CellCorner {
 /// A tiling of the torus by polygons: the corners of each cell, counter-clockwise.
 using CellDiagram = std::vector<std::vector<CellCorner>>;
 
-/// Returns the tiling as a foam of straight films and pressures of 0. Bubbles are the cells, in the
-/// same order; target areas are the areas of the cells. Throws std::runtime_error if a corner does
-/// not join exactly three cells, or if a side has no counterpart in the cell across it.
+/// Returns the tiling as a foam with straight films and pressures of 0. Bubbles are the cells, in
+/// the same order; target areas are the areas of the cells. Throws std::runtime_error if a corner
+/// does not join exactly three cells, or if a side has no counterpart in the cell across it.
 /// Precondition: the torus has no shear.
 Foam foam_from_cells(const Domain& domain, const CellDiagram& cells);
 

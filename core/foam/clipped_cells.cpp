@@ -65,7 +65,7 @@ class PointSet {
     std::multimap<Box, std::uint32_t> boxes_;
 };
 
-// Converts a ring, a part of a clipped cell, to a cell of the mesh. May return fewer than three
+// Converts a ring (one part of a clipped cell) to a cell of the mesh. May return fewer than three
 // points, because points are merged.
 Cell cell_of_ring(const std::vector<Vec2>& ring, PointSet& points) {
     Cell cell;

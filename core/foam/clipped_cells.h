@@ -14,7 +14,8 @@ namespace foam {
 
 /// The cells of a diagram, clipped to an outline.
 struct ClippedCells {
-    // Has one cell for each part, within the outline, of a cell of the diagram.
+    // The outline may divide a cell of the diagram into several parts. The mesh has one cell for
+    // each part that is within the outline.
     PolygonMesh mesh;
     std::vector<Vec2> centers;  // per cell of the diagram: lloyd_center of its largest part, or of
                                 // the whole cell if no part is within the outline

@@ -82,8 +82,9 @@ void complete_patch(Foam& foam);
 
 /// Moves the junction to a point of the plane. On a torus, the point may be outside of the
 /// fundamental cell: this function wraps the junction into it and updates the lattice offsets of
-/// the junction's films. Precondition: the point is the present position of the junction plus its
-/// displacement. Another lattice copy of this point would stretch the films across the torus.
+/// the junction's films. Precondition: the point is the stored position of the junction plus the
+/// displacement of the move, not wrapped. Another lattice copy of this point would stretch the
+/// films across the torus.
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point);
 
 /// Moves all junctions by the same vector. Lone bubbles are not moved.

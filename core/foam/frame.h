@@ -37,8 +37,8 @@ struct Frame {
 /// Returns the present state of the foam as the frame with the given number.
 Frame snapshot(const Foam& foam, int number);
 
-/// Returns a foam in the state of the frame, without events. All films are armed (Foam::t1_armed),
-/// because a frame does not contain these flags.
+/// Returns a foam in the state of the frame, with an empty list of topology events. The flags
+/// Foam::t1_armed of all films are 1, because a frame does not contain these flags.
 Foam foam_of(const Frame& frame);
 
 }  // namespace foam

@@ -11,8 +11,8 @@ namespace foam {
 /// A torus, described by a shear whose magnitude is at most half of the width.
 struct ReducedLattice {
     Domain domain;
-    // The period (shear, height) of the original domain is that of `domain` plus this many periods
-    // (width, 0).
+    // The period (shear, height) of the original domain equals the period (shear, height) of
+    // `domain` plus `widths` times the period (width, 0).
     std::int32_t widths = 0;
 
     /// Returns an offset of the original domain as an offset of `domain`.

@@ -107,8 +107,10 @@ double distance_to_segment(const Vec2& from, const Vec2& along) {
 }
 
 // Returns the distance from a point to the nearest lattice copy of a film's chord. Tries all copies
-// near the point, because the chord may be longer than the periods of the torus. The copy that
-// begins at `from` is at most |from| away, so a nearer copy begins within |from| + |along|.
+// near the point, because the chord may be longer than the periods of the torus. Let `from` be the
+// vector from the point to the nearest copy of the chord's tail, and `along` the chord. The
+// distance from the point to this copy of the chord is at most |from|. The tail of a nearer copy is
+// therefore at most |from| + |along| away from the point.
 double distance_to_chord(const Foam& foam, FilmId film, const Vec2& point) {
     const HalfEdgeId h = forward_side(film);
     const Vec2 along = chord(foam, h);

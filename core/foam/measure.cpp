@@ -29,7 +29,8 @@ double largest_angle_error(const Foam& foam, JunctionId junction) {
     }
     double largest = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-        // The clockwise angle from a to b, in (-pi, pi]. It is negative in an inverted foam.
+        // The clockwise angle from a to b, in (-pi, pi]. It is negative if b points to the left of
+        // a, as at a junction where bubbles are inverted.
         const Vec2& a = tangents[k];
         const Vec2& b = tangents[(k + 1) % 3];
         const double angle = ieee::atan2(cross(b, a), a.dot(b));

@@ -131,9 +131,9 @@ bool is_apart(const std::vector<Vec2>& ring, const Box& bounds) {
     return true;
 }
 
-// Returns true if the bounding box of the polygon touches the bounding box of no side of the
-// outline. The polygon is then entirely inside or entirely outside of the outline. This is so for
-// most cells, and this test is much faster than an intersection.
+// Returns true if no side of the outline has a bounding box that touches the bounding box of the
+// polygon. The polygon is then entirely inside or entirely outside of the outline. This is so for
+// most cells of a Voronoi diagram, and this test is much faster than an intersection.
 bool is_apart_from_rings(const Outline& outline, const std::vector<Vec2>& polygon) {
     Box bounds{polygon.front(), polygon.front()};
     for (const Vec2& point : polygon) {

@@ -42,7 +42,8 @@ struct Box {
     Vec2 size() const { return high - low; }
 };
 
-/// Returns the bounding box of an outline of one or several parts. Precondition: there is a part.
+/// Returns the common bounding box of the outlines that are the parts of a shape. Precondition:
+/// there is a part.
 Box bounding_box(std::span<const Outline> parts);
 
 /// Returns the width of bounding_box(parts), divided by its height. Precondition: there is a part.

@@ -19,12 +19,12 @@ namespace foam {
 namespace {
 
 constexpr int kMaxPatchDraws = 8;
-// Smallest share of all bubbles that a part of the outline may have, as a number of bubbles. A cell
-// of this size is a sliver (clipped_cells.cpp).
+// Smallest share of all bubbles that a part of the outline may have, as a number of bubbles. Cells
+// that are smaller than this are slivers, too (kSliverArea in clipped_cells.cpp).
 constexpr double kLeastPart = 0.1;
 
-// The number of random points that are drawn for a part is limited to this number plus
-// kMaxPointsPerBubble per bubble. An outline that fills less of its bounding box is too narrow.
+// At most kMaxPoints + kMaxPointsPerBubble * bubbles random points are drawn for a part with this
+// number of bubbles. If too few of these points are inside the part, it is too narrow.
 constexpr int kMaxPoints = 100'000;
 constexpr int kMaxPointsPerBubble = 1'000;
 
@@ -45,7 +45,7 @@ Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
     return outline;
 }
 
-// Returns the mean of 1 / area of a field over a part.
+// Returns the mean over a part of 1 / a, where a is the value of the area field at a point.
 double mean_density(const Outline& part, const AreaField& areas) {
     const Box box = box_of(part);
     double sum = 0.0;
@@ -154,7 +154,8 @@ ClippedCells draw_cells(const PreparedPart& prepared, const PatchOptions& option
     return cells;
 }
 
-// Returns the area of the area field at each cell of the mesh; empty if there is no field.
+// Returns the value of the area field at each cell of the mesh (AreaField::mean_over). Returns an
+// empty list if there is no field.
 std::vector<double> field_areas(const PreparedPart& part, const PolygonMesh& mesh) {
     std::vector<double> areas;
     for (std::size_t cell = 0; part.areas && cell < mesh.cells.size(); ++cell) {

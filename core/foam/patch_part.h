@@ -15,10 +15,11 @@
 
 namespace foam {
 
-/// A part of an outline, scaled and placed in the middle of a torus of its own. Within the part,
-/// the lattice copies of sites do not affect the cells: because the torus is at least twice as wide
-/// and at least twice as high as the part, a copy of a site is never nearer to a point within the
-/// part than the site itself.
+/// A part of an outline, scaled and placed in the middle of a torus of its own. The cells of the
+/// part come from a Voronoi diagram of points within the part, called sites. Within the part, the
+/// lattice copies of sites do not affect the cells: because the torus is at least twice as wide and
+/// at least twice as high as the part, a copy of a site is never nearer to a point within the part
+/// than the site itself.
 struct PreparedPart {
     Outline outline;
     Domain domain;
@@ -30,24 +31,24 @@ struct PreparedPart {
 };
 
 /// Prepares the parts of an outline. They are scaled to a total area of 1 per bubble. Parts get
-/// bubbles in proportion to their areas or, if there is an area field, to the integral of 1 / area.
-/// Throws std::runtime_error if the share of a part is less than a tenth of a bubble. Precondition:
-/// every part has an area.
+/// bubbles in proportion to their areas or, if there is an area field, to the integrals of
+/// 1 / field over the parts. Throws std::runtime_error if the share of a part is less than a tenth
+/// of a bubble. Precondition: every part has an area.
 std::vector<PreparedPart> prepare_parts(std::span<const Outline> parts,
                                         const PatchOptions& options);
 
 /// Returns the mesh as a foam (foam_from_mesh). Throws std::runtime_error if the foam is not valid.
 Foam valid_foam(const PolygonMesh& mesh);
 
-/// The cells of a part, and the area of the area field at each cell (empty if there is no field).
+/// The cells of a part, and the value of the area field at each cell (empty if there is no field).
 struct PartCells {
     PolygonMesh mesh;
     std::vector<double> field{};
 };
 
-/// Returns the clipped Voronoi cells of random sites in a part. Slivers have been merged
-/// (clipped_cells.h). Draws new sites until the cells are a valid foam. Throws std::runtime_error
-/// if several draws give no valid foam. Precondition: the part has at least two bubbles.
+/// Returns the clipped Voronoi cells of random sites in a part. Slivers are merged into neighbors
+/// (merge_slivers). Draws new sites until the cells are a valid foam. Throws std::runtime_error if
+/// several draws give no valid foam. Precondition: the part has at least two bubbles.
 PartCells draw_part(const PreparedPart& part, const PatchOptions& options, Random& random);
 
 }  // namespace foam

@@ -12,17 +12,18 @@ namespace foam {
 /// Polygons in the plane that share corners. A side that belongs to only one cell is at the outer
 /// boundary or at a hole.
 struct PolygonMesh {
-    using Cell = std::vector<std::uint32_t>;  // indices of its corners, counter-clockwise
+    // The corners of a cell, counter-clockwise, as indices into `points`.
+    using Cell = std::vector<std::uint32_t>;
 
     std::vector<Vec2> points;
     std::vector<Cell> cells;
 };
 
-/// Returns the mesh as a patch of straight films and pressures of 0. Bubbles are the cells, in the
-/// same order; target areas are the areas of the cells. A chain of sides becomes one film: a point
-/// where only two sides meet is dissolved. Throws std::runtime_error if a corner does not join two
-/// or three sides, if two cells use one side in the same direction, or if a cell has no corner that
-/// joins three sides.
+/// Returns the mesh as a patch with straight films and pressures of 0. Bubbles are the cells, in
+/// the same order; target areas are the areas of the cells. A chain of sides becomes one film: a
+/// point where only two sides meet is dissolved. Throws std::runtime_error if a corner does not
+/// join two or three sides, if two cells use one side in the same direction, or if a cell has no
+/// corner that joins three sides.
 Foam foam_from_mesh(const PolygonMesh& mesh);
 
 }  // namespace foam

@@ -34,12 +34,13 @@ constexpr double kRaftAreaFraction = 0.5;
 // One of the two outer films that result when a film tears. For each of the two bubbles beside the
 // torn film, the two outer films of the bubble that end at the torn film become one joined film.
 struct JoinedFilm {
-    // The bubble's half-edge directly before the torn film. It becomes the joined film, unless its
-    // film is the bubble's only film besides the torn one: then the bubble becomes a lone bubble.
+    // The bubble's half-edge directly before the torn film. It becomes a half-edge of the joined
+    // film. But if the bubble has only one film besides the torn one, there is no joined film, and
+    // the bubble becomes a lone bubble.
     HalfEdgeId kept;
     Vec2 at_tail;        // unit tangent at the tail of the joined film
     Vec2 at_head;        // unit tangent at the head of the joined film
-    LoneBubble as_lone;  // the bubble as a lone bubble, for this case
+    LoneBubble as_lone;  // used only if the bubble becomes a lone bubble
 };
 
 // Returns the bubble on the left of h as a lone bubble, a circle that is tangent to the film of h
@@ -68,7 +69,8 @@ double angle_between(const Vec2& a, const Vec2& b) {
 }
 
 // Sets the half angle of the joined film to the mean of the two half angles that its tangents at
-// the tail and at the head require. Also arms the film (Foam::t1_armed).
+// the tail and at the head require. Also arms the film, which gives it the full T1 distance
+// (Foam::t1_armed).
 void fit_half_angle_of_joined_film(Foam& foam, const JoinedFilm& side) {
     const Vec2 d = chord(foam, side.kept);
     const double angle = 0.5 * (angle_between(side.at_tail, d) + angle_between(d, side.at_head));

@@ -14,7 +14,7 @@ bool is_inside_double_bubble(const Network& network, FilmId film);
 /// the tail of the arc usually differs from the half angle that keeps the old tangent at its head;
 /// the arc gets the mean of both half angles. A bubble that no longer touches another bubble
 /// becomes a lone bubble, whose circle is tangent to the old outer film of this bubble at one end
-/// of the film. Precondition: can_split.
+/// of the torn film. Precondition: can_split.
 void tear_film(Foam& foam, FilmId film);
 
 /// Returns true if the outer film is at a hole of at most three films, all with chords shorter than

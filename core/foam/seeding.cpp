@@ -14,16 +14,17 @@
 
 // Seeds a foam on a torus from the Voronoi diagram of uniformly random sites (paper section 5).
 // Each iteration of Lloyd's algorithm moves every site to the centroid of its cell and takes the
-// diagram of the new sites, which makes the cells more regular. With an area field, sites are drawn
-// with a density of 1 / area, and the centroids are weighted (area_field.h).
+// diagram of the new sites, which makes the cells more regular. If there is an area field, which
+// gives the relative areas that bubbles should have at every place, the density of the random sites
+// is proportional to 1 / area, and the centroids are weighted (area_field.h).
 
 namespace foam {
 
 namespace {
 
-// A draw fails if two sites share a grid point (voronoi.h) or if four sites are on one circle. For
-// 10,000 sites, the probability of this is about 1e-8 per diagram. A draw also fails if a long
-// torus has too few sites (voronoi.h).
+// A draw is one attempt to make a foam from new random sites. It fails if two sites share a grid
+// point (voronoi.h) or if four sites are on one circle. For 10,000 sites, the probability of this
+// is about 1e-8 per diagram. A draw also fails if a long torus has too few sites (voronoi.h).
 constexpr int kMaxSeedDraws = 4;
 
 void check(const SeedingOptions& options) {
@@ -74,7 +75,8 @@ CellDiagram lloyd_relaxed(const Domain& domain,
     return cells;
 }
 
-// Replaces the target areas, which are still the areas of the cells, as the options ask for.
+// Sets the target areas that the options ask for. Precondition: the target areas of the foam are
+// the areas of the cells.
 void set_targets(const SeedingOptions& options, const CellDiagram& cells, Foam& foam) {
     std::vector<double> field;
     for (std::size_t cell = 0; options.areas && cell < cells.size(); ++cell) {

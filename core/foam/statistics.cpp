@@ -73,7 +73,7 @@ std::vector<SidesStatistics> statistics_by_sides(const Frame& frame) {
     return means;
 }
 
-// Returns the mean over all bubbles of a function of the number of sides.
+// Returns the mean of `value`, a function of the number of sides of a bubble, over all bubbles.
 template <class OfSides>
 double mean_of(const FoamStatistics& all, OfSides value) {
     double sum = 0.0;

@@ -13,7 +13,7 @@ namespace foam {
 struct SidesStatistics {
     int sides = 0;
     int bubbles = 0;
-    double mean_area = 0.0;      // within the arcs
+    double mean_area = 0.0;      // of the areas bounded by the arcs, not by their chords
     double mean_pressure = 0.0;  // on a torus determined only up to a common constant
     // The mean rate at which gas enters a bubble through its films, divided by the diffusion
     // constant kappa (E6 in core/README.md). The rate of one bubble is the sum over its films of
@@ -31,7 +31,7 @@ struct FoamStatistics {
                                  // of lone bubbles
     double mean_sides = 0.0;     // 6 on a torus (Euler), usually fewer in a patch
     double second_moment = 0.0;  // mu_2, the variance of the number of sides over all bubbles
-    // By increasing number of sides; only numbers of sides that occur.
+    // One entry for each number of sides that occurs, in increasing order.
     std::vector<SidesStatistics> by_sides;
 };
 

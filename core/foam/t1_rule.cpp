@@ -14,7 +14,7 @@
 // so that a flip does not have to be undone (E7 in core/README.md). In units of the film tension,
 // the flipped film pulls the junctions at its ends together with a force of 1, and the neighboring
 // films pull them apart. The flipped film stays open if the neighboring films pull harder. The same
-// forces decide whether a collapsed film is reopened as it is or flipped.
+// forces decide whether a collapsed film is flipped before it is reopened.
 
 namespace foam {
 

@@ -10,11 +10,13 @@ namespace foam {
 /// size is kept: the largest area stays the largest.
 void spread_areas(std::span<double> areas, double ratio);
 
-/// Turns the areas of cells into target areas. `field` has the area of an area field at each cell,
-/// or is empty if there is none. If `ratio` is positive, the areas become areas from 1 to `ratio`
-/// (spread_areas), in the order of the areas relative to the field. If `ratio` is 0, the areas stay
-/// as they are if there is no field, and become equal otherwise. If there is a field, each area is
-/// finally multiplied by the area of the field at its cell.
+/// Replaces the areas of cells by target areas. `field` contains the value of an area field at each
+/// cell; it is empty if there is no field.
+///
+/// Without a field: if `ratio` is positive, applies spread_areas; if `ratio` is 0, does not change
+/// the areas. With a field: if `ratio` is positive, divides each area by the value of the field at
+/// its cell and applies spread_areas to the quotients; if `ratio` is 0, sets all areas to 1. For
+/// any `ratio`, then multiplies each area by the value of the field at its cell.
 void set_target_areas(std::span<double> areas, std::span<const double> field, double ratio);
 
 /// Scales the areas so that their sum is `total`.

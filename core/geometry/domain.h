@@ -34,7 +34,7 @@ struct LatticeOffset {
 struct Domain {
     double width = 1.0;
     double height = 1.0;
-    double shear = 0.0;  // how far each row of cells is shifted to the right of the row below
+    double shear = 0.0;  // shift of each row of cells to the right, relative to the row below
 
     bool is_plane() const { return width == 0.0; }
 
@@ -70,7 +70,7 @@ struct Domain {
 };
 
 /// The largest ratio of the width to the height of a torus, and of the height to the width, that is
-/// accepted in files and options. Functions of a sheared torus, such as nearest_copy, take time in
+/// accepted in files and options. On a sheared torus, functions such as nearest_copy take time in
 /// proportion to the ratio of width to height. No image has a larger ratio.
 inline constexpr double kMaxAspect = 16384.0;
 

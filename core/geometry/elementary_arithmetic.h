@@ -98,8 +98,8 @@ inline constexpr double kRounder = 0x1.8p52;
     return {high, rest * inverse};
 }
 
-/// Returns the value of a polynomial. Its coefficients begin with the constant term. The even and
-/// the odd coefficients are summed separately, so that the two chains of dependent operations
+/// Returns the value of a polynomial at x. `coefficients` begins with the constant term. The terms
+/// of even and of odd powers are summed separately, so that the two chains of dependent operations
 /// overlap.
 template <std::size_t Size>
 [[gnu::always_inline]] inline double polynomial(const std::array<double, Size>& coefficients,

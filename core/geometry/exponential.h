@@ -17,12 +17,13 @@ namespace detail {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-// log 2 is the sum of a number of 42 bits, whose products with the exponents of doubles are exact,
-// and a small remainder.
+// The number log 2. `high` has only 42 bits, so that its products with the exponents of doubles are
+// exact; `low` is the small remainder.
 inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
 
-// Returns exp x: 2^k exp r with |r| <= log(2) / 2 and exp r = 1 + r + r² E(r). If exp x is too
-// large for a double, returns infinity; if it is too small, returns 0.
+// Returns exp x, computed as 2^k exp r. Here x = k log 2 + r with |r| <= log(2) / 2, and
+// exp r = 1 + r + r² E(r). If exp x is too large for a double, returns infinity; if exp x is too
+// small, returns 0.
 [[gnu::always_inline]] inline double exponential(const TwoDoubles& x) {
     constexpr std::array kExponential = {0x1p-1,
                                          0x1.5555555555557p-3,
@@ -97,7 +98,7 @@ inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
     return detail::exponential({x, 0.0});
 }
 
-/// Return the natural logarithm and the logarithms of base 2 and 10, with an error below 0.6 ulp.
+/// log, log2 and log10 return the logarithms to base e, 2 and 10 with an error below 0.6 ulp.
 /// Logarithms that are whole numbers are exact. As in the C standard, the logarithm of 0 is minus
 /// infinity, and the logarithm of a negative number is NaN.
 inline double log(double x) {

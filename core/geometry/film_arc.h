@@ -38,8 +38,8 @@ Vec2 tangent_at_head(const FilmArc& arc);
 /// measured from the tail.
 Vec2 point_at(const FilmArc& arc, double fraction);
 
-/// Returns the integral over the length of the arc of t tᵀ, where t is the unit tangent (E11). Its
-/// trace is the length of the arc. It is the same for the reversed arc.
+/// Returns the integral of t tᵀ over the length of the arc, where t is the unit tangent (E11). The
+/// trace of this tensor is the length of the arc. The reversed arc has the same tensor.
 Mat2 tangent_tensor(const FilmArc& arc);
 
 /// Moments of area of the segment between an arc and its chord. Coordinates are relative to the

@@ -69,8 +69,8 @@ detail::ReducedAngle detail::reduced_large(double x) {
         return {{std::numeric_limits<double>::quiet_NaN(), 0.0}, 0};
     }
     const Turns turns = quarter_turns(x);
-    // `quarters` is the nearest whole number of quarter turns. `high` and `low` become the
-    // difference from it, as a signed number.
+    // `quarters` is the nearest whole number of quarter turns. `high` and `low` together become
+    // `turns` minus `quarters`, as a signed number.
     const std::uint64_t quarters = (turns.high + (std::uint64_t{1} << 61)) >> 62;
     std::uint64_t high = turns.high << 2 | turns.low >> 62;
     std::uint64_t low = turns.low << 2;

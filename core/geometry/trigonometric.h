@@ -164,8 +164,8 @@ double tan(double x);
 /// Returns acos x with an error below 0.8 ulp, or NaN for |x| > 1.
 double acos(double x);
 
-/// Returns the angle of the vector (x, y), from -pi to pi, with an error below 1 ulp. As in the C
-/// standard, zeros and infinities count with their signs.
+/// Returns the angle of the vector (x, y), from -pi to pi, with an error below 1 ulp. For zeros and
+/// infinities, the result depends on their signs as the C standard specifies.
 double atan2(double y, double x);
 
 /// Returns atan x with an error below 0.8 ulp.

@@ -211,10 +211,10 @@ class HeaderReader {
         skip_statement();
     }
 
-    // Reads a QUANTITY that is declared ENERGY: the sum of the values of its methods, times its
-    // modulus. Adds the moduli of its methods, times its modulus, to the film tension if every
-    // method is the length of all edges. Rejects every other method, unless its modulus or that of
-    // the quantity is 0.
+    // Reads a QUANTITY that is declared ENERGY. The energy is the modulus of the quantity times the
+    // sum of the values of its methods. For each method that is the length of all edges, adds the
+    // product of both moduli (of the method and of the quantity) to the film tension. Rejects every
+    // other method, unless one of the two moduli is 0.
     void read_energy(const std::string& name) {
         double modulus = 1.0;
         std::vector<Method> methods;
@@ -239,8 +239,8 @@ class HeaderReader {
         }
     }
 
-    // Reads METHOD name or GLOBAL_METHOD name: a method with the words that follow it, or the name
-    // of an instance. A MODULUS after the name of an instance is the modulus of the quantity.
+    // Reads METHOD name or GLOBAL_METHOD name. Words after the name of a method are read too. Words
+    // after the name of a method instance are not: a MODULUS there belongs to the quantity.
     Method take_method() {
         const bool global = lower(tokens_.take().text) == "global_method";
         const std::string name = lower(tokens_.take_word("the name of a method"));

@@ -11,13 +11,13 @@
 
 namespace foam::evolver {
 
-/// The top section of a data file, which applies to the whole foam.
+/// The top section of a data file of Surface Evolver. It applies to the whole foam.
 struct Header {
     Domain domain;  // the plane for a free cluster
     Parameters parameters;
-    // The factor of the length of all edges in the energies of the file: for each of these
-    // energies, its modulus times the sum of the moduli of its methods. Added to the tension of the
-    // films.
+    // The energies that the file declares are multiples of the total length of all edges. This is
+    // the sum of their factors, which is to be added to the film tension. The factor of an energy
+    // is its modulus times the sum of the moduli of its methods.
     double added_tension = 0.0;
     std::vector<std::string> notes;  // remarks on ignored statements, one line each
 };

@@ -13,11 +13,12 @@
 #include <cstdlib>
 
 // Converts faces to loops of films. First, the wrap of every edge is determined: the lattice offset
-// of the copy of its head at which it ends. Then the loop of edges of each face is copied; if the
-// body refers to the reversed face, the loop is reversed. Two checks follow: the loops must be
-// closed, and each side of an edge must have one face. In the plane, one of the two sides of an
-// edge may have no face. If the total area of all loops is negative, the loops are clockwise, and
-// all of them are reversed. Finally, each loop is split into films at the vertices of three edges.
+// of the copy of the head at which the edge ends. Then the loop of edges of each face is copied; if
+// the face's body refers to the reversed face, the loop is reversed. Two checks follow: the loops
+// must be closed, and each side of an edge must have one face. In the plane, one of the two sides
+// of an edge may have no face. If the total area of all loops is negative, the loops are clockwise,
+// and all of them are reversed. Finally, each loop is split into films at vertices with three
+// edges.
 
 namespace foam::evolver {
 
@@ -105,7 +106,8 @@ class LoopBuilder {
         return {static_cast<std::int32_t>(std::lround(along / domain_.width)), j};
     }
 
-    // Copies the loop of each face. Reverses it if the body refers to the reversed face.
+    // Copies the loop of each face. Reverses the copy if the face's body refers to the reversed
+    // face.
     void take_loops() {
         for (const Face& face : mesh_.faces) {
             loops_.push_back(face.sides);
@@ -255,7 +257,7 @@ class LoopBuilder {
 
     const Mesh& mesh_;
     ReducedLattice lattice_;
-    const Domain& domain_;  // with its shear reduced
+    const Domain& domain_;  // lattice_.domain, whose shear is reduced
     const std::string& file_;
     std::vector<LatticeOffset> wraps_;  // per edge
     std::vector<Loop> loops_;           // per face

@@ -22,7 +22,8 @@ std::int32_t decoded_wrap(unsigned bits) {
     return low < 0x10 ? low : low - 0x20;
 }
 
-// Maps the numbers of one kind of element in the file, which need not be contiguous, to indices.
+// A table for one kind of element. In the file, each element has a number. The table converts this
+// number to the index of the element. The numbers need not be contiguous.
 class IdTable {
   public:
     IdTable(const TokenReader& tokens, const char* kind) : tokens_(tokens), kind_(kind) {}
@@ -134,7 +135,7 @@ class MeshReader {
         const std::string name = fmt::format("edge {}", id);
         Edge edge{id, line, take_vertex(name), take_vertex(name), {}, 1.0};
         if (!tokens_.at_line_start() && tokens_.at_integer() && !at_wrap()) {
-            take_vertex(name);  // skips a midpoint: arcs follow from the pressures
+            take_vertex(name);  // skips a midpoint: pressures determine the arc
         }
         edge.wrap = take_wrap_symbols();
         read_attributes([&](const std::string& word, int attribute_line) {
@@ -228,8 +229,9 @@ class MeshReader {
     bool at_integer_of_element() const { return !tokens_.at_line_start() && tokens_.at_integer(); }
 
     // Reads the attributes of an element. Passes each word and its line to `handle`, which may read
-    // the values that follow the word. Skips all other tokens. Counts the element if it is fixed or
-    // has constraints. Throws FormatError if the first token is not a word.
+    // the values that follow the word. Skips all other tokens. Counts the element in
+    // Mesh::constrained_count if it is fixed or has constraints. Throws FormatError if the first
+    // token is not a word.
     template <class Handle>
     void read_attributes(Handle handle) {
         if (!at_element_end() && tokens_.peek().kind != TokenKind::Word) {

@@ -64,12 +64,15 @@ struct Mesh {
     std::vector<Body> bodies;
     // Number of elements that the file fixes or constrains. foamtex moves these elements freely.
     int constrained_count = 0;
-    int end_line = 0;  // line of `read` or of the end of the file, for error messages
+    // For error messages: the line of the keyword `read` after the elements, or of the end of the
+    // file.
+    int end_line = 0;
 };
 
-/// Reads the sections of vertices, edges, faces and bodies, up to `read` or the end of the file.
-/// Ignores unknown attributes. Throws FormatError if a section is missing or malformed, refers to
-/// an element that the file does not define, or has an attribute that is not supported.
+/// Reads the sections of vertices, edges, faces and bodies, up to the keyword `read` or the end of
+/// the file. Skips attributes that foamtex does not use. Throws FormatError if a section is missing
+/// or malformed, refers to an element that the file does not define, or has an attribute that
+/// changes the physics in a way that foamtex does not support, such as `boundary`.
 Mesh read_mesh(TokenReader& tokens, const Parameters& parameters);
 
 }  // namespace foam::evolver

@@ -15,7 +15,8 @@
 
 // Builds the foam from the loops of films around the faces (evolver_loops.h). Vertices at which
 // films meet become junctions, each film becomes two half-edges, and each face becomes a bubble.
-// Half-edges without a face belong to the ghost. Target areas and pressures come from the bodies.
+// Half-edges without a face belong to the ghost. Target areas and pressures come from the bodies;
+// in two dimensions, Surface Evolver's "volume" of a body is the area of its face.
 
 namespace foam {
 
@@ -103,7 +104,7 @@ class FoamBuilder {
         }
     }
 
-    // Returns the index of a side of an edge in half_edges_.
+    // Returns the index in half_edges_ at which a side of an edge is stored.
     static std::size_t index(EdgeSide side) { return 2 * side.edge + (side.forward ? 0 : 1); }
     static std::size_t twin_index(EdgeSide side) { return index(side) ^ 1U; }
 

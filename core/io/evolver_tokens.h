@@ -39,8 +39,8 @@ struct Token {
 std::string lower(std::string_view word);
 
 /// Splits a data file into tokens. Comments count as white space. A backslash at the end of a line
-/// continues the line. Throws FormatError if a comment or a quoted text is not closed, and for a
-/// '#', with which a preprocessor line begins.
+/// continues the line. Throws FormatError if a comment or a quoted text is not closed. Also throws
+/// it at a '#' outside of both, because preprocessor lines such as #define are not supported.
 class TokenReader {
   public:
     /// `text` is the contents of the data file, `file` its name in error messages. Both must

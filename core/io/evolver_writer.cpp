@@ -19,7 +19,8 @@ constexpr unsigned kWrapBits = 6;
 constexpr std::int32_t kMinWrap = -16;
 constexpr std::int32_t kMaxWrap = 15;
 
-// Numbers the live elements from 1, as in the file. Returns the number of each element.
+// Returns the number that each live element has in the file: 1, 2, ... by increasing id. Dead slots
+// have the number 0.
 template <class Id>
 Indexed<Id, int> numbers(const LiveRange<Id>& live, std::size_t slots) {
     Indexed<Id, int> result(slots, 0);
@@ -119,8 +120,8 @@ class EvolverWriter {
         }
     }
 
-    // Writes the wrap of an edge: as two of the symbols '*', '+' and '-' if it is at most one
-    // period along each axis, otherwise as a number.
+    // Writes the wrap of an edge: as two symbols, each of them '*', '+' or '-', if the wrap is at
+    // most one period along each axis, otherwise as a number.
     void write_wrap(int edge, LatticeOffset offset) {
         const auto is_symbol = [](std::int32_t periods) { return -1 <= periods && periods <= 1; };
         if (is_symbol(offset.i) && is_symbol(offset.j)) {

@@ -16,8 +16,9 @@ struct LoadedFoam {
     std::vector<std::string> notes;  // remarks, for example on ignored parts, one line each
 };
 
-/// Throws std::invalid_argument unless the name ends in an allowed extension: .fe or .dmp for files
-/// of Surface Evolver, .json for a state of foamtex. The message lists the extensions.
+/// Checks the extension of a file name. The allowed extensions are .fe and .dmp for files of
+/// Surface Evolver, and .json for a state of foamtex. Throws std::invalid_argument for any other
+/// extension; the message lists the allowed ones.
 void check_foam_name(const std::filesystem::path& path);
 
 /// Reads a foam from a file. The extension selects the format. Throws InputError if the file cannot

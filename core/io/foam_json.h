@@ -14,9 +14,9 @@ namespace foam {
 /// in version 2.
 inline constexpr int kFoamJsonVersion = 2;
 
-/// Returns the whole state of a foam as JSON, in the foam's own units. README.md specifies the
-/// format. A foam that is written and read again evolves with the same bits as the original. Dead
-/// slots and the list of topology events are not written. Precondition: all numbers are
+/// Returns the whole state of a foam as JSON, in the foam's own units. core/io/README.md specifies
+/// the format. A foam that is written and read again evolves exactly like the original, bit for
+/// bit. Dead slots and the list of topology events are not written. Precondition: all numbers are
 /// finite, except the target area of the ghost, which is not written.
 std::string write_foam_json(const Foam& foam);
 

@@ -11,7 +11,7 @@ namespace foam {
 void require(bool holds, std::string_view name, std::string_view allowed, double given);
 void require(bool holds, std::string_view name, std::string_view allowed, std::string_view given);
 
-/// Throws foamtex::ArgumentError unless an argument is from `low` to `high`. NaN is not.
+/// Throws foamtex::ArgumentError unless an argument is from `low` to `high`. Also throws for NaN.
 void require_from(std::string_view name, double given, double low, double high);
 
 /// Throws foamtex::ArgumentError unless a number of threads is from 0 to kMaxThreads.

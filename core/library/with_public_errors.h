@@ -13,8 +13,8 @@
 namespace foam {
 
 /// Returns work(). If work() throws InputError, FormatError, OutputError, std::invalid_argument or
-/// std::system_error, throws an exception of the library with the same message instead
-/// (foamtex/errors.h). All other exceptions stay unchanged.
+/// std::system_error, throws instead an exception of the installed libraries (foamtex/errors.h)
+/// with the same message. All other exceptions stay unchanged.
 template <class Work>
 auto with_public_errors(const Work& work) {
     try {

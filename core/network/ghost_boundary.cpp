@@ -38,9 +38,9 @@ std::vector<HalfEdgeId> take_outer_sides(Network& network, BubbleId ghost) {
 
 }  // namespace
 
-// The successor of a half-edge of the ghost leaves the junction at its head. It is found by
-// circulating around that junction, from bubble to bubble, until a half-edge of the ghost is
-// reached.
+// The successor of a half-edge of the ghost leaves the junction at the head of the half-edge. The
+// successor is found by circulating around this junction, from bubble to bubble, until a half-edge
+// of the ghost is reached.
 void add_ghost_boundary(Network& network) {
     const std::vector<HalfEdgeId> before = predecessors(network);
     const BubbleId ghost = network.add_ghost();

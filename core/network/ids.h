@@ -8,8 +8,8 @@
 
 namespace foam {
 
-/// Indices of the network's elements. Each kind of element has a type of index of its own, so that
-/// the compiler rejects an index of another kind.
+/// Indices of the network's elements. Each kind of element has its own type of index, so that the
+/// compiler rejects an index of another kind.
 enum class JunctionId : std::uint32_t {};
 enum class FilmId : std::uint32_t {};
 enum class BubbleId : std::uint32_t {};

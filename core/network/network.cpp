@@ -9,7 +9,7 @@ namespace foam {
 
 namespace {
 
-// Returns the new id for each old id; the new id of a dead id is kNone.
+// Returns the id after `compact` for each id before it. The new id of a dead element is kNone.
 template <class Id>
 Indexed<Id, Id> new_ids(const std::vector<Id>& kept, std::size_t slots) {
     Indexed<Id, Id> ids(slots, kNone<Id>);

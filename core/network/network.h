@@ -120,8 +120,9 @@ class Network {
     /// differ.
     bool is_connected_as(const Network& other) const;
 
-    /// For each new id after compact(), the old id of the element. The elements of each kind keep
-    /// their order, except that the ghost becomes the last bubble.
+    /// The old ids of the elements that compact() keeps. The index of an old id in its vector is
+    /// the new id. The elements of each kind keep their order, except that the ghost becomes the
+    /// last bubble.
     struct Kept {
         std::vector<JunctionId> junctions;
         std::vector<FilmId> films;

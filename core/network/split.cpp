@@ -27,8 +27,8 @@ void drop_sides(Network& network, BubbleId bubble, int sides) {
     network.set_sides(bubble, network.sides(bubble) - sides);
 }
 
-// Joins the two outer films: the film of `before` is extended to the end of the film of `after`,
-// which the caller removes. Returns the extended film.
+// Joins the two outer films: the film of `before` is extended to the end of the film of `after`.
+// Returns the extended film. The caller must remove the film of `after`.
 FilmId join(Network& network, const TornSide& side) {
     const HalfEdgeId kept = side.before;
     const BubbleId bubble = network.left(kept);

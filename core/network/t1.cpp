@@ -4,11 +4,11 @@
 
 #include <cassert>
 
-// A film leads from the junction v to the junction w. C is the third bubble at v and D the third
-// bubble at w, besides the two bubbles beside the film (T1Site). The flip keeps the film and both
-// junctions; afterwards, the film is between C and D. The flip moves the tail of the half-edge
-// `after_left` from w to v, and the tail of `after_right` from v to w. The lattice offsets of the
-// films of these two half-edges change by the offset of the flipped film.
+// The notation is that of T1Site. A film leads from the junction v to the junction w. C is the
+// bubble at v that is not beside the film, and D is the bubble at w that is not beside it. The flip
+// keeps the film and both junctions; afterwards, the film is between C and D. The flip moves the
+// tail of the half-edge `after_left` from w to v, and the tail of `after_right` from v to w. The
+// lattice offsets of the films of these two half-edges change by the offset of the flipped film.
 
 namespace foam {
 

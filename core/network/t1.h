@@ -31,10 +31,10 @@ T1Site t1_site(const Network& network, FilmId film);
 bool can_flip(const Network& network, FilmId film);
 
 /// Flips the film, which is a T1: the four bubbles around the film swap neighbors (E7; paper Figure
-/// 1). In the notation of T1Site, afterwards both neighboring films of A meet the film at v, both
-/// neighboring films of B meet it at w, and the film separates C from D. The forward side of the
-/// film still runs from v to w, now from A to B, with D on its left. The lattice offset of the film
-/// is unchanged. Precondition: can_flip.
+/// 1). Afterwards, in the notation of T1Site, the films of before_left and after_left both meet the
+/// film at v, the films of before_right and after_right both meet it at w, and the film separates C
+/// from D. The forward side of the film still runs from v to w, now from A to B, with D on its
+/// left. The lattice offset of the film is unchanged. Precondition: can_flip.
 void flip(Network& network, FilmId film);
 
 }  // namespace foam

@@ -11,8 +11,10 @@
 // A three-sided bubble is replaced by one of its junctions. The films at its three corners then all
 // end at this junction, so the lattice offsets of these films change by the offsets along the
 // bubble's sides. A two-sided bubble is removed with both its junctions, and the films at its two
-// corners become one film. A hole of two or three films closes in the same way. The loop around a
-// hole is a boundary of the ghost.
+// corners become one film. A hole of two or three films closes in the same way.
+//
+// In this file, a loop is the list of the half-edges around the bubble that vanishes, with this
+// bubble on their left. The loop around a hole consists of half-edges of the ghost.
 
 namespace foam {
 

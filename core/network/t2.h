@@ -14,7 +14,8 @@ namespace foam {
 /// two corners of a two-sided bubble must be different films.
 bool can_vanish(const Network& network, BubbleId bubble);
 
-/// The result of a T2: the junction or film that replaces the bubble, and its former neighbors.
+/// The result of a T2: the junction or film that replaces the bubble, and the former neighbors of
+/// the bubble.
 struct Vanished {
     // The junction where the films at the three corners of a three-sided bubble now meet; kNone if
     // the bubble had two sides.
@@ -33,9 +34,8 @@ struct Vanished {
 /// can_vanish.
 Vanished vanish(Network& network, BubbleId bubble);
 
-/// Returns true if a hole can close. The conditions are the same as for a bubble with the boundary
-/// of the hole (can_vanish). `boundary` contains the half-edges of the ghost around the hole, in
-/// order.
+/// Returns true if a hole can close. The conditions are those of can_vanish for a bubble in place
+/// of the hole. `boundary` contains the half-edges of the ghost around the hole, in order.
 bool can_close_hole(const Network& network, const std::vector<HalfEdgeId>& boundary);
 /// Removes a hole as `vanish` removes a bubble; boundary.front() takes the role of first(bubble).
 /// Precondition: can_close_hole.

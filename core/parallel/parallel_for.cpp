@@ -64,7 +64,8 @@ class Chunks {
 }  // namespace
 
 int thread_count(int threads) {
-    // Asked only once: hardware_concurrency reads files of the system, which takes 0.006 ms.
+    // hardware_concurrency is called only once, because it reads files of the system, which takes
+    // 0.006 ms.
     static const int hardware_threads =
         std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     return threads > 0 ? threads : hardware_threads;

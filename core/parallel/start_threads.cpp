@@ -25,7 +25,8 @@ bool start_up_to(std::size_t count,
     }
     try {
         const auto reserve = std::make_unique_for_overwrite<std::byte[]>(kReserve);
-        // A volatile variable, so that the compiler does not leave out the unused memory.
+        // This variable is volatile so that the compiler does not leave out the allocation, whose
+        // memory is not used.
         [[maybe_unused]] const std::byte* volatile used = reserve.get();
         threads.reserve(count);
         while (threads.size() < count) {

@@ -11,9 +11,10 @@ namespace foam {
 /// instead of Newton's method. Relaxes the foam first if it is tangled
 /// (core/equilibrium/untangle.h) or if EquilibriumOptions::relaxes_first is set. Then runs rounds
 /// until no T1 is due; a round consists of Gauss-Seidel sweeps (gauss_seidel) and the T1s of short
-/// films. Stops without equilibrium if a round reaches its limit of sweeps, or after
-/// EquilibriumOptions::max_rounds rounds. Returns the same summary as `equilibrate`; `iterations`
-/// is the number of Gauss-Seidel sweeps. Preconditions: the same as for `equilibrate`.
+/// films. Stops without equilibrium if the sweeps of a round reach their limit
+/// (GaussSeidelOptions::max_sweeps), or after EquilibriumOptions::max_rounds rounds. Returns the
+/// same summary as `equilibrate`; `iterations` is the number of Gauss-Seidel sweeps. Preconditions:
+/// the same as for `equilibrate`.
 EquilibriumSummary equilibrate_by_sweeps(Foam& foam,
                                          SweepOrder order,
                                          const EquilibriumOptions& options);

@@ -10,8 +10,13 @@ namespace foam {
 
 /// The order in which a sweep visits the junctions.
 enum class SweepOrder {
-    Sequential,  // by id; each block starts from the state after the block before it (paper)
-    Colored,     // color by color, all blocks of a color at once (paper, future work)
+    // Junctions are visited in the order of their ids. Each block starts from the state after the
+    // block before it, as in the paper.
+    Sequential,
+    // Every junction has a color, such that two junctions of a color share no bubble except the
+    // ghost (color_junctions). Junctions are visited color by color. All blocks of a color start
+    // from the same state. The paper mentions this order as future work.
+    Colored,
 };
 
 /// Options of `gauss_seidel`.

@@ -12,11 +12,11 @@
 
 namespace foam {
 
-// The block reads the films around its bubbles and at its junction from the foam, as chords,
-// pressure differences and half angles. The errors of the constraints after a change of the
-// unknowns are computed from this copy; the foam itself is not changed. Areas are computed by the
-// shoelace formula plus the segments between arcs and chords (E1). Angles are computed from the
-// tangents of the arcs at the junction.
+// A JunctionBlock copies data from the foam: the chords, pressure differences and half angles of
+// the films around the block's bubbles and at its junction. The errors of the constraints after a
+// change of the unknowns are computed from this copy; the foam is not changed. Areas are computed
+// by the shoelace formula plus the segments between arcs and chords (E1). Angles are computed from
+// the tangents of the arcs at the junction.
 
 namespace {
 

@@ -46,7 +46,8 @@ class JunctionBlock {
     /// reused.
     void load(const Foam& foam, JunctionId junction);
 
-    /// Returns the bubbles of the block without the ghost, each once, in the order of the unknowns.
+    /// Returns the bubbles of the block, in the order of the unknowns. Each bubble occurs once; the
+    /// ghost is left out.
     std::span<const BubbleId> bubbles() const { return {bubbles_.data(), bubble_count_}; }
     /// Returns the outer films of these bubbles, in the order of the unknowns.
     std::span<const FilmId> outer_films() const { return outer_films_; }
@@ -65,8 +66,8 @@ class JunctionBlock {
     /// area minus its area, divided by its target area. The error of an outer film is minus
     /// laplace_young_error (bulge_energy.h) along the film's forward side (HalfEdgeId). The error
     /// of an angle is 120 degrees minus the angle, in [-pi, pi] radians. The half angles of inner
-    /// films follow from the pressures and are clamped to the limit (film_energy.h). Precondition:
-    /// the block is not degenerate.
+    /// films follow from the pressures and are clamped to the limit of 80 degrees (film_energy.h).
+    /// Precondition: the block is not degenerate.
     BlockVector constraint_errors(const BlockVector& change) const;
 
     /// Returns the change of a bubble's pressure, in foam units. `bubble` is an index in bubbles().

@@ -8,10 +8,11 @@
 
 namespace foam {
 
-// Products are blocked for registers. A tile of the product consists of kTileColumns columns and of
-// the rows of up to three SIMD vectors. It is summed over the whole depth in registers and is then
-// subtracted from the target. Each element is summed in one lane, in the order of the columns of
-// the factors, so that the width of the vectors does not change any bit.
+// A product left · rightᵀ (DenseProduct) is computed in tiles that fit in registers. A tile has
+// kTileColumns columns and as many rows as one, two or three SIMD vectors have lanes. It is summed
+// over the whole depth in registers and is then subtracted from the target. Each element is summed
+// in one lane, in the order of the columns of `left` and `right`, so that the width of the vectors
+// does not change any bit of the result.
 
 namespace {
 
@@ -156,8 +157,9 @@ struct Kernels {
         }
     }
 
-    // Processes `count` rows from `row` on. Precondition: count ≤ kLanes. Computes the columns of
-    // y = L D one after another, each column from the columns before it. Then computes L from y.
+    // Processes `count` rows from `row` on (DenseElimination). Precondition: count ≤ kLanes.
+    // Computes the columns of y = L D one after another, each column from the columns before it.
+    // Then computes L from y.
     static void eliminate_strip(const DenseElimination<Real>& elimination, Index row, Index count) {
         Lanes y[size(kMaxDirectColumns)];
         for (Index col = 0; col < elimination.pivots; ++col) {

@@ -20,8 +20,8 @@ namespace foam {
 
 namespace {
 
-// A part with fewer rows is dissected by one thread, since a second thread would save next to
-// nothing.
+// A range whose nodes have fewer rows than this in total (SolverNode::rows) is dissected by one
+// thread, since a second thread would save next to nothing.
 constexpr int kMinParallelDissectionRows = 2000;
 
 using Nodes = std::span<std::uint32_t>;
@@ -131,8 +131,8 @@ class Dissector {
         return rows;
     }
 
-    // Sorts the part into low nodes, high nodes and the separator, and resets all zones to Outside.
-    // Returns the numbers of low and of high nodes.
+    // Sorts the nodes of `part`: first those of Low, then those of High, then the separator. Resets
+    // the zones of all these nodes to Outside. Returns how many nodes were in Low and in High.
     std::pair<std::size_t, std::size_t> sort_by_zone(Nodes part) {
         const auto in = [this](Zone zone) {
             return

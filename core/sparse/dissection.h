@@ -44,8 +44,9 @@ struct Dissection {
 /// the same way, until a part has at most DissectionOptions::leaf_rows rows or one side of its
 /// separator would be empty. Separators are found from positions, or from the edges of the graph
 /// where positions give heavy separators (PartDivider). On a torus, the separator of the first
-/// level consists of two lines, because one closed line does not divide a torus. A separator across
-/// a band that closes around the torus also consists of two lines.
+/// level consists of two lines, because one closed line does not divide a torus. If one of its
+/// sides is a band that closes around the torus, a separator that cuts this band across also
+/// consists of two lines.
 ///
 /// The order is valid for any positions, and is the same for any number of threads. `threads` has
 /// the same meaning as in thread_count. Precondition: there is at least one node.

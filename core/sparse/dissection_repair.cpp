@@ -52,8 +52,8 @@ std::vector<std::size_t> parts_of_nodes(const Dissection& dissection) {
     return part_of;
 }
 
-// Moves a node of each edge that is not allowed. Nodes are visited from the last to the first,
-// because in a foam the nodes of bubbles and outer films are last and have the fewest rows.
+// For each edge that is not allowed, moves one of its nodes. Nodes are visited from the last to the
+// first, because in a foam the nodes of bubbles and outer films are last and have the fewest rows.
 void move_nodes(const NodeGraph& graph, const PartTree& tree, std::vector<std::size_t>& part_of) {
     for (std::size_t node = part_of.size(); node-- > 0;) {
         std::size_t& part = part_of[node];

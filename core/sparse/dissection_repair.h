@@ -7,10 +7,10 @@
 
 namespace foam {
 
-/// Adapts a dissection of one graph to another graph of the same nodes, of which only a few edges
-/// differ. Where an edge joins the two sides of a separator, one of its nodes is moved into the
-/// separator. This is much faster than a new dissection, but the separators grow. Returns false,
-/// and leaves the dissection as it was, if the number of nodes differs.
+/// Adapts a dissection of one graph to another graph that has the same nodes and differs only in a
+/// few edges. Where an edge joins the two sides of a separator, one node of this edge is moved into
+/// the separator. This is much faster than a new dissection, but the separators grow. Returns
+/// false, and leaves the dissection unchanged, if the number of nodes differs.
 bool repair(Dissection& dissection, const NodeGraph& graph);
 
 }  // namespace foam

@@ -13,7 +13,8 @@ namespace foam {
 
 // The multifrontal method (Duff, Reid 1983): fronts are processed in postorder. A front consists of
 // its panel and its update matrix (Front). The update matrix is added to the parent front. If there
-// are several threads, the two subtrees of a front with `may_fork` are factored at the same time.
+// are several threads, the two subtrees of a front whose `may_fork` is true are factored at the
+// same time.
 // All sums are taken in the same order for any number of threads.
 
 namespace {
@@ -70,8 +71,8 @@ class Factorization {
         }
     }
 
-    // Sets the panel and the update matrix of a front to the sum of its entries of the matrix and
-    // the update matrices of its children.
+    // Sets the panel and the update matrix of a front to 0. Then writes those entries of the sparse
+    // matrix that belong to the front, and adds the update matrices of the two children.
     void assemble(const Front& front) {
         const auto panel = memory_.factor.subspan(front.panel_begin, front.pivots * front.rows());
         const auto update_matrix =

@@ -12,7 +12,7 @@ namespace foam {
 /// The memory that a numeric factorization reads and writes. Sizes are numbers of elements.
 template <class Real>
 struct FactorMemory {
-    std::span<const double> values;  // entries of the matrix in storage order
+    std::span<const double> values;  // entries in the order in which the sparse matrix stores them
     std::span<Real> factor;          // size: FrontPlan::panels_size
     std::span<Real> workspace;       // size: FrontPlan::workspace_size
     std::span<Real> scratch;         // size: FrontPlan::scratch_size per thread

@@ -17,7 +17,7 @@ inline std::ptrdiff_t signed_size(std::size_t size) {
 
 /// The smallest number of rows for which several threads are used. A system with fewer rows is
 /// factored and solved on one thread, since a second thread would save next to nothing. In a larger
-/// system, each subtree of fronts with fewer rows is solved on one thread.
+/// system, each subtree of the tree of fronts that has fewer rows is solved on one thread.
 inline constexpr std::size_t kMinParallelRows = 3000;
 
 /// A front: one step of the elimination. Its pivots are the rows of one DissectionPart

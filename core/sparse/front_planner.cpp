@@ -165,8 +165,8 @@ void link_borders(FrontPlan& plan) {
                 const std::size_t at = child->border_begin + k;
                 plan.border_slots[at] = slots[plan.border_rows[at]];
             }
-            // All rows of the child's border are rows of `front`, so their slots increase.
-            // Otherwise, a separator would not separate its two sides.
+            // All rows of the child's border are rows of `front`; otherwise, a separator would not
+            // separate its two sides. Both lists of rows increase, and so do the slots.
             [[maybe_unused]] const std::span<const std::uint32_t> of_child =
                 plan.slots_of_border(*child);
             assert(std::is_sorted(of_child.begin(), of_child.end()));

@@ -30,10 +30,10 @@ class FrontSolve {
           top_(factor + front.panel_begin, pivots_, pivots_, stride(front)),
           below_(top_.data() + pivots_, signed_size(front.border), pivots_, stride(front)) {}
 
-    // Forward substitution: solves for the pivots in x, subtracts their contributions from the rows
-    // of the border, and divides the pivots' elements of x by D. Contributions to rows with an
-    // index less than `first_later_row` are subtracted from x, contributions to other rows from
-    // `later_rows`.
+    // Forward substitution: solves for the pivots' elements of x, subtracts their contributions
+    // from the rows of the border, and divides the pivots' elements of x by D. Contributions to
+    // rows with an index less than `first_later_row` are subtracted from x, contributions to other
+    // rows from `later_rows`.
     void forward(Vector& x,
                  Vector& later_rows,
                  std::size_t first_later_row,
@@ -51,7 +51,8 @@ class FrontSolve {
         own.array() /= top_.diagonal().array();
     }
 
-    // Backward substitution: solves for the pivots in x. The rows of the border are already solved.
+    // Backward substitution: solves for the pivots' elements of x. The elements of the rows of the
+    // border are already solved.
     void backward(Vector& x, Vector& scratch) const {
         auto own = x.segment(first_row_, pivots_);
         auto known = scratch.head(signed_size(border_.size()));
@@ -81,10 +82,10 @@ class FrontSolve {
 };
 
 // The two substitutions of all fronts. If the two subtrees of a front may be processed at the same
-// time (forks), the right subtree subtracts its contributions to the front's pivots and border from
-// a separate vector. The separate vector is then added to the vectors that the left subtree
-// changes. It is used with any number of threads. Therefore neither the order of the sums nor the
-// bits of the result depend on the number of threads.
+// time (the function `forks`), the right subtree subtracts its contributions to the front's pivots
+// and border from a separate vector. The separate vector is then added to the vectors that the left
+// subtree changes. It is used with any number of threads, even with one. Therefore neither the
+// order of the sums nor the bits of the result depend on the number of threads.
 template <class Real>
 class Substitution {
   public:

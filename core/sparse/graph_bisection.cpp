@@ -25,8 +25,8 @@ constexpr std::uint32_t kCoarsestNodes = 100;
 // finer graph.
 constexpr double kMaxSizeRatio = 0.9;
 
-// The largest number of breadth-first searches. They start at nodes of the coarsest graph with
-// evenly spaced indices.
+// The largest number of breadth-first searches in the coarsest graph. They start at nodes whose
+// indices are evenly spaced.
 constexpr std::uint32_t kMaxSearches = 4;
 
 int total_weight(const WeightedGraph& graph) {

@@ -24,7 +24,7 @@ struct SolverNode {
 /// The graph of coupled nodes as adjacency lists. It is undirected and has no edges from a node to
 /// itself.
 struct NodeGraph {
-    std::vector<std::uint32_t> neighbors;  // neighbors of all nodes, sorted by node
+    std::vector<std::uint32_t> neighbors;  // neighbors of node 0, then of node 1, ...
     // For each node, the index of its first neighbor in `neighbors`; finally the size of
     // `neighbors`.
     std::vector<std::size_t> begins;

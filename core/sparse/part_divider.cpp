@@ -19,16 +19,17 @@ namespace foam {
 //
 // A part is halved at the median coordinate along the longer axis of its box. The nodes of one half
 // that have neighbors in the other half are a separator. In a part of many rows, the separator is
-// then refined: moved through the nodes near it (SeparatorRefinement). If the separator is heavy
-// before or after this (DissectionOptions), the part is divided by multilevel bisection instead.
+// then refined: moved through the nodes near it (SeparatorRefinement). If the separator has too
+// many rows before or after refinement (DissectionOptions), the part is divided by multilevel
+// bisection instead.
 
 namespace {
 
 // Refinement may move a separator through this many layers of nodes on each side of it.
 constexpr int kRefinedLayers = 6;
 
-// Returns the width and the height of the torus, by which x and y are wrapped, whatever its shear.
-// For the plane, returns values so large that no coordinate is ever wrapped.
+// Returns the width and the height of the torus, by which x and y are wrapped even if the torus is
+// sheared. For the plane, returns values so large that no coordinate is ever wrapped.
 Vec2 periods_of(const Domain& domain) {
     return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
                              : Vec2(domain.width, domain.height);
@@ -88,8 +89,8 @@ ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
     return {low_box, high_box};
 }
 
-// Moves the nodes of one half that have neighbors in the other half to the separator. Of the two
-// halves, uses the one in which these nodes have fewer rows.
+// Makes the separator of two halves: the nodes of one half that have neighbors in the other half.
+// Of the two halves, uses the one in which these nodes have fewer rows.
 void PartDivider::separate_halves(Nodes part) {
     std::array<std::vector<std::uint32_t>, 2> rims;
     std::array<int, 2> weights{};

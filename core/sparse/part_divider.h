@@ -18,15 +18,16 @@
 
 namespace foam {
 
-/// A rectangle around the nodes of a part. A few nodes may be slightly outside: a side of the
-/// rectangle is at a median coordinate, but the separator there does not follow a straight line.
+/// A rectangle around the nodes of a part of a graph. A few nodes may be slightly outside: where
+/// the part has been separated from another part, the side of the rectangle is a straight line at
+/// the median coordinate, but the separator does not follow this line.
 struct PartBox {
     Vec2 low;
     Vec2 high;
 };
 
-/// The boxes around the two zones of a divided part. Both have no value if the part was divided by
-/// its edges alone.
+/// The boxes around the two zones of a divided part. Both have no value if only the edges of the
+/// graph, and not the positions of its nodes, determined the division.
 struct ZoneBoxes {
     std::optional<PartBox> low;
     std::optional<PartBox> high;
@@ -48,10 +49,10 @@ struct DivisionMemory {
         : zones(nodes, Zone::Outside), keys(nodes), part_indices(nodes, kNotInPart) {}
 };
 
-/// Divides parts of a graph by light separators. First divides a part by position: into two halves
-/// at the median coordinate, with a separator near their border. If this separator is heavy
-/// (DissectionOptions), for example because the positions of neighbors in the graph are far apart,
-/// divides the part by its edges alone.
+/// Divides parts of a graph by separators of few rows (light separators). First divides a part by
+/// position: into two halves at the median coordinate, with a separator near their border. If this
+/// separator has too many rows (DissectionOptions), for example because the positions of neighbors
+/// in the graph are far apart, divides the part again by the edges of the graph, without positions.
 class PartDivider {
   public:
     /// Keeps references to all arguments. `nodes` are the nodes of the graph.
@@ -64,10 +65,11 @@ class PartDivider {
     /// Returns a box around all nodes; on a torus this is the fundamental cell.
     PartBox box_of_all() const;
 
-    /// Divides a part with `rows` rows: assigns its nodes to the zones Low and High, and the nodes
-    /// of the separator to Outside. May change the order of the nodes in `part`. If `box` has no
-    /// value, positions are not used. Returns the boxes of both zones. Precondition: all nodes of
-    /// other parts that are coupled to nodes of the part are in Outside.
+    /// Divides a part whose nodes represent `rows` rows of the matrix: assigns the nodes of the
+    /// separator to the zone Outside, and all other nodes of the part to Low or High. May change
+    /// the order of the nodes in `part`. If `box` has no value, positions are not used. Returns the
+    /// boxes of both zones. Precondition: all nodes of other parts that are coupled to nodes of the
+    /// part are in Outside.
     ZoneBoxes divide(std::span<std::uint32_t> part, int rows, const std::optional<PartBox>& box);
 
   private:

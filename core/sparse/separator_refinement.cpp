@@ -7,21 +7,23 @@
 
 namespace foam {
 
-// The method of Fiduccia and Mattheyses (1982), adapted to vertex separators. A move takes a node
-// from the separator into one zone, and the node's neighbors in the other zone into the separator.
-// Its gain is the weight that the separator loses. A sweep takes the move with the largest gain
-// from a priority queue. When the gain of a node changes, a move with the new gain is added to the
-// queue. A move is outdated if its node has left the separator or has another gain now. Outdated
-// moves are removed when they reach the top of the queue. Changes are recorded so that the best
-// separator of a sweep can be restored.
+// The method of Fiduccia and Mattheyses (1982), adapted to vertex separators. The nodes of the
+// separator have the zone Zone::Outside. A move takes a node from the separator into one zone, and
+// the node's neighbors in the other zone into the separator. The gain of a move is the weight that
+// the separator loses. A sweep makes one move after another into the same zone. Each time, it takes
+// the move with the largest gain from a priority queue. When the gain of a node changes, a move
+// with the new gain is added to the queue. A move is outdated if its node has left the separator or
+// has another gain now. Outdated moves are removed when they reach the top of the queue. Changes
+// are recorded so that the best separator of a sweep can be restored.
 
 namespace {
 
 constexpr int kMaxSweeps = 20;
 
-// A sweep ends at the latest after a certain number of consecutive moves of which only the first
-// may have found a new best separator. The number is kMovesWithoutProgressPerNode times the number
-// of nodes of the separator at the start of the sweep, but at most kMaxMovesWithoutProgress.
+// A sweep ends at the latest when it has made a certain number of moves since it found its best
+// separator; the move that found this separator counts as the first of them. The number is
+// kMovesWithoutProgressPerNode times the number of nodes of the separator at the start of the
+// sweep, but at most kMaxMovesWithoutProgress.
 constexpr std::size_t kMovesWithoutProgressPerNode = 4;
 constexpr std::size_t kMaxMovesWithoutProgress = 1000;
 

@@ -19,7 +19,8 @@ namespace foam {
 
 namespace {
 
-// Largest size of a factor in a repaired order, relative to the size in the order before repairs.
+// With a repaired order of elimination (dissection_repair.h), the factor may be at most this many
+// times as large as with the order that was last computed anew.
 constexpr double kLargestGrowth = 1.1;
 
 bool is_too_large(const FrontPlan& plan, std::size_t size_before_repairs) {

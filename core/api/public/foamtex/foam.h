@@ -18,7 +18,8 @@ namespace foamtex {
 /// Options for seeding a foam, which is the Voronoi diagram of random points. The same options give
 /// the same foam on every machine.
 struct SeedOptions {
-    /// Number of bubbles, at most 10 million. The torus has this area, because the mean area is 1.
+    /// Number of bubbles, at most 10 million. Also the area of the torus, because the mean bubble
+    /// area is 1.
     int bubbles = 1000;
     /// Width of the torus divided by its height, from 1/16384 to 16384; has no effect on a disk.
     double aspect = 1.0;
@@ -67,10 +68,10 @@ struct Push {
 
 /// The changes that are imposed on a foam from outside during a step (E9).
 struct Drive {
-    /// Target areas of bubbles, which change evenly during the step. On a torus, the other bubbles
-    /// give and take the gas, and the driven bubbles fill at most nine tenths of the torus; if
-    /// every bubble is driven, all target areas are scaled to fill the torus. Bubbles that have
-    /// vanished are ignored.
+    /// Bubbles whose target areas change evenly during the step. On a torus, the other bubbles
+    /// give and take the gas. If the driven bubbles would fill more than nine tenths of the torus,
+    /// their target areas are scaled down so that they fill nine tenths; if every bubble is driven,
+    /// all target areas are scaled to fill the torus. Bubbles that have vanished are ignored.
     std::vector<DrivenArea> areas{};
     /// Simple shear of a torus, from -100 to 100: every point moves to the right by strain * y.
     double strain = 0.0;
@@ -92,12 +93,12 @@ class FOAMTEX_EXPORT Foam {
     /// does.
     static Foam disk(const SeedOptions& options);
 
-    /// Reads a foam from a file: .fe or .dmp of Surface Evolver, or .json, a state of foamtex.
-    /// Throws InputError if the file cannot be read or is malformed, and ArgumentError for another
-    /// ending.
+    /// Reads a foam from a file: a .fe or .dmp file of Surface Evolver, or a .json file with a
+    /// state of foamtex. Throws InputError if the file cannot be read or is malformed, and
+    /// ArgumentError if its name has another ending.
     static Foam read(const std::string& file);
 
-    /// Reads a foam from the text of a state (`state`). Throws InputError.
+    /// Reads a foam from the text of a state (`state`). Throws InputError if the text is malformed.
     static Foam from_state(const std::string& json);
 
     Foam(const Foam& other);                 ///< Copies.
@@ -107,11 +108,12 @@ class FOAMTEX_EXPORT Foam {
     ~Foam();                                 ///< Destroys.
 
     /// Writes the foam to a file. The ending of the name selects the format, as in `read`. Throws
-    /// OutputError, and ArgumentError for another ending.
+    /// OutputError if the file cannot be written or the format cannot store the foam, and
+    /// ArgumentError for another ending.
     void write(const std::string& file) const;
 
     /// Returns the whole state, without the events, as the JSON text of a .json file. A foam that
-    /// is made from this text evolves with the same bits.
+    /// is made from this text evolves exactly like this foam, to the last bit.
     std::string state() const;
 
     /// Brings the foam to equilibrium at its target areas (E2), to errors below 1e-9. If this

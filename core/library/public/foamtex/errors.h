@@ -8,7 +8,8 @@
 
 namespace foamtex {
 
-/// The base of all errors that functions of the library throw on purpose. The message is one line.
+/// The base of all errors that functions of foamtex's libraries throw on purpose. The message is
+/// one line.
 class FOAMTEX_EXPORT Error : public std::runtime_error {
   public:
     using runtime_error::runtime_error;

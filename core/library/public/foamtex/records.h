@@ -31,9 +31,9 @@ struct Bubble {
     /// constant.
     double pressure = 0.0;
     double perimeter = 0.0;  ///< total length of its films
-    /// Longer divided by shorter axis of the ellipse with the same second moments of area. NaN for
-    /// an inverted bubble, whose area is not positive, and for some bubbles that overlap
-    /// themselves.
+    /// The longer axis divided by the shorter axis of the ellipse with the same second moments of
+    /// area as the bubble. NaN for an inverted bubble, whose area is not positive, and for some
+    /// bubbles that overlap themselves.
     double elongation = 1.0;
     /// Angle from the x axis to the longer axis, counter-clockwise, in radians, -pi/2 to pi/2. NaN
     /// if the elongation is NaN.
@@ -94,8 +94,9 @@ enum class EventKind {
 /// A change of topology.
 struct Event {
     EventKind kind = EventKind::T1;  ///< what happened
-    double time = 0.0;               ///< foam time at the start of the substep
-    Point position;                  ///< where; on a torus, perhaps outside of the fundamental cell
+    /// Foam time at the start of the substep (a part of a time step) in which the change happened.
+    double time = 0.0;
+    Point position;  ///< where; on a torus, perhaps outside of the fundamental cell
     /// The identities of the bubbles whose neighbors changed. For T2 and Birth, the first is the
     /// bubble that vanished or was added.
     std::vector<std::int64_t> bubbles;
