@@ -11,11 +11,11 @@
 namespace foam::texgen {
 
 /// A frame of an animation on a raster grid, ready to be drawn: its layers and, in a cross-fade,
-/// the layers of the state that fades in. Borrows the frame. The layers borrow the cross-fade, so
-/// objects are neither copied nor moved.
+/// the layers of the state that fades in. Borrows the frame. The layers borrow the member `fade_`,
+/// so a DrawableFrame cannot be copied or moved.
 class DrawableFrame {
   public:
-    /// `distance` and `threads` are as for FrameInput and FrameLayers.
+    /// `distance` has the same meaning as in FrameInput, and `threads` as in FrameLayers.
     DrawableFrame(const SimulatedFrame& frame,
                   const RasterGrid& grid,
                   const DistanceNeeds& distance,

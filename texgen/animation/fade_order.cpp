@@ -22,7 +22,7 @@ constexpr int kOrderWaves = 24;
 // The steepness for which the logistic function is closest to the cumulative distribution function
 // of the standard normal distribution.
 constexpr double kLogisticSteepness = 1.702;
-constexpr double kBubblesInWave = 6.0;  // typical wavelength, in square roots of the mean area
+constexpr double kBubblesInWave = 6.0;  // typical wavelength / sqrt(mean bubble area)
 
 double sum_of(const std::vector<PeriodicWave>& waves, const Vec2& fractions) {
     double sum = 0.0;

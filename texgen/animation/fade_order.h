@@ -27,9 +27,9 @@ class FadeOrder {
 
     /// Returns the rank of every bubble of a frame, in the order of Frame::bubbles. Ranks are from
     /// 0, for bubbles that appear first, to 1, for bubbles that appear last. The rank of a bubble
-    /// depends on the mean of its junctions minus `displacement`. If this is the displacement of
-    /// the foam by a drift, a bubble keeps its rank while it drifts. Precondition: the frame is on
-    /// a torus.
+    /// depends on the mean position of its junctions minus `displacement`. If `displacement` is the
+    /// displacement of the foam by a drift, a bubble keeps its rank while it drifts. Precondition:
+    /// the frame is on a torus.
     std::vector<double> ranks(const Frame& frame, const Vec2& displacement) const;
 
     /// Returns how far a bubble of a rank has grown, from 0 to 1. `passed` is the elapsed fraction

@@ -197,8 +197,9 @@ void FrameAssembly::emit(const Request& request) {
 }
 
 // Adds the foam that fades in. Bubbles that are in both foams (displacements_of_shared) are moved
-// to about the same positions. Each of them is replaced by the same bubble of the foam that fades
-// in, in one step, when its growth would be half complete. All other bubbles of that foam grow.
+// to about the same positions. They do not grow: when the growth of such a bubble would be half
+// complete, the bubble of the foam that fades in replaces the same bubble of the other foam in one
+// step. All other bubbles of the foam that fades in grow.
 void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame) const {
     const ShownStates& shown = request.shown;
     const double passed = shown.fade_progress;
@@ -213,8 +214,9 @@ void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame
     move_together(passed, frame.frame, frame.fading_in.frame);
 }
 
-// Moves the next frame and, in a cross-fade, the frame after the foam that fades in, as they are
-// moved when they are shown. The frame before the fade is no cross-fade, but its next frame is.
+// Moves `frame.next` and, in a cross-fade, `frame.fading_in.next` to the positions at which the
+// next frame of the animation shows them. The last frame before the fade is not a cross-fade, but
+// the frame after it is.
 void FrameAssembly::move_next(const ShownStates& shown, SimulatedFrame& frame) const {
     const double passed =
         static_cast<double>(shown.next_fading_in) / (states_before_first_frame(loop_, count_) + 1);

@@ -16,9 +16,9 @@
 
 namespace foam::texgen {
 
-/// Selects whether the visitor receives each frame together with the frame after it. With Included,
-/// the simulation also computes the state that follows the last frame, unless it has already
-/// computed this state.
+/// Selects whether the visitor receives each frame together with the frame after it. With
+/// NextFrames::Included, the simulation also computes the state that follows the last frame, unless
+/// it has already computed this state.
 enum class NextFrames { Omitted, Included };
 
 /// Assembles the frames of an animation from the states of a simulation. Emits each frame, that is,
@@ -36,8 +36,8 @@ class FrameAssembly {
                   FrameVisitor on_frame);
 
     /// Returns the numbers of the states that the frames need, in increasing order. The state of
-    /// frame 1 is included, because some maps show colors of frame 1. For a patch, state 1 is
-    /// included, because it determines the view of all frames.
+    /// frame 1 is included, because some maps show colors of frame 1, and because this state
+    /// determines the view of all frames of a patch.
     std::vector<int> states() const;
 
     /// Adds a state and emits the frames that are complete with it. Preconditions: states are added
@@ -74,7 +74,8 @@ class FrameAssembly {
     std::vector<Request> requests_;  // in the order in which their frames are emitted
     std::size_t emitted_ = 0;        // number of requests whose frames were emitted
     std::map<int, int> uses_;        // by state: number of requests, not yet emitted, that need it
-    // By state; efforts are totals since the start of the simulation, without lists of events.
+    // The kept states, by number. Their efforts are totals since the start of the simulation and
+    // contain no lists of events.
     std::map<int, SimulatedFrame> kept_;
     // By kept state: the number of events from the start of the simulation to this state.
     std::map<int, std::size_t> event_counts_;

@@ -19,8 +19,9 @@ class History {
     /// Moves the foam's topology events, which happened during the step to the given frame, into
     /// the record. Also records when bubbles were born and when their neighbors last changed. Drops
     /// events whose frame is at least kRecordedFrames frames before the given frame. `strain` is
-    /// the total strain of the foam (Simulation::strain), with which earlier events move.
-    /// Domain::shear would not do: it determines the strain only up to a whole width.
+    /// the total strain of the foam (Simulation::strain); the positions of earlier events are
+    /// sheared with the foam. Domain::shear is not enough for this: it is the shear only up to a
+    /// multiple of the width of the torus.
     void record_events(Foam& foam, int frame, double strain = 0.0);
 
     /// Removes all events from the record.

@@ -53,7 +53,7 @@ BoilingBubble boiling_in(const JsonValue& json) {
     for (const JsonValue& neighbor : json["neighbors"].items()) {
         bubble.neighbors->insert(identity_in(neighbor));
     }
-    bubble.neighbors_changed = false;  // the loop had closed
+    bubble.neighbors_changed = false;  // since the loop of a LoopStart has closed
     return bubble;
 }
 
@@ -111,7 +111,8 @@ LoopStart read_loop_start(std::string_view text, const std::string& file) {
     return {read_foam_json(text, file), drive_in(loop), numbers_in(loop["first_pressures"])};
 }
 
-// A file begins with the hash, so that the search does not read whole files.
+// The content of a file of presets/loops begins with the hash, so that the search does not parse
+// whole files.
 std::optional<LoopStart> stored_loop_start(const Preset& preset) {
     if (!preset.loop.is_cycle()) {
         return std::nullopt;

@@ -8,9 +8,9 @@ namespace foam::texgen {
 
 namespace {
 
-// The number of reports from which the speed is computed: the first report of the phase, the next
-// report with further units, and the latest report with further units (see
-// PhaseClock::seconds_per_unit).
+// The number of reports from which the speed is computed: the first report of the phase (or of the
+// present cycle of a loop), the next report in which more units are done than before, and the
+// latest such report (see PhaseClock::seconds_per_unit).
 constexpr std::size_t kMarks = 3;
 
 double seconds_between(PhaseClock::Clock::time_point from, PhaseClock::Clock::time_point to) {

@@ -27,7 +27,8 @@ class PhaseClock {
     void advance(Clock::time_point now) { now_ = now; }
 
     /// Returns the wall time, in seconds, from the first report of the present phase to the latest
-    /// time. A cycle of a loop counts as a phase of its own.
+    /// time. Here and in the functions below, in contrast to News, each cycle of a loop counts as a
+    /// phase of its own.
     double seconds_in_phase() const;
 
     /// Returns the seconds per unit of the present phase. Let report A be the first report of the
@@ -57,7 +58,7 @@ class PhaseClock {
     std::vector<Mark> marks_;
 };
 
-/// Returns true for the phases before Ranges, which prepare the first frame.
+/// Returns true for the phases that precede Phase::Ranges: they prepare the first frame.
 bool is_preparation(Phase phase);
 
 }  // namespace foam::texgen

@@ -19,7 +19,7 @@ enum class Phase {
     Ranges,       // fits the automatic ranges of maps; counts frames
     Frames,       // simulates, draws or measures the frames of the run; counts frames
     Files,        // verifies files; counts files
-    Sheets,       // joins frames into sheets; counts frames, once for each map
+    Sheets,       // joins frames into sheets; counts each frame once per map
     Previews,     // makes previews or draws variations; counts pictures and files
 };
 

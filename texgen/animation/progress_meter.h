@@ -23,7 +23,8 @@ class ProgressMeter {
     /// Counts a unit and reports it.
     void add();
 
-    /// Counts a frame and reports it with the number of its bubbles and its errors.
+    /// Counts a frame and reports it with the number of its bubbles and the errors of its
+    /// equilibrium (RunProgress::area_error and angle_error).
     void add(const SimulatedFrame& shown);
 
     /// Returns a callback for the simulation (simulate_frames.h) whose frames this meter counts.

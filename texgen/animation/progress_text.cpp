@@ -18,7 +18,7 @@ constexpr int kBarWidth = 24;  // characters between the brackets
 
 struct PhaseWords {
     std::string_view name;  // for programs
-    std::string_view text;  // for users; the progress in units usually follows (phase_text)
+    std::string_view text;  // for users; phase_text usually appends numbers: "state 3 of 48"
 };
 
 // The words for all phases, in the order of Phase.
@@ -137,7 +137,8 @@ std::string progress_json(const RunProgress& progress,
 }
 
 std::string long_duration(double seconds) {
-    constexpr double kMinutesAsHours = 90.0;  // durations from here on are printed in hours
+    // From this many minutes on, durations are printed in hours.
+    constexpr double kMinutesAsHours = 90.0;
     const double minutes = std::ceil(seconds / 60.0);
     if (minutes >= kMinutesAsHours) {
         return fmt::format("{:.1f} hours", std::ceil(minutes / 6.0) / 10.0);

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// Returns the name of a phase for programs, such as "warm_up".
+/// Returns the name that programs get for a phase, such as "warm_up".
 std::string_view name_of(Phase phase);
 
 /// Returns the progress of a phase in its own unit, for example "warm-up 40 of 60", "frame 3 of 48"
@@ -24,14 +24,15 @@ struct PhaseTimes {
     std::optional<double> left = {};  // until the phase ends, if it is known
 };
 
-/// Returns the text of the progress bar, without a newline. Examples:
-/// "[######------------------] frame 12 of 48  583 bubbles  0:14 left" and, for a phase other than
-/// LoopClosing that has run for at least a second without completing a unit,
+/// Returns the text of the progress bar, without a newline. Example:
+/// "[######------------------] frame 12 of 48  583 bubbles  0:14 left".
+/// If the time left is not known and RunProgress::done is 0, the text shows the time since the
+/// phase began, provided that it is at least one second and the phase is not LoopClosing:
 /// "[------------------------] finding the first equilibrium  0:12 so far".
 std::string progress_bar(const RunProgress& progress, const PhaseTimes& times);
 
-/// Returns the line that reports a frame, or the progress of another phase. It ends with the wall
-/// time since the run began, in seconds. Example:
+/// Returns the line that reports a frame (in the phase Frames) or the progress of any other phase.
+/// The line ends with the wall time since the run began, in seconds. Example:
 /// "frame 12: 583 bubbles, area error 1.2e-14, angle error 3.1e-15, 4.21 s" (errors as in
 /// RunProgress).
 std::string progress_line(const RunProgress& progress, double seconds);

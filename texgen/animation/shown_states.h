@@ -11,8 +11,8 @@ struct ShownStates {
     int state = 1;
     int next = 2;       // the state that follows `state` in the animation, for maps that need it
     int fading_in = 0;  // the state into which `state` fades; 0 without a cross-fade
-    // The state into which `next` fades. In the last frame of a loop, `next` has faded completely.
-    // 0 without a cross-fade.
+    // The state into which `next` fades; 0 if `next` does not fade. In the last frame of a flow,
+    // this is the state of frame 1, which has then completely replaced `next`.
     int next_fading_in = 0;
     double fade_progress = 0.0;  // fraction of the fade that has passed, from 0 to 1
 

@@ -35,7 +35,9 @@ bool advance(Simulation& simulation, FrameEffort& effort) {
     return found;
 }
 
-// Returns the mean stress of the simulated foam. `frame` is the frame that shows it.
+// Returns the mean stress of the simulated foam. `frame` shows this foam. If the loop has a display
+// transform, the frame shows the foam displaced or with the shear removed, so that the stress of
+// the frame may be another one.
 Mat2 stress_of(const Simulation& simulation, const LoopOptions& loop, const Frame& frame) {
     if (has_display_transform(loop)) {
         return mean_stress(snapshot(simulation.foam(), simulation.number()));
@@ -71,8 +73,8 @@ std::string open_loop_failure(double closing_error) {
                "other neighbors than at its start";
     }
     if (closing_error < Simulation::kClosed) {
-        return "the loop does not close: the foam returned to its start in the last cycle, but not "
-               "in two cycles in a row, with the births at the same places";
+        return "the loop does not close: the foam returned to its start in the last cycle, but a "
+               "boil must do so in two cycles in a row, with the births at the same places";
     }
     return fmt::format(
         "the loop does not close: at the end of its last cycle, bubbles are up to {:.2g} mean "

@@ -41,7 +41,8 @@ std::string failure_of(const RunOutcome& outcome);
 /// also receives the frame after each frame. The progress callback receives the phases from Seeding
 /// to States; from a source that reads a cache, only the phase States. The phase States is reported
 /// before every state except the first, also after the visitor has received the first frame. A
-/// ProgressMeter (for_source) replaces these later reports by reports of its own phase.
+/// progress callback from ProgressMeter::for_source replaces these later reports by reports of the
+/// phase of the ProgressMeter.
 using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
                                              NextFrames next_frames,
                                              const FrameVisitor&,
@@ -53,10 +54,10 @@ FrameSource simulation_of(const Preset& preset, int threads);
 
 /// Simulates a preset to the last of the given states and calls `on_state` for each of them. The
 /// simulation begins with the seeded foam or, if there is one, with the stored start of the loop
-/// (stored_loop_start). The FrameEffort of a state covers the steps since the state passed before
-/// it, or since the start of the simulation. `on_progress` receives the same reports as from a
-/// FrameSource. Throws the exceptions of Simulation and of the callbacks. Precondition: `states` is
-/// in increasing order.
+/// (stored_loop_start). The FrameEffort of a state covers the steps since the previous state that
+/// was passed to `on_state`; for the first such state, all steps since the start of the simulation.
+/// `on_progress` receives the same reports as from a FrameSource. Throws the exceptions of
+/// Simulation and of the callbacks. Precondition: `states` is in increasing order.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,

@@ -19,9 +19,9 @@
 // 2.) Every further frame is one step (core/dynamics/step.h): gas diffuses while the changes of the
 // events (timeline.h) are imposed. Loops differ from this sequence as follows:
 // - breathe, shear, boil: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run
-//   before frame 1 until one cycle closes (in a boil, two cycles in a row); the frames are the
-//   steps of the next cycle. If a state from which the loop closes is stored (loop_start.h), the
-//   simulation begins with this state, and only one cycle runs before frame 1.
+//   before frame 1 until one cycle closes (close_loop), or, in a boil, two cycles in a row; the
+//   frames are the steps of the next cycle. If a state from which the loop closes is stored
+//   (loop_start.h), the simulation begins with this state, and only one cycle runs before frame 1.
 // - drift: no steps; each frame shows the same foam at another position (display_transform.h).
 // - flow: steps as without a loop, while the timeline creates new bubbles; a cross-fade of two
 //   states closes the loop (shown_states.h).
@@ -112,8 +112,8 @@ bool Simulation::reach_first_frame() {
     return !loop_.is_cycle() || close_loop();
 }
 
-// Moves the events of the foam, which happened during the step to the given frame, to the list of
-// events of this advance() and to the history.
+// Moves the topology events of the foam, which happened during the step to the given frame, into
+// the history. Also appends them to events_, the events of this advance().
 void Simulation::record_events(int frame) {
     events_.insert(events_.end(), foam_.events.begin(), foam_.events.end());
     history_.record_events(foam_, frame, strain_);
@@ -141,8 +141,8 @@ FoamRecord Simulation::record() const {
             transformed_for_display(event.position, foam_.domain, loop_, loop_progress());
     }
     if (loop_.is_cycle()) {
-        // Births and changes more than one period ago count as exactly one period old, so that the
-        // record is the same in every cycle.
+        // Births of bubbles, and changes of their neighbors, more than one period ago count as
+        // exactly one period old, so that the record is the same in every cycle.
         const double oldest = foam_.time - frames_.count * frames_.time_step;
         clamp_to_min(oldest, record.births);
         clamp_to_min(oldest, record.changes);
@@ -157,10 +157,10 @@ double Simulation::loop_progress() const {
 // Runs cycles, at most loop_.cycles, until a cycle closes: its closing error is below kClosed, and
 // Cycle::repeats returns true. In a boil, two cycles in a row must close: the closing error does
 // not compare the flags of films that have flipped (Foam::t1_armed), so the T1s of the next cycle
-// may still differ after one cycle has closed. After each cycle of a boil that does not close,
-// bubbles that keep changing neighbors are made to oscillate less, and the boiling bubbles nearest
-// to them are made to grow less (Cycle::calm). From a LoopStart, one cycle that closes is enough:
-// the cycles before it have closed, too, and the flags are stored with the foam.
+// may still differ after one cycle has closed. In a boil, after each cycle that does not
+// close, Cycle::calm reduces the oscillation of bubbles that keep changing neighbors, and the
+// growth of the boiling bubbles nearest to them. From a LoopStart, one cycle that closes is enough:
+// the last cycle before the stored state has closed, too, and the flags are stored with the foam.
 //
 // Returns false if the loop does not close or if a step finds no equilibrium. The cycles before the
 // last one are transients: some of their T1s and T2s do not recur. The last step of each cycle is

@@ -21,7 +21,8 @@ namespace foam::texgen {
 /// of shown_states.h: a frame of an animation shows one or two of them.
 class Simulation {
   public:
-    /// A cycle whose closing_error is below this number has closed.
+    /// A cycle closes if its closing_error is below this number. In a boil, Cycle::repeats must
+    /// return true, too.
     static constexpr double kClosed = 1e-9;
 
     /// Seeds the foam. `threads` is the number of threads, 0 for all hardware threads; the results
@@ -42,9 +43,10 @@ class Simulation {
     /// (FirstFrame::Diagram), this happens before frame 2. Before frame 1 of a breathe, shear or
     /// boil loop, cycles are run until the loop closes. Each later frame takes one time step with
     /// the events of the preset. In a breathe, shear or boil loop it takes one step of the cycle
-    /// instead, and in a drift loop no step. In a flow, new bubbles replace bubbles that have
-    /// vanished, also in the warm-up. Returns false if no equilibrium is found or the loop does not
-    /// close; the foam must not be used after that. Rethrows the exceptions of the callback.
+    /// instead, and in a drift loop no step. In a flow loop, new bubbles replace bubbles that
+    /// have vanished, also in the warm-up. Returns false if no equilibrium is found or the loop
+    /// does not close; the foam must not be used after that. Rethrows the exceptions of the
+    /// callback.
     bool advance();
 
     /// Returns the frame that was reached, as images show it (display_transform.h), but without the

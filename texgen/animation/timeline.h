@@ -35,8 +35,8 @@ class Timeline {
     /// chosen or created by now, but that did not exist or could not be created.
     std::vector<int> missing_bubbles() const;
 
-    /// Sets the view of a patch. The positions of events are fractions of this view. Without a
-    /// call, one foam unit is one pixel, and the origin is in the middle of the image.
+    /// Sets the view of a patch. The positions of events are fractions of this view. Until the
+    /// first call, one foam unit is one pixel, and the origin is in the middle of the image.
     void set_view(const View& view) { view_ = view; }
 
   private:
@@ -44,13 +44,14 @@ class Timeline {
     struct Entry {
         Event event;
         Random random;
-        int missing = 0;  // sum of EventContext::missing
+        int missing = 0;  // the number that missing_bubbles returns for this event
     };
 
     // The renewal of a flow: new bubbles appear at random points of the torus until there are as
     // many bubbles as at the first call of renew. The initial gas of a new bubble comes from its
     // neighbors. The gas for its growth comes from all bubbles that have no schedule
-    // (DrivenSchedules). In both cases, bubbles lose gas in proportion to their target areas.
+    // (DrivenSchedules). In both cases, bubbles lose gas in proportion to their target
+    // areas.
     struct Renewal {
         std::size_t bubbles = 0;  // number of bubbles to maintain; 0 before the first call of renew
         int growth = 1;           // number of frames in which a new bubble grows to the mean area

@@ -26,12 +26,12 @@ namespace {
 
 using foam::texgen::with_texture_errors;
 
-// Returns the pattern of the files of a bake: `out` if it names files, otherwise the preset's own
-// pattern with `out` instead of the folders that all files share.
+// Returns the pattern of the files of a bake. If `out` names a folder, this is the preset's own
+// pattern, with `out` instead of the folders that all files share. Otherwise it is `out`.
 std::string pattern_of(const foam::texgen::Preset& preset, const std::string& out) {
     const std::filesystem::path path(out);
     const bool is_pattern = path.has_extension() || out.find_first_of("{#@%") != std::string::npos;
-    std::error_code error;  // a path that cannot be examined counts as a pattern
+    std::error_code error;  // is_directory returns false for a path that it cannot examine
     if (is_pattern && !std::filesystem::is_directory(path, error)) {
         return out;
     }

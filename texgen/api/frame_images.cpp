@@ -49,8 +49,8 @@ void check_range(const foamtex::Preset::State& state, const Map& map) {
     const std::vector<const Map*> fitted = source_maps(state.preset);
     if (!state.has_fitted_ranges || std::ranges::find(fitted, &map) == fitted.end()) {
         throw std::invalid_argument(
-            fmt::format("the map '{0}' has an automatic range, which integers need: call "
-                        "fit_ranges on a preset "
+            fmt::format("the map '{0}' has an automatic range, which must be fitted before the map "
+                        "can be drawn as integers: call fit_ranges on a preset "
                         "whose key image.maps contains the map, or set {1} to a number",
                         map.name,
                         map.full_key));

@@ -15,8 +15,8 @@ foamtex::ImageShape shape_of(const foamtex::Frame::State& frame,
                              const std::string& map_name,
                              bool integers);
 
-/// Draws a map of a frame as numbers in the unit of the map, or as linear light that is multiplied
-/// by the opacity. `threads` is from 0 to kMaxThreads, and as for thread_count. Throws
+/// Draws a map of a frame. Numbers are in the unit of the map; colors are linear light, multiplied
+/// by the opacity. `threads` is from 0 to kMaxThreads; 0 stands for all hardware threads. Throws
 /// std::invalid_argument for an unknown map, and if the map needs the next frame but `frame` was
 /// simulated without it. Throws foamtex::ArgumentError if `threads` is out of range.
 Image<float> number_image(const foamtex::Frame::State& frame,

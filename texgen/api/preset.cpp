@@ -106,7 +106,8 @@ void Preset::fit_ranges(int threads) {
     state_ = with_texture_errors([&] {
         foam::require_threads(threads);
         foam::texgen::Preset preset = state_->preset;
-        // fit_automatic_ranges fits the ranges of all maps only for integer files, such as PNGs.
+        // If the pattern names integer files, such as PNGs, fit_automatic_ranges fits the automatic
+        // ranges of all maps. For EXR files, it fits only those of the maps in packed images.
         const std::string pattern = std::exchange(preset.output.pattern, "{map}.####.png");
         const foam::texgen::RunOutcome outcome =
             foam::texgen::fit_automatic_ranges(preset,

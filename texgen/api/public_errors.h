@@ -9,8 +9,9 @@
 
 namespace foam::texgen {
 
-/// Returns work(), like with_public_errors. PresetError becomes foamtex::ArgumentError, and
-/// OutOfMemory becomes foamtex::Error.
+/// Returns work(). If work() throws PresetError, throws foamtex::ArgumentError instead; if work()
+/// throws OutOfMemory, throws foamtex::Error instead. Other exceptions are converted as
+/// with_public_errors converts them.
 template <class Work>
 auto with_texture_errors(const Work& work) {
     return with_public_errors([&] {

@@ -23,8 +23,8 @@ struct Frame::State {
         : shown(std::move(frame)), preset(std::move(of)) {}
 
     foam::texgen::SimulatedFrame shown;
-    Preset preset;  // of the simulation
-    // Computed when first needed.
+    Preset preset;  // the preset of the simulation
+    // The records of `shown`, which are computed when they are first needed.
     mutable std::once_flag has_records;
     mutable FoamRecords records;
 };

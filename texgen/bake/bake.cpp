@@ -73,7 +73,7 @@ class FrameWriter {
     /// image (BakeSummary::numbers). Must not be called during `write`.
     const std::vector<WrittenNumbers>& numbers() const { return numbers_; }
 
-    /// Returns the meter of the phase Frames, which counts the written frames.
+    /// Returns the progress meter of Phase::Frames. The meter counts the written frames.
     ProgressMeter& meter() { return meter_; }
 
     void write(const SimulatedFrame& shown) {
@@ -145,8 +145,9 @@ void check_packings(const std::vector<DrawnImage>& images, const ImageFormat& fo
     for (const DrawnImage& image : images) {
         if (image.packs_colors() && format.samples == FormatSamples::Numbers) {
             throw std::invalid_argument(
-                fmt::format("packing '{}': {} files store colors multiplied by A, so a packing of "
-                            "colors cannot be stored; bake the maps as {} layers instead",
+                fmt::format("packing '{}': {} files store colors multiplied by channel A, so a "
+                            "packing of colors cannot be stored; bake the maps as {} layers "
+                            "instead",
                             image.name(),
                             format.name,
                             format.name));

@@ -27,8 +27,9 @@ struct BakeOptions {
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 
-/// The range of an image, and the extent of its numbers in all files of the image that a bake has
-/// written. The extent is measured before the numbers are rounded to codes (integer samples).
+/// A map or packing that is drawn for every frame, its range, and the extent of its numbers in all
+/// of its files that a bake has written. The extent is measured before the numbers are rounded to
+/// codes (integer samples).
 struct WrittenNumbers {
     DrawnImage image;
     std::array<double, 2> range{};  // the numbers that the smallest and the largest code represent
@@ -40,8 +41,8 @@ struct BakeSummary {
     RunOutcome outcome;  // if the run failed, the frames before the failure were still written
     // The files that were written or kept, in the order of BakeOptions::frames.
     std::vector<std::filesystem::path> files;
-    // One element per image that has WrittenFile::numbers and of which a file was written, in any
-    // order; empty if the files store numbers instead of codes.
+    // One element per map or packing of which a file with WrittenFile::numbers was written, in any
+    // order; empty if the files store floating-point numbers instead of codes.
     std::vector<WrittenNumbers> numbers;
     int kept = 0;  // number of frames whose existing files were kept; set by bake_recorded
 };
@@ -51,7 +52,7 @@ struct BakedFrame {
     SimulatedFrame shown;
     std::vector<WrittenFile> files;
     double seconds = 0.0;           // wall time of drawing, encoding, writing and measuring
-    std::string measurements = {};  // measurements_json
+    std::string measurements = {};  // result of measurements_json
 };
 
 /// Callbacks of a running bake; each may be empty.

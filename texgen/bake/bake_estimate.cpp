@@ -41,9 +41,10 @@ double share_of_fitting(const Preset& preset) {
            (image.reduction * image.reduction * static_cast<double>(drawn_images(preset).size()));
 }
 
-/// Stores the times of a bake with the given number of frames. Without automatic ranges, frames are
-/// drawn while the next ones are simulated. Otherwise, ranges are fitted to the frames of the whole
-/// animation while it is simulated, and then the frames are drawn.
+/// Estimates the times of a bake with the given number of frames, and stores them in `estimate`.
+/// Without automatic ranges, frames are drawn while the next ones are simulated. Otherwise, ranges
+/// are fitted to the frames of the whole animation while it is simulated, and then the frames are
+/// drawn.
 void extrapolate(const MeasuredFrames& measured,
                  const Preset& preset,
                  double frames,
@@ -71,7 +72,8 @@ BakeEstimate estimate_bake(const Preset& preset,
     const ScratchFolder scratch;
     Preset first = preset;
     const std::string suffix = std::filesystem::path(preset.output.pattern).extension().string();
-    // All maps of a frame are layers of one file if they are in the bake.
+    // If the bake stores all maps of a frame as layers of one file, so does the bake of the first
+    // kEstimatedFrames frames below.
     const bool is_layered = FilePattern(preset).stores_all_maps_in_one_file();
     const std::string name = (is_layered ? "######" : "{map}.######") + suffix;
     first.output.pattern = (scratch.path() / name).string();

@@ -11,16 +11,18 @@
 namespace foam::texgen {
 
 /// The files and the time of a bake, estimated from its first frames, and its memory, estimated
-/// from the preset (estimated_memory). Scenes and statistics are not included. Sheets are included
-/// only in the memory.
+/// from the preset (estimated_memory). Scene files and statistics are not included. Sheets are
+/// included only in the memory.
 struct BakeEstimate {
     std::size_t files = 0;     // number of files: images, or drawings, tables and meshes
     std::uint64_t bytes = 0;   // size of these files
     std::uint64_t memory = 0;  // peak, in bytes (estimated_memory)
     double seconds = 0.0;      // wall time
     double simulating = 0.0;   // seconds that a simulation of all frames takes
-    double drawing = 0.0;      // seconds that drawing all frames takes, with fitting of ranges
-    RunOutcome outcome{};      // if the run failed, the members above except `memory` are 0
+    double drawing = 0.0;      // seconds that drawing all frames and fitting automatic ranges take
+    // The outcome of the bake of the first frames. If this bake failed, the members above except
+    // `memory` are 0.
+    RunOutcome outcome{};
 };
 
 /// The number of frames that estimate_bake bakes, unless the bake has fewer.
@@ -28,9 +30,10 @@ inline constexpr std::size_t kEstimatedFrames = 2;
 
 /// Bakes the first two frames into a scratch folder, which is removed afterwards. Measures the time
 /// before the first frame, the time from frame to frame, the time of drawing and writing, and the
-/// size of the files. Extrapolates to all frames; all threads share the drawing and writing.
-/// `on_progress` receives the phases of this bake. Throws the exceptions of check_bake and bake,
-/// and OutputError if the scratch folder cannot be created.
+/// size of the files. Extrapolates to all frames, on the assumption that all threads share the
+/// drawing and writing equally. `on_progress` receives the phases of the bake of the first frames.
+/// Throws the exceptions of check_bake and bake, and OutputError if the scratch folder cannot be
+/// created.
 BakeEstimate estimate_bake(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

@@ -47,7 +47,7 @@ constexpr MeasuredMemory kOther{"", 40, 50};
 
 constexpr double kProgram = 10e6;      // bytes of the process without a foam
 constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
-// Bytes of the drawing and the text of a drawing or table per bubble.
+// The memory of a drawing or table and of the text of its file, in bytes per bubble.
 constexpr double kVectorBytesPerBubble = 8000.0;
 // The factor by which a cross-fade, which draws two states of the foam, increases the memory of a
 // frame.
@@ -123,7 +123,7 @@ double sheet_memory(const Preset& preset, double pixels, bool is_png) {
     return preset.output.sheets == SheetKind::None ? 0.0 : pixels * largest;
 }
 
-// Returns the memory, in bytes, of drawing a vector file and of its content.
+// Returns the memory, in bytes, that a vector file takes while it is drawn and encoded.
 double vector_memory(const Preset& preset) {
     const VectorFormat& format = *vector_format_of(preset);
     return format.estimate != nullptr

@@ -14,8 +14,8 @@ namespace foam::texgen {
 std::uint64_t estimated_foam_memory(const Preset& preset);
 
 /// Returns the estimated peak memory, in bytes, of a process that bakes the given number of frames
-/// of a preset, and joins them as output.sheets says, on thread_count(threads) threads. The
-/// estimate is usually right within a factor of 1.5.
+/// of a preset on thread_count(threads) threads and then joins the frames into the sheets that
+/// output.sheets selects. The estimate is usually right within a factor of 1.5.
 std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads);
 
 }  // namespace foam::texgen

@@ -30,8 +30,8 @@ std::string_view take_run(std::string_view& rest) {
     return take(rest, rest.find_first_not_of(rest.front()));
 }
 
-// Returns the position of the first period of the file name after its first character and outside
-// of braces. Precondition: the file name has a suffix.
+// Returns the position of the first '.' in the file name that is outside of braces and is not the
+// first character of the file name. Precondition: the file name has a suffix.
 std::size_t first_period(std::string_view pattern) {
     std::size_t position = pattern.find_last_of('/') + 1;
     if (pattern[position] != '{') {
@@ -44,7 +44,8 @@ std::size_t first_period(std::string_view pattern) {
     return position;
 }
 
-// Returns the pattern, with "_{map}" inserted if it has no {map} and its format has several tables.
+// Returns the pattern, with "_{map}" inserted if the pattern ends in .csv and has no {map}. In this
+// format, a frame consists of several tables, each in a file of its own.
 std::string with_table(std::string_view pattern) {
     std::string complete(pattern);
     if (has_suffix(pattern, ".csv") && pattern.find("{map}") == std::string_view::npos) {

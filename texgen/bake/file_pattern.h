@@ -20,8 +20,9 @@ struct VectorFormat;
 /// Names the files of a bake. A pattern may contain these placeholders:
 ///
 ///     {map}             the name of the map, or of the table or drawing in a vector file
-///     {preset} {seed}   values of the preset; its other placeholders are {size} and the keys, such
-///                       as {foam.bubbles} (placeholder_text in preset/placeholder.h)
+///     {preset} {seed}   the name and the seed of the preset; {size} and the keys of the preset,
+///                       such as {foam.bubbles}, are also placeholders (placeholder_text in
+///                       preset/placeholder.h)
 ///     #                 the frame number in four digits
 ///     ## ###            the frame number in as many digits as there are characters
 ///     @ @@              the frame number in as many digits as there are characters
@@ -39,7 +40,7 @@ class FilePattern {
     explicit FilePattern(const Preset& preset);
 
     /// Parses the pattern of files that may be of any preset: {map} is the only placeholder in
-    /// braces. Throws std::invalid_argument as above.
+    /// braces that is allowed. Throws std::invalid_argument as above.
     explicit FilePattern(std::string_view pattern);
 
     /// Returns true if the files are vector files (vector/format.h).
@@ -64,12 +65,13 @@ class FilePattern {
     /// working directory.
     std::filesystem::path folder() const;
 
-    /// Returns the path of a map in which the placeholder of the frame number is not replaced, such
-    /// as "out/foam_albedo.####.png".
+    /// Returns the paths of the files of a map as one text, in which the placeholder of the frame
+    /// number is not replaced, such as "out/foam_albedo.####.png".
     std::string path_pattern(std::string_view map) const;
 
   private:
-    // Returns the text that replaces a placeholder other than {map}, given without its braces.
+    // Returns the text that replaces a placeholder other than {map}. `name` is the placeholder
+    // without its braces.
     using Placeholders = std::function<std::string(std::string_view name)>;
 
     struct MapName {};

@@ -33,7 +33,8 @@ constexpr double kMargin =
 struct MeasuredMap {
     const Map* map = nullptr;
     // The largest absolute value of its numbers so far, divided by the upper end of its range
-    // before the fit. This range follows from the AutoReal::value that the preset has until then.
+    // before the fit. This range follows from the AutoReal::value that the preset has before the
+    // fit.
     double largest = 0.0;
 };
 

@@ -21,16 +21,18 @@ bool has_automatic_ranges(const Preset& preset);
 /// usually all frames of the animation, so that the ranges do not depend on the frames that are
 /// baked.
 ///
-/// The maps are drawn at a reduced size of exactly the same aspect ratio. The longer side then has
-/// at most 512 pixels, if the width and the height have a large enough common divisor. The largest
-/// absolute value, plus 1 %, is rounded up to a preferred number of the series R10 of ISO 3 (1,
-/// 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10), times a power of 10. A range thus exceeds the
-/// largest absolute value by at most 30 %. A map whose numbers are all 0 keeps its range.
+/// The maps are drawn at a reduced size with exactly the aspect ratio of the preset. The longer
+/// side then has at most 512 pixels, if the width and the height have a large enough common
+/// divisor. The largest absolute value of a map's numbers, in the unit of the key of its range
+/// (such as height.full), is increased by 1 % and rounded up to a preferred number of the series
+/// R10 of ISO 3 (1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10), times a power of 10. The result
+/// becomes the value of the key. A range thus exceeds the largest absolute value by at most 30 %. A
+/// map whose numbers are all 0 keeps its range.
 ///
-/// `source` gives the frames. `threads`, as for thread_count, is the number of threads that draw.
-/// `on_progress` receives the phases of the source, and then the phase Ranges. If the source fails,
-/// its outcome is returned, and the preset is unchanged. Throws the exceptions of the source and of
-/// the callback.
+/// `source` gives the frames. The maps are drawn on thread_count(threads) threads. `on_progress`
+/// receives the phases of the source, and then the phase Ranges. If the source fails, its outcome
+/// is returned, and the preset is unchanged. Throws the exceptions of the source and of the
+/// callback.
 RunOutcome fit_automatic_ranges(Preset& preset,
                                 const FrameSource& source,
                                 const std::vector<int>& frames,

@@ -29,7 +29,8 @@ namespace {
 
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns the metadata texts that all files of a bake contain, as pairs of a keyword and a text.
+/// Returns the metadata texts that all image files of a bake contain, as pairs of a keyword and a
+/// text.
 Texts texts_of(const Preset& preset) {
     if (preset.output.texts == FileTexts::LeftOut) {
         return {};
@@ -64,7 +65,9 @@ ChannelGroup coded(const MapImage& image, int bits) {
                       quantize(image, bits).codes);
 }
 
-// Returns WrittenFile::numbers for an image that is stored as codes.
+// Returns the extent of the numbers in the channels whose map has a key for its range, for an image
+// that is stored as codes (WrittenFile::numbers). nullopt if the pixels are not numbers or there is
+// no such channel. `pixels` are the drawn pixels of the image.
 std::optional<NumberExtent> extent_in(const DrawnImage& image, const MapImage& pixels) {
     const std::vector<std::size_t> channels = image.ranged_channels();
     const auto* const numbers = std::get_if<NumberPixels>(&pixels);
@@ -156,9 +159,9 @@ WrittenFile FrameFiles::write_images(std::span<const DrawnImage> images, ShownLa
     return written;
 }
 
-// Returns the picture of a file and adds descriptions of its images, numbers and heights to
-// `written`. If the file contains several images, the channels of each image are in a layer with
-// its name.
+// Returns the picture that a file stores. Sets the members `images`, `numbers` and `displacement`
+// of `written`. If the file contains several images, the channels of each image are in a layer with
+// the name of the image.
 Picture FrameFiles::picture_of(std::span<const DrawnImage> images,
                                ShownLayers& shown,
                                WrittenFile& written) const {
@@ -193,7 +196,8 @@ Picture FrameFiles::picture_of(std::span<const DrawnImage> images,
     return picture;
 }
 
-// Returns WrittenFile::displacement for an image.
+// Returns the height that the largest code or the number 1 of an image represents, as a fraction of
+// the width of the image (WrittenFile::displacement); nullopt if the image contains no heights.
 std::optional<double> FrameFiles::displacement_of(const DrawnImage& image,
                                                   const ShownLayers& shown) const {
     const auto sources = image.sources();

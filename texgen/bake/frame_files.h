@@ -38,8 +38,9 @@ class FrameFiles {
     /// Returns true if the files are vector files.
     bool is_vector() const { return pattern_.is_vector(); }
 
-    /// Writes the vector files of a frame. Creates folders, returns and throws as `write` below
-    /// does. Precondition: is_vector().
+    /// Writes the vector files of a frame. Creates missing folders. Returns descriptions of the
+    /// files, in the order of `paths`. Throws as encode_vector does, and OutputError if a file
+    /// cannot be written. Precondition: is_vector().
     std::vector<WrittenFile> write_vectors(const SimulatedFrame& shown) const;
 
     /// Draws all images of a frame and writes their files. Creates missing folders. Returns

@@ -69,8 +69,8 @@ std::string measurements_json(const SimulatedFrame& shown,
     if (measurements.empty()) {
         return {};
     }
-    // The members are in alphabetical order, so that they keep their order when a manifest is read
-    // (JsonValue::object_text) and written again.
+    // The members are in alphabetical order. A manifest that is read and written again has the same
+    // order, because JsonValue::object_text sorts the members.
     Json value = Json::object();
     if (is_among("bubbles", measurements)) {
         value["bubbles"] = table_of(bubble_records(*shown.frame));
@@ -99,8 +99,8 @@ void check_measurements(const Preset& preset, std::size_t frames) {
         kBytesPerBubble * frames * static_cast<std::uint64_t>(preset.seeding.bubbles);
     if (bytes > kDescriptionInput.max_bytes) {
         throw std::invalid_argument(fmt::format(
-            "output.measurements: the shapes of {} bubbles in {} frames would make manifest.json "
-            "larger than {} MiB; bake tables instead (--out 'x.####.csv')",
+            "output.measurements: the measurement 'bubbles' of {} bubbles in {} frames would make "
+            "manifest.json larger than {} MiB; bake tables instead (--out 'x.####.csv')",
             preset.seeding.bubbles,
             frames,
             kDescriptionInput.max_bytes / kMebibyte));

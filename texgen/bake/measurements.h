@@ -34,7 +34,7 @@ std::string measurements_json(const SimulatedFrame& shown,
 bool has_measurements(const std::string& json, std::span<const std::string> measurements);
 
 /// Checks before a bake that the manifest can hold the measurements of a number of frames. Throws
-/// std::invalid_argument if, by an estimate, the shapes of the bubbles in these frames would make
+/// std::invalid_argument if the measurement `bubbles` of these frames would, by an estimate, make
 /// the manifest larger than the largest file that the program reads (kDescriptionInput).
 void check_measurements(const Preset& preset, std::size_t frames);
 

@@ -10,8 +10,8 @@
 namespace foam::texgen {
 
 /// The images of a preset at a smaller size of exactly the same aspect ratio. They show the same
-/// part of the foam. The width of films and the range of distances are reduced with the image
-/// if the preset gives them in pixels.
+/// part of the foam. The width of films (albedo.film_width) and the range of the map `distance`
+/// (distance.full) are reduced with the image if the preset gives them in pixels.
 struct ReducedImage {
     int width = 0;
     int height = 0;

@@ -19,12 +19,13 @@ const VectorFormat* vector_format_of(const Preset& preset);
 /// Returns the options of a preset on which vector files depend. Keeps references to the preset.
 VectorSettings vector_settings(const Preset& preset);
 
-/// Returns the names of the vector files of a frame, which take the place of {map}. Precondition:
-/// the files of the preset are vector files.
+/// Returns the names of the parts of a frame (VectorFormat::parts), each of which is one vector
+/// file. The name of a part takes the place of {map} in the name of its file. Precondition: the
+/// files of the preset are vector files.
 std::vector<std::string> vector_parts(const Preset& preset);
 
-/// Returns the words that take the place of {map} in the names of the files of a frame: the names
-/// of its vector files, or the words of its images (file_word).
+/// Returns the words that take the place of {map} in the names of the files of a frame: the result
+/// of vector_parts if they are vector files, otherwise the file_word of each image.
 std::vector<std::string> file_words(const Preset& preset);
 
 /// Checks a preset whose files are vector files; does nothing for other presets. Throws

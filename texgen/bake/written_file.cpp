@@ -77,7 +77,9 @@ MapSamples describe_samples(const DrawnImage& image,
         describe_numbers(pixels, output, samples);
     }
     if (image.packs_colors()) {
-        samples.alpha = "none";  // the channel A is no opacity
+        // In a packing of colors, the channel A shows a map of its own; it is not the alpha of the
+        // colors.
+        samples.alpha = "none";
     }
     return samples;
 }

@@ -51,7 +51,8 @@ int code_bits(const DrawnImage& image, const ImageFormat& format);
 /// One file of a bake.
 struct WrittenFile {
     std::filesystem::path path;
-    // The name of the drawing or table in a vector file (VectorFormat::parts); empty for images.
+    // The name of the drawing, table or mesh in a vector file (VectorFormat::parts); empty for
+    // images.
     std::string part{};
     std::vector<std::pair<DrawnImage, MapSamples>> images;  // one image, or one per layer;
                                                             // empty for a vector file
@@ -62,10 +63,10 @@ struct WrittenFile {
     // stores floating-point numbers, or if it is a packing of colors.
     std::optional<NumberExtent> numbers{};
     // A height, as a fraction of the width of the image. In a file of codes, it is the height that
-    // the largest code of the map height represents. In a file of floating-point numbers, it is the
-    // height that the number 1 represents. In a packing, it is the height that the fraction 1 of
-    // the map height represents. In a file of several images, this member describes the first image
-    // that contains heights. nullopt without heights.
+    // the largest code of the map `height` represents. In a file of floating-point numbers, it is
+    // the height that the number 1 represents. In a packing, it is the height that the fraction 1
+    // of the map `height` represents. In a file of several images, this member describes the first
+    // image that contains heights. nullopt if no image contains heights.
     std::optional<double> displacement{};
 };
 

@@ -10,8 +10,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the eight values of a block. If the first endpoint is not the larger one, the last two
-// values are 0 and 255.
+// Returns the eight values among which the indices of a block choose. If the first endpoint is not
+// the larger one, the last two values are 0 and 255.
 std::array<int, 8> palette_of(int first, int second) {
     std::array<int, 8> palette = {first, second, 0, 0, 0, 0, 0, 255};
     const int steps = first > second ? 7 : 5;

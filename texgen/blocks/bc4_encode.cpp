@@ -13,8 +13,8 @@
 #include <utility>
 
 // One channel of a block is approximated by evenly spaced values between two endpoints: eight, or
-// six and in addition 0 and 255. The endpoints begin with the smallest and the largest texel (for
-// six values, of the texels that are neither 0 nor 255), are improved by least squares, and are
+// six and in addition 0 and 255. At first the endpoints are the smallest and the largest texel (for
+// six values, of the texels that are neither 0 nor 255). They are improved by least squares, and
 // then moved by 1 where this reduces the error. Blocks are compressed in groups, one block per lane
 // of a SIMD register.
 
@@ -47,7 +47,8 @@ struct ChannelFit {
     Floats error = 1e30F;
 };
 
-// Returns -1 in lanes in which the endpoints can be stored: eight values need different endpoints.
+// Returns a mask: -1 in the lanes in which the endpoints can be stored, 0 in all others. Eight
+// values need low < high, six values only low <= high.
 template <class Simd, int kSteps>
 FOAM_INLINE typename Simd::Ints in_order(const ChannelFit<Simd>& fit) {
     return Simd::less(fit.low, kSteps == 7 ? fit.high : fit.high + typename Simd::Floats(0.5F));
@@ -63,7 +64,9 @@ struct ChannelSums {
     typename Simd::Floats products;
 };
 
-// Sets the error of a fit, and returns the sums for its indices.
+// Replaces each texel by the nearest value between or at the endpoints of a fit, or by 0 or 255 if
+// these are extra values. Sets the error of the fit to the sum of the squared errors. Returns the
+// sums over the texels that are not replaced by an extra value.
 template <class Simd, int kSteps>
 FOAM_INLINE ChannelSums<Simd> measure(const Values<Simd>& texels, ChannelFit<Simd>& fit) {
     using Floats = typename Simd::Floats;

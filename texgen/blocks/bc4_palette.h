@@ -6,8 +6,9 @@
 
 namespace foam::texgen {
 
-/// The evenly spaced values of a block: the lower endpoint has the index 0, and the higher endpoint
-/// has the index `kSteps`. With five steps, the palette also has the extra values 0 and 255.
+/// The palette of a BC4 block: the values that its texels can have. They are evenly spaced, from
+/// the lower endpoint with the index 0 to the higher endpoint with the index `kSteps`. With five
+/// steps, the palette also has the extra values 0 and 255.
 template <class Simd, int kSteps>
 class Palette {
   public:

@@ -29,9 +29,9 @@ namespace {
 
 using namespace bc7;  // NOLINT(google-build-using-namespace): the parts of the encoder
 
-// Limits of the sum of squared errors of a block. Only blocks above kGoodEnough are tried in other
-// modes than mode 6. Of opaque blocks, only those above kBad are tried with more partitions and in
-// modes of three subsets.
+// Limits for the sum of squared errors of a block. A block above kGoodEnough is tried in modes
+// other than mode 6. If an opaque block is then still above kBad, it is also tried with more
+// partitions in the modes 1 and 3, and in the modes of three subsets.
 constexpr float kGoodEnough = 8.0F;
 constexpr float kBad = 40.0F;
 
@@ -42,8 +42,8 @@ using Mode1 = Format<2, 3, 6, LowestBits::PerSubset, 3>;
 using Mode2 = Format<3, 3, 5, LowestBits::None, 2>;
 using Mode3 = Format<2, 3, 7, LowestBits::PerEndpoint, 2>;
 using Mode7 = Format<2, 4, 5, LowestBits::PerEndpoint, 2>;
-// The numbers of partitions that are tried in a mode. kMoreTried1 and kMoreTried3 are for blocks
-// above kBad.
+// kTried0 is the number of partitions that are tried in mode 0, and so on. kMoreTried1 and
+// kMoreTried3 replace kTried1 and kTried3 for blocks above kBad.
 constexpr std::size_t kTried0 = 3;
 constexpr std::size_t kTried1 = 2;
 constexpr std::size_t kTried2 = 3;
@@ -52,8 +52,8 @@ constexpr std::size_t kTried7 = 4;
 constexpr std::size_t kMoreTried1 = 6;
 constexpr std::size_t kMoreTried3 = 4;
 
-// For every value of 8 bits, two endpoints of 7 bits, expanded to 8 bits. Interpolation between
-// them with the weight 21 / 64 gives the value.
+// Two endpoints for every value of 8 bits. The endpoints are codes of 7 bits, expanded to 8 bits.
+// Interpolation between them with the weight 21 / 64 gives the value.
 using ExactEnds = Array<Array<int, 2>, 256>;
 
 constexpr ExactEnds make_exact_ends() {
@@ -102,7 +102,8 @@ FOAM_INLINE void try_line(Group<Simd> group, const Array<std::size_t, kChannels>
     group.offer(fit.error, [&](std::size_t lane) { return stored.fields(6, lane); });
 }
 
-// Tries partitions of a mode of several subsets. The best one is tried again with other starts.
+// Tries the given partitions in a mode of several subsets. Then tries the best of them again with
+// other initial endpoints (Fitter::start).
 template <class Format, class Simd>
 FOAM_INLINE void try_partitions(Group<Simd>& group,
                                 const ColorLanes<Simd, Format::kChannels>& colors,
@@ -129,10 +130,10 @@ FOAM_INLINE void try_partitions(Group<Simd>& group,
     group.offer(best.error, [&](std::size_t lane) { return stored.fields(mode, lane); });
 }
 
-// Tries the modes 1 and 3, which have two subsets, and mode 5, for opaque blocks.
+// Tries opaque blocks in the modes 1 and 3, which have two subsets, and in mode 5.
 struct TwoLines {
-    std::size_t fine_count;    // partitions of mode 1
-    std::size_t coarse_count;  // partitions of mode 3
+    std::size_t fine_count;    // number of partitions to try in mode 1
+    std::size_t coarse_count;  // number of partitions to try in mode 3
 
     template <class Simd>
     FOAM_INLINE void operator()(Group<Simd> group) const {
@@ -151,7 +152,7 @@ struct TwoLines {
     }
 };
 
-// Tries the modes 0 and 2, which have three subsets, for opaque blocks.
+// Tries opaque blocks in the modes 0 and 2, which have three subsets.
 struct ThreeLines {
     template <class Simd>
     FOAM_INLINE void operator()(Group<Simd> group) const {
@@ -172,7 +173,7 @@ struct ThreeLines {
     }
 };
 
-// Tries the modes 4, 5 and 7, for blocks that are not opaque.
+// Tries blocks that are not opaque in the modes 4, 5 and 7.
 struct TransparentModes {
     template <class Simd>
     FOAM_INLINE void operator()(Group<Simd> group) const {

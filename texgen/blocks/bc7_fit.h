@@ -16,15 +16,16 @@
 
 namespace foam::texgen::bc7 {
 
-/// The partition, the endpoints of all subsets as a decoder expands them to 8 bits, an index for
-/// each texel, and the sum of squared errors.
+/// An approximation of several blocks in a mode: the partition, the endpoints of all subsets, an
+/// index for each texel, and the sum of squared errors. The endpoints are expanded to 8 bits, as a
+/// decoder expands them.
 template <class Simd, class Format>
 struct Fit {
     using Floats = typename Simd::Floats;
     using Ints = typename Simd::Ints;
     static constexpr std::size_t kChannels = Format::kChannels;
 
-    /// Replaces the lanes in which the other fit has a smaller error.
+    /// Takes over the other fit in the lanes in which the other fit has a smaller error.
     FOAM_INLINE void improve(const Fit& other) {
         const Ints is_better = Simd::less(other.error, error);
         error = Simd::smaller(other.error, error);
@@ -48,8 +49,8 @@ struct Fit {
     Floats error = 1e30F;
 };
 
-/// Replaces a line by the line with the smallest squared error. Keeps it in lanes in which the
-/// error does not determine the line.
+/// Replaces a line by the line with the smallest squared error. In lanes in which the error does
+/// not determine this line, keeps the given line.
 template <class Simd, std::size_t kChannels>
 FOAM_INLINE void improve_line(const SquaredError<Simd, kChannels>& error,
                               LineOf<Simd, kChannels>& line) {
@@ -100,9 +101,9 @@ class Fitter {
         start(0, 0);
     }
 
-    /// Starts again with the principal axes, extended beyond the colors so that the smallest `low`
-    /// and the largest `high` indices are not used. Least squares finds the best endpoints only for
-    /// given indices, and other starts lead to other indices.
+    /// Starts again with the principal axes. They are extended beyond the colors, so that no color
+    /// gets one of the `low` smallest or the `high` largest indices. Least squares finds the best
+    /// endpoints only for given indices, and other starts lead to other indices.
     FOAM_INLINE void start(int low, int high) {
         const Floats stride = Floats(1.0F / (kSteps - static_cast<float>(low + high)));
         const Floats before = stride * Floats(static_cast<float>(low));
@@ -119,8 +120,9 @@ class Fitter {
         choose_indices(unrounded);
     }
 
-    /// In each of `rounds` rounds, improves the endpoints by least squares, rounds them and chooses
-    /// indices. Stores the result in the lanes of `best` in which its error is smaller.
+    /// Does the following steps `rounds` times: improves the endpoints by least squares, rounds the
+    /// endpoints to values of the format, chooses indices, and takes over the result in the lanes
+    /// of `best` in which the result has the smaller error.
     FOAM_INLINE void refine(int rounds, Result& best) {
 #pragma GCC unroll 1
         for (int round = 0; round < rounds; ++round) {
@@ -138,11 +140,11 @@ class Fitter {
   private:
     static constexpr auto kSteps = static_cast<float>(Format::kSteps);
 
-    // Numbers from which the position of a texel along the line of its subset and the color that
-    // its index selects are computed.
+    // The numbers that are needed to compute two things: the position of a texel along the line of
+    // its subset, and the color that the index of the texel selects.
     struct Positions {
-        Array<Array<Floats, kSubsets>, kChannels> origins;  // plus 1/2, for rounding
-        Array<Array<Floats, kSubsets>, kChannels> strides;  // for a weight of 1 / 64
+        Array<Array<Floats, kSubsets>, kChannels> origins;  // first endpoint plus 1/2, for rounding
+        Array<Array<Floats, kSubsets>, kChannels> strides;  // change of color per 1/64 of weight
         Array<Floats, kSubsets> scales;
         Array<Floats, kSubsets> offsets;
     };
@@ -167,8 +169,9 @@ class Fitter {
     }
 
     /// Chooses the index of the nearest color for every texel. Sets the indices and the error of
-    /// the fit, and the squared errors as a function of the endpoints for these indices. The
-    /// weights are nearly evenly spaced, so the index follows from the position along the line.
+    /// the fit. Also sets errors_: for these indices, the squared errors as functions of the
+    /// endpoints. The weights of the indices are nearly evenly spaced, so the index follows from
+    /// the position along the line.
     FOAM_INLINE void choose_indices(Result& fit) {
         const Positions positions = positions_of(fit);
         SubsetSum<Simd, kSubsets> weights;
@@ -226,13 +229,14 @@ class Fitter {
     Array<SquaredError<Simd, kChannels>, kSubsets> errors_;
 };
 
-inline constexpr int kImprovements = 2;  // rounds of Fitter::refine
+inline constexpr int kImprovements = 2;  // number of rounds of Fitter::refine
 
-/// The share of the spread along a line that rounding adds to the error (bc7_partition.h).
+/// If the colors of a subset are rounded to the evenly spaced colors of a line, their squared error
+/// grows by this share of their spread along the line (bc7_partition.h).
 template <class Format>
 inline constexpr float kRoundingShare = 1.0F / static_cast<float>(Format::kSteps* Format::kSteps);
 
-/// Returns a fit of the colors with one subset.
+/// Returns a fit in which all texels of a block are in one subset.
 template <class Format, class Simd>
 FOAM_INLINE Fit<Simd, Format> fit_line(const ColorLanes<Simd, Format::kChannels>& colors) {
     const Membership<Simd, 1> all;

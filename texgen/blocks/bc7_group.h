@@ -55,8 +55,8 @@ class Group {
         return colors;
     }
 
-    /// Stores the blocks of lanes whose error is smaller than before. `fields(lane)` returns their
-    /// fields.
+    /// Packs and stores a new result for each block whose error in `errors` is smaller than that of
+    /// its best result so far. `fields(lane)` returns the fields of the new result.
     template <class Fields>
     FOAM_INLINE void offer(const Floats& errors, const Fields& fields) {
         Array<float, Simd::kCount> found;
@@ -88,7 +88,8 @@ void encode_groups(Work& work, const Numbers& numbers, const Body& body) {
     });
 }
 
-/// The endpoints and indices of a fit, lane by lane.
+/// The partition, the endpoints and the indices of a fit, copied from registers into arrays that
+/// can be read lane by lane.
 template <class Simd, class Format>
 struct StoredFit {
     FOAM_INLINE explicit StoredFit(const Fit<Simd, Format>& fit) {

@@ -7,13 +7,14 @@
 
 #include <cstddef>
 
-// Finds the lines that are closest to the colors of the subsets of a block, for several blocks at
-// once: the principal axes of the colors. Colors are given relative to the color of texel 0, so
-// that all sums are integers below 2^24, which floats represent exactly.
+// Finds, for each subset of a block, the line that is closest to the colors of the subset: the
+// principal axis of the colors. Processes several blocks at once. Colors are given relative to the
+// color of texel 0, so that all sums are integers below 2^24, which floats represent exactly.
 
 namespace foam::texgen::bc7 {
 
-/// The channels of a color, as numbers from 0 to 255, in several blocks.
+/// The channels of one color, or of one difference of colors, for each of several blocks. The
+/// channels of a color are numbers from 0 to 255.
 template <class Simd, std::size_t kChannels>
 using ColorOf = Array<typename Simd::Floats, kChannels>;
 
@@ -21,7 +22,7 @@ using ColorOf = Array<typename Simd::Floats, kChannels>;
 template <class Simd, std::size_t kChannels>
 using ColorLanes = Array<ColorOf<Simd, kChannels>, kBlockTexels>;
 
-/// The two ends of a line of colors in several blocks.
+/// The two ends of one line of colors for each of several blocks.
 template <class Simd, std::size_t kChannels>
 using LineOf = Array<ColorOf<Simd, kChannels>, 2>;
 
@@ -37,12 +38,13 @@ FOAM_INLINE ColorLanes<Simd, kChannels> relative(const ColorLanes<Simd, kChannel
     return differences;
 }
 
-/// The subsets of the texels of several blocks, each of which has a partition of its own.
+/// The subset to which each texel belongs, for several blocks. Each block has a partition of its
+/// own.
 template <class Simd, std::size_t kSubsets>
 struct Membership {
     using Ints = typename Simd::Ints;
 
-    /// Returns the value of the subset of a texel.
+    /// Returns the element of `values` for the subset to which a texel belongs.
     template <class Value>
     FOAM_INLINE Value of(const Array<Value, kSubsets>& values, std::size_t texel) const {
         Value value = values[0];
@@ -52,7 +54,8 @@ struct Membership {
         return value;
     }
 
-    /// -1 for the texels of a subset, and 0 for the others. Not used if there is only one subset.
+    /// masks[s][k] is -1 for the blocks in which texel k belongs to subset s, and 0 for the other
+    /// blocks. Not used if there is only one subset.
     Array<Array<Ints, kBlockTexels>, kSubsets> masks;
 };
 
@@ -70,8 +73,9 @@ struct SubsetSum {
             sums[s] += Simd::select(membership.masks[s][texel], value, Floats());
         }
     }
-    /// Before this call, the sum of the first subset is the sum over all texels. Subtracts the sums
-    /// of the other subsets from it. Call once, after the last call of add.
+    /// Completes the sum of the first subset. Until this call, it is the sum over all texels; this
+    /// call subtracts the sums of the other subsets. Call this function exactly once, after the
+    /// last call of add.
     FOAM_INLINE void finish() {
         for (std::size_t s = 1; s < kSubsets; ++s) {
             sums[0] = sums[0] - sums[s];
@@ -81,13 +85,14 @@ struct SubsetSum {
     Array<Floats, kSubsets> sums;
 };
 
-/// The number of pairs of channels c <= d.
+/// Returns the number of pairs (c, d) of channels with c <= d.
 constexpr std::size_t pairs_of(std::size_t channels) {
     return channels * (channels + 1) / 2;
 }
 
-/// The number of texels of a subset, and the sums of their relative colors and of the products of
-/// their channels c <= d, ordered by c and then by d.
+/// Sums over the texels of a subset: their number, the sum of their relative colors and, for each
+/// pair of channels c <= d, the sum of the products of these two channels. The pairs are ordered by
+/// c and then by d.
 template <class Simd, std::size_t kChannels>
 struct ColorSums {
     using Floats = typename Simd::Floats;
@@ -150,9 +155,10 @@ FOAM_INLINE Scatter<Simd, kChannels> scatter_of(const ColorSums<Simd, kChannels>
     return scatter;
 }
 
-/// Returns a vector along the principal axis, by power iteration, which begins with the column of
-/// the largest variance. Returns 0 if all colors are equal. The vector is scaled by the trace, so
-/// that its numbers do not overflow.
+/// Returns a vector along the principal axis, or the zero vector if all colors are equal. The
+/// vector is found by power iteration, which begins with the column of the channel with the largest
+/// variance. Each iteration divides the vector by half the trace of the matrix, so that the numbers
+/// of the vector do not overflow.
 template <class Simd, std::size_t kChannels>
 FOAM_INLINE ColorOf<Simd, kChannels> principal_axis(const Scatter<Simd, kChannels>& scatter) {
     using Floats = typename Simd::Floats;
@@ -182,7 +188,7 @@ FOAM_INLINE ColorOf<Simd, kChannels> principal_axis(const Scatter<Simd, kChannel
     return axis;
 }
 
-/// Returns the sums of the colors of all subsets.
+/// Returns the sums over the colors of each subset.
 template <class Simd, std::size_t kSubsets, std::size_t kChannels>
 FOAM_INLINE Array<ColorSums<Simd, kChannels>, kSubsets> subset_sums(
     const ColorLanes<Simd, kChannels>& relative_colors,
@@ -255,7 +261,8 @@ FOAM_INLINE Array<LineOf<Simd, kChannels>, kSubsets> principal_lines(
             along += relative_colors[k][c] * membership.of(axes[c], k);
         }
         for (std::size_t s = 0; s < kSubsets; ++s) {
-            // The mean has the position 0, so that texels of other subsets change nothing.
+            // Texels of other subsets get the position 0. This is the position of the mean, so
+            // these texels change neither low[s] nor high[s].
             const Floats position =
                 kSubsets == 1 ? along : Simd::select(membership.masks[s][k], along, Floats());
             low[s] = Simd::smaller(low[s], position);

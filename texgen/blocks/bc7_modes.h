@@ -8,8 +8,8 @@
 // A block of mode m begins with m zero bits and a one bit. Its texels are divided into one, two or
 // three subsets. Each subset has two endpoints, which are colors of few bits, and an index per
 // texel selects a color between them. Endpoints are stored channel by channel. A rotation exchanges
-// alpha with another channel. The highest bit of the index of an anchor texel is 0 and not stored.
-// Texel 0 is the anchor of the first subset.
+// alpha with another channel. Each subset has one anchor texel. The highest bit of the index of
+// this texel is always 0 and is not stored. Texel 0 is the anchor of the first subset.
 
 #include "texgen/blocks/texel_block.h"
 
@@ -25,17 +25,19 @@ enum class LowestBits : std::uint8_t {
     None,
     PerEndpoint,
     PerSubset,  // both endpoints of a subset share one bit
-    Ones,       // 1 for all endpoints, which an alpha of 255 requires (mode 6)
+    // Both bits are 1. The encoder uses this for opaque blocks in mode 6, because an endpoint can
+    // have the alpha 255 in this mode only if its lowest bit is 1.
+    Ones,
 };
 
-/// The fields of a mode. Numbers are bits, except `subsets`.
+/// The fields of a mode. All numbers except `subsets` are numbers of bits.
 struct Mode {
     int subsets = 1;
     int partition_bits = 0;
     int rotation_bits = 0;
-    int selection_bits = 0;  // a bit that exchanges the indices of colors and of alpha
-    int color_bits = 0;      // per channel of an endpoint, without the lowest bit
-    int alpha_bits = 0;      // 0: all texels are opaque
+    int selection_bits = 0;  // 1: a bit tells whether colors and alpha exchange their indices
+    int color_bits = 0;      // per channel of an endpoint, without the bit of `lowest`
+    int alpha_bits = 0;      // also without this bit; 0: all texels are opaque
     LowestBits lowest = LowestBits::None;
     int index_bits = 0;
     int alpha_index_bits = 0;  // 0: the indices of colors are also those of alpha
@@ -121,8 +123,8 @@ constexpr int interpolated(int first, int second, int weight) {
     return ((64 - weight) * first + weight * second + 32) >> 6;
 }
 
-/// Returns the 8 bits that an endpoint of `bits` bits stands for. The highest bits are repeated
-/// below the others. Precondition: 4 <= `bits` <= 8.
+/// Returns the value of 8 bits that an endpoint of `bits` bits stands for: the bits of the
+/// endpoint, followed by a repetition of its highest bits. Precondition: 4 <= `bits` <= 8.
 constexpr int expanded(int code, int bits) {
     const int high = code << (8 - bits);
     return high | high >> bits;

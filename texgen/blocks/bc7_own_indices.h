@@ -7,8 +7,8 @@
 
 #include <cstddef>
 
-// The modes 4 and 5 of BC7, in which one channel has indices of its own. A rotation exchanges this
-// channel with alpha.
+// The modes 4 and 5 of BC7, in which one channel has indices of its own. A block stores this
+// channel in the place of alpha: BlockFields::rotation says which channel is exchanged with alpha.
 
 namespace foam::texgen::bc7 {
 
@@ -32,8 +32,9 @@ using Mode5 = OwnIndices<5,
                          Format<1, 1, 8, LowestBits::None, 2>,
                          false>;
 
-/// Returns the channel to which a mode (OwnIndices) best gives indices of its own, as estimated
-/// from the scatter matrix: the other channels are rounded along a line, as in bc7_partition.h.
+/// Returns the channel that should have indices of its own in a mode (OwnIndices), so that the
+/// error is smallest. The error is estimated from the scatter matrix of the colors, as explained in
+/// bc7_partition.h. This channel is rounded alone; the other channels are rounded along one line.
 template <class Own, class Simd, std::size_t kChannels>
 FOAM_INLINE typename Simd::Ints own_channel(const ColorLanes<Simd, kChannels>& colors) {
     using Floats = typename Simd::Floats;

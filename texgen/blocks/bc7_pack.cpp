@@ -19,8 +19,10 @@ struct IndexedChannels {
     int index_bits;
 };
 
-// If the highest bit of the index of the anchor is set, exchanges the endpoints of a subset in the
-// given channels and reverses its indices, because a block does not store this bit.
+// Makes the highest bit of the index of the subset's anchor texel 0, because a block does not store
+// this bit. If the bit is 1, exchanges the endpoints of the subset in the given channels, and
+// replaces each index of the subset by the largest index minus this index. The colors stay the
+// same.
 void order_ends(BlockFields& fields,
                 int subset,
                 const IndexedChannels& channels,

@@ -9,7 +9,7 @@
 
 namespace foam::texgen::bc7 {
 
-/// The two endpoints of a subset, with values of 8 bits as a decoder expands them.
+/// The two endpoints of a subset. Their values are expanded to 8 bits, as a decoder expands them.
 using EndValues = std::array<std::array<std::int32_t, 4>, 2>;
 
 /// An index for each texel.
@@ -20,14 +20,16 @@ struct BlockFields {
     int mode = 0;
     int partition = 0;
     int rotation = 0;                 // 1, 2, 3: exchanges alpha with red, green, blue; 0: none
-    bool exchanges_indices = false;   // in mode 4: colors have indices of 3 bits, alpha of 2 bits
+    bool exchanges_indices = false;   // mode 4: true if colors have indices of 3 bits, alpha of 2
     std::array<EndValues, 3> ends{};  // endpoints of each subset
     Indices indices{};                // for all channels or, in the modes 4 and 5, for colors
     Indices alpha_indices{};          // only in the modes 4 and 5
 };
 
-/// Returns a block. Exchanges endpoints where the highest bit of the index of an anchor is set.
-/// Precondition: the mode can store the values of the endpoints.
+/// Returns the block with the given fields. If the highest bit of the index of an anchor is set,
+/// exchanges the endpoints of its subset and replaces each index of the subset by the largest index
+/// minus it, because a block does not store this bit. Precondition: the mode can store the values
+/// of the endpoints.
 Bc7Block pack_bc7(BlockFields fields);
 
 }  // namespace foam::texgen::bc7

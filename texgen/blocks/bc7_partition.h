@@ -9,12 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 
-// Estimates for all partitions how well a line of colors approximates each subset. The squared
-// distances from the principal axis add up to the trace of the scatter matrix minus its largest
-// eigenvalue. Rounding along the axis adds the eigenvalue divided by the square of the number of
-// steps: evenly spaced colors between two endpoints have the variance L^2 / 12, if L is the
-// distance between the endpoints, and rounding to n steps has the mean squared error
-// (L / n)^2 / 12.
+// A partition divides the texels of a block into subsets; BC7 approximates the colors of each
+// subset by colors on a line of its own. The functions below estimate the sum of the squared errors
+// for all partitions. The squared distances of the colors of a subset from its principal axis add
+// up to the trace of the scatter matrix minus the largest eigenvalue of this matrix. Rounding the
+// colors to n steps along the axis adds this eigenvalue divided by n^2. The reason: evenly spaced
+// colors between two endpoints at the distance L have the variance L^2 / 12, and rounding to n
+// steps has the mean squared error (L / n)^2 / 12.
 //
 // The largest eigenvalue is estimated by the Frobenius norm of the matrix, which is the root of the
 // sum of the squares of all eigenvalues. The estimate is good if one eigenvalue is much larger than
@@ -22,8 +23,8 @@
 
 namespace foam::texgen::bc7 {
 
-/// The spread of the colors of all subsets of a partition: the sums of their largest eigenvalues,
-/// and of their other eigenvalues.
+/// The spread of the colors of all subsets of a partition. `along` is the sum of the largest
+/// eigenvalues of the scatter matrices of the subsets, `across` the sum of all other eigenvalues.
 template <class Simd>
 struct Spread {
     typename Simd::Floats along;
@@ -54,7 +55,8 @@ FOAM_INLINE void add_spread(const ColorSums<Simd, kChannels>& sums, Spread<Simd>
     spread.across += trace - along;
 }
 
-/// The partitions with the smallest estimates in several blocks, the best one first.
+/// For each of several blocks, the partitions with the smallest estimated errors, the best one
+/// first.
 template <class Simd>
 struct BestPartitions {
     using Floats = typename Simd::Floats;
@@ -101,7 +103,7 @@ FOAM_INLINE ColorSums<Simd, kChannels> sums_over(const TexelSums<Simd, kChannels
     return sums;
 }
 
-/// Returns the texels of a subset as bits.
+/// Returns the texels of a subset as bits: bit k is set if texel k is a member.
 constexpr std::uint16_t mask_of(int subsets, int partition, int subset) {
     unsigned mask = 0;
     for (int k = 0; k < kBlockTexels; ++k) {
@@ -110,7 +112,7 @@ constexpr std::uint16_t mask_of(int subsets, int partition, int subset) {
     return static_cast<std::uint16_t>(mask);
 }
 
-/// The second and the third subset of every partition, as bits.
+/// All subsets except the first of every partition into kSubsets subsets, as bits (mask_of).
 template <std::size_t kSubsets>
 inline constexpr auto kSubsetMasks = [] {
     Array<Array<std::uint16_t, kSubsets - 1>, kPartitions> masks{};
@@ -146,7 +148,8 @@ FOAM_INLINE void for_partitions(const ColorLanes<Simd, kChannels>& relative_colo
     }
 }
 
-/// Returns the subsets of a partition for each block.
+/// Returns the subsets of the texels of several blocks. `partitions` has the partition of each
+/// block.
 template <class Simd, std::size_t kSubsets>
 FOAM_INLINE Membership<Simd, kSubsets> membership_of(const typename Simd::Ints& partitions) {
     using Ints = typename Simd::Ints;

@@ -8,8 +8,10 @@
 #include <cstddef>
 
 // Rounds the endpoints of a subset to values that a mode of BC7 can store, for several blocks at
-// once. Both endpoints are rounded together: of the values below and above each of them, the pair
-// with the smallest error is used.
+// once. Both endpoints are rounded together: each may be rounded down or up, and the pair of values
+// with the smallest error is used. A mode stores each channel of an endpoint as a code of a few
+// bits. In some modes a lowest bit, which all channels of the endpoint share, follows the code
+// (LowestBits).
 
 namespace foam::texgen::bc7 {
 
@@ -24,15 +26,15 @@ struct Format {
     static constexpr std::size_t kChannels = kChannelCount;
     static constexpr LowestBits kLowest = kLowestBits;
     static constexpr int kLargestCode = (1 << kCodeBits) - 1;
-    /// The bits of an endpoint, with the lowest bit.
+    /// The number of bits per channel of an endpoint, including the lowest bit.
     static constexpr int kBits = kCodeBits + (kLowestBits == LowestBits::None ? 0 : 1);
     static constexpr int kSteps = (1 << kBitsOfIndex) - 1;  // from one endpoint to the other
 };
 
-/// The squared error of a subset with given indices, as a function of its endpoints. Apart from a
-/// constant, it is
+/// The squared error of a subset whose texels have given indices, as a function of its endpoints.
+/// Apart from a constant, the error of channel c is
 ///     first x^2 + 2 mixed x y + second y^2 - 2 sums[0][c] x - 2 sums[1][c] y
-/// for the values x and y of channel c at the two endpoints.
+/// where x and y are the values of the channel at the two endpoints.
 template <class Simd, std::size_t kChannels>
 struct SquaredError {
     using Floats = typename Simd::Floats;
@@ -53,8 +55,8 @@ FOAM_INLINE typename Simd::Floats value_of(const typename Simd::Ints& code,
     return Simd::numbers(high | (high >> Format::kBits));
 }
 
-/// Returns the code, not rounded to an integer, that stands for a value together with a lowest bit.
-/// It is clamped to codes from 0 to `largest`.
+/// Returns the code that, together with a lowest bit, stands for a value. The code is not rounded
+/// to an integer. It is clamped to the range from 0 to `largest`.
 template <class Format, class Simd>
 FOAM_INLINE typename Simd::Floats code_of(const typename Simd::Floats& value,
                                           const typename Simd::Ints& lowest,
@@ -69,10 +71,10 @@ FOAM_INLINE typename Simd::Floats code_of(const typename Simd::Floats& value,
     return Simd::smaller(Simd::larger(code, Floats()), Floats(largest));
 }
 
-/// Rounds both endpoints of a channel to values of the format with given lowest bits: of the values
-/// below and above each of them, the pair with the smallest squared error. If the error does not
-/// depend on an endpoint, its nearest value is used. Returns the error, apart from a constant.
-/// Precondition: the line has the smallest squared error of all lines.
+/// Rounds both endpoints of a channel, each down or up, to values of the format with given lowest
+/// bits. Chooses the pair of values with the smallest squared error. If the error does not depend
+/// on an endpoint, this endpoint is rounded to the nearest value. Returns the error, apart from a
+/// constant. Precondition: the line has the smallest squared error of all lines.
 template <class Format, class Simd>
 FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
                                                 const LineOf<Simd, Format::kChannels>& line,

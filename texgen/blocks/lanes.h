@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <cstring>
 
-/// Leaves out the checks of pointers and indices of UndefinedBehaviorSanitizer. They are inlined a
-/// thousand times into a kernel, which Clang then compiles for more than six minutes; with only the
-/// other checks, it takes 20 s. AddressSanitizer still checks the accesses.
+/// Turns off those checks of UndefinedBehaviorSanitizer that concern pointers and indices. These
+/// checks are inlined a thousand times into a kernel, which Clang then compiles for more than six
+/// minutes. Without them, compiling takes 20 s. AddressSanitizer still checks the accesses.
 #ifdef __clang__
 #define FOAM_UNCHECKED_POINTERS \
     __attribute__((no_sanitize("null", "alignment", "object-size", "pointer-overflow", "bounds")))
@@ -20,16 +20,17 @@
 #endif
 
 /// Marks functions that use lanes. They have to be inlined to be compiled for the instruction set
-/// of a kernel (at_simd_level), but `flatten` does not inline large functions.
+/// of a kernel (at_simd_level). The attribute `flatten`, with which at_simd_level inlines the
+/// functions that a kernel calls, does not inline large functions.
 #define FOAM_INLINE [[gnu::always_inline]] FOAM_UNCHECKED_POINTERS inline
 #define FOAM_INLINE_LAMBDA __attribute__((always_inline)) FOAM_UNCHECKED_POINTERS
 
 namespace foam::texgen {
 
-/// An array in kernels. Unlike those of std::array, its functions are always inlined and check no
-/// index. Such checks would keep the compiler from holding elements in registers.
+/// An array for kernels. Its functions are always inlined and never check an index, unlike the
+/// functions of std::array. Such checks would keep the compiler from holding elements in registers.
 template <class Value, std::size_t kSize>
-struct Array {  // NOLINT(readability-identifier-naming): a variable in the implicit copy
+struct Array {  // NOLINT(readability-identifier-naming): names in the implicit copy constructor
     FOAM_INLINE constexpr Value& operator[](std::size_t k) { return values[k]; }
     FOAM_INLINE constexpr const Value& operator[](std::size_t k) const { return values[k]; }
     FOAM_INLINE constexpr Value* begin() { return values; }
@@ -48,7 +49,7 @@ struct Array {  // NOLINT(readability-identifier-naming): a variable in the impl
 /// The copy constructor is not the default one: objects of the class are therefore passed in
 /// memory, in the same way for all instruction sets. (How a register is passed depends on the
 /// instruction set for which a function is compiled.) Functions that use lanes are inlined
-/// (FOAM_INLINE), so that this takes no time.
+/// (FOAM_INLINE), so that passing objects takes no time.
 template <class Number, int kBytes>
 class Lanes {
   public:

@@ -36,11 +36,11 @@ class Cache {
     /// Throws InputError if its file or the file of pressures is missing or damaged.
     SimulatedFrame state(int number) const;
 
-    /// Returns a source of frames. The frames equal, to the last bit, the frames that a simulation
-    /// of the preset gives with the version of foamtex that wrote the cache. The source throws
-    /// InputError if a state that the frames need is missing or damaged. It keeps a reference to
-    /// the cache. Precondition: the preset differs from the preset of the cache only in keys that
-    /// do not influence the states (check_same_simulation).
+    /// Returns a source of frames. The frames equal, to the last bit, the frames of a simulation of
+    /// the preset by the version of foamtex that wrote the cache. The source throws InputError if a
+    /// state that the frames need is missing or damaged. The source keeps a reference to the cache.
+    /// Precondition: the preset differs from the preset of the cache only in keys that do not
+    /// influence the states (check_same_simulation).
     FrameSource frames_of(const Preset& preset) const;
 
   private:

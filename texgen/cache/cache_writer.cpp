@@ -27,7 +27,8 @@ void CacheWriter::write(const SimulatedFrame& state) {
     }
     if (first_pressures_.empty() && !state.record->first_pressures.empty()) {
         first_pressures_ = state.record->first_pressures;
-        // "scale" is the kind of this packed file: these pressures define the scale of all frames.
+        // The kind of this packed file is "scale", because these pressures define the pressure
+        // scale of all frames.
         write_packed(
             pressures_path(folder_), {"scale", info_.simulation}, pack_numbers(first_pressures_));
     }

@@ -11,8 +11,9 @@
 
 namespace foam::texgen {
 
-/// Writes states to a cache as they are simulated. The folder and cache.json are created only when
-/// the first state is written, so a simulation that fails before its first state creates no cache.
+/// Writes each state to a cache as soon as the state has been simulated. The folder and cache.json
+/// are created only when the first state is written, so a simulation that fails before its first
+/// state creates no cache.
 class CacheWriter {
   public:
     /// `frames` are the frames that can be drawn once all states have been written.

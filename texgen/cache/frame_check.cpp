@@ -15,9 +15,9 @@ namespace foam::texgen {
 
 namespace {
 
-// The largest absolute value of a number of a state, in foam units. The mean area of the seeded
-// foam is 1, and the seeded foam has at most 1e6 bubbles, so that all numbers are far below this
-// limit.
+// The largest plausible absolute value of a number in a frame, in foam units. The mean area of the
+// seeded foam is 1, and the seeded foam has at most 1e6 bubbles, so that all numbers are far below
+// this limit.
 constexpr double kLargestNumber = 1e15;
 
 using Fault = std::optional<std::string>;

@@ -168,8 +168,9 @@ class FrameReader {
         taken_.assign(half_edges(), false);
         for (std::size_t k = 0; k < count; ++k) {
             const std::array leaving{take_side(), take_side(), take_side()};
-            // The order is reversed, so that the first half-edge becomes outgoing() of the
-            // junction: each call of set_tail replaces it.
+            // Each call of set_tail makes its half-edge the outgoing() of the junction. The three
+            // half-edges are visited in reverse order, so that the one that was read first remains
+            // outgoing().
             for (const std::size_t one : {2U, 1U, 0U}) {
                 network().set_tail(leaving[one], id_at<JunctionId>(k));
                 network().set_next(twin(leaving[one]), leaving[(one + 1) % 3]);

@@ -8,9 +8,10 @@
 namespace foam::texgen {
 
 // A compact encoding of a frame: about 105 bytes per bubble of a torus before compression. The
-// topology is stored as the half-edges that leave each junction and one half-edge of each bubble;
-// all other links follow from these. The geometry is stored as the values from which arcs and areas
-// are computed. README.md lists the values that a state stores; the frame is a part of the state.
+// topology is stored as two lists: the half-edges that leave each junction, and one half-edge of
+// each bubble. All other links follow from these. The geometry is stored as the values from which
+// arcs and areas are computed. README.md lists the values that a state stores; the frame is a part
+// of the state.
 
 /// Appends an encoded frame to the bytes of the writer.
 void write_frame(const Frame& frame, ByteWriter& writer);

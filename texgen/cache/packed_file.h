@@ -12,7 +12,8 @@
 
 namespace foam::texgen {
 
-/// The version of the format of packed files. Files of another version are rejected.
+/// The version of the format of packed files. A packed file is a compressed file of a cache, with a
+/// label and a checksum. Files of another version are rejected.
 inline constexpr std::uint32_t kPackedVersion = 2;
 
 /// The label of a packed file. A file is rejected unless both members have the expected values.

@@ -16,10 +16,11 @@ namespace foam::texgen {
 SharedSimulation::SharedSimulation(const Preset& preset, std::vector<int> frames, int threads)
     : preset_(preset), frames_(std::move(frames)), threads_(threads) {}
 
-// Simulates, stores all states if possible, and passes to the assembly the states that it needs.
+// Simulates the foam, stores all states if possible, and gives the assembly only those states that
+// the assembly needs.
 RunOutcome SharedSimulation::simulate(FrameAssembly& assembly,
                                       const ProgressCallback& on_progress) {
-    std::optional<CacheWriter> writer;  // set while all states can be stored
+    std::optional<CacheWriter> writer;  // set as long as every state could be stored
     const auto store_if_possible = [&](const auto& store) {
         try {
             store();
@@ -53,7 +54,7 @@ RunOutcome SharedSimulation::simulate(FrameAssembly& assembly,
     return simulate_states(preset_, threads_, states, add, on_progress);
 }
 
-// Returns the effort of a state since the state `previous`.
+// Returns the effort of simulating from the state `previous` to the state `number`.
 FrameEffort SharedSimulation::effort_between(int previous, int number) const {
     FrameEffort sum = efforts_.at(number);
     std::vector<TopologyEvent> events;

@@ -27,8 +27,8 @@ void check(const BakeOptions& options) {
 std::uint64_t estimated_cache_size(const Preset& preset,
                                    const std::vector<int>& frames,
                                    const std::filesystem::path& folder) {
-    // Measured bytes per bubble and state: 63 in the preset sea_foam (400 bubbles), and 79 in
-    // potion (130 bubbles) and in coarsening with 3,000 bubbles.
+    // Measured bytes per bubble and state: 63 in the preset sea_foam (400 bubbles), and 79 in the
+    // presets potion (130 bubbles) and coarsening (3,000 bubbles).
     constexpr std::uint64_t kBytesPerBubble = 80;
     const std::vector<int> states =
         FrameAssembly(preset, frames, NextFrames::Included, {}).states();

@@ -15,15 +15,15 @@
 #include <cstdint>
 #include <memory>
 
-// An encoded state consists of its frame (frame_codec.h), the older members of its effort
-// (FrameEffort), its record (FoamRecord) and its measurements, in this order. The measurements are
-// the members of FrameEffort that older versions of foamtex did not store; in a state of such a
-// version they are missing. In the record, values per bubble are in the order of the bubbles of
-// the frame, followed by its lone bubbles, so identities are stored only once, in the frame. A flag
-// precedes FoamRecord::first_pressures, the pressures at the end of the warm-up. If the flag is 1,
-// these pressures equal the pressures in the file pressures.foam of the cache and are left out. At
-// the end of the record are the averages (RecentAverages). A flag precedes them, too; it is 0 if
-// there are no averages.
+// An encoded state consists of its frame (frame_codec.h), its effort, its record (FoamRecord) and
+// its measurements, in this order. The effort and the measurements together are the members of
+// FrameEffort. Older versions of foamtex did not store the measurements; their states end after the
+// record. In the record, values per bubble are in the order of the bubbles of the frame, followed
+// by its lone bubbles, so identities are stored only once, in the frame. A flag precedes
+// FoamRecord::first_pressures, the pressures at the end of the warm-up. If the flag is 1, these
+// pressures equal the pressures in the file pressures.foam of the cache and are left out. At the
+// end of the record are the averages (RecentAverages). A flag precedes them, too; it is 0 if there
+// are no averages.
 
 namespace foam::texgen {
 
@@ -98,7 +98,8 @@ TopologyEventKind read_event_kind(ByteReader& reader) {
     return static_cast<TopologyEventKind>(kind);
 }
 
-// Reads the events of the record of a frame. They must be of the last kRecordedFrames frames.
+// Reads the events of the record of the frame `record_frame`. They must belong to the
+// kRecordedFrames frames that end with this frame.
 std::vector<RecordedEvent> read_events(std::int64_t record_frame, ByteReader& reader) {
     constexpr std::size_t kEvent = 1 + sizeof(std::int32_t) + 2 * sizeof(double);
     std::vector<RecordedEvent> events(reader.take_count(kEvent));

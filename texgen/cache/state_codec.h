@@ -25,7 +25,7 @@ SimulatedFrame unpack_state(std::span<const std::byte> content,
                             const std::vector<double>& first_pressures);
 
 /// Encode and decode a list of numbers. `unpack_numbers` throws BadContent if the bytes end too
-/// early, or if a number is not plausible (frame_check.h).
+/// early, or if a number is not finite or too large (is_plausible in frame_check.h).
 Bytes pack_numbers(const std::vector<double>& numbers);
 std::vector<double> unpack_numbers(std::span<const std::byte> content);
 

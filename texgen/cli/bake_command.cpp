@@ -28,7 +28,7 @@ constexpr const char* kBakeExamples = R"(Examples:
   foamtex bake sea_foam --size 2048,512 --seed 7 --out 'foam/{size}_{map}.####.png'
   foamtex bake lava --for unreal --scene usda
   foamtex bake maze --frames 1 --out maze.svg --set vector.width_mm=200
-A loop has frames.count frames; foamtex presets keys lists this and all other keys for --set.
+A loop has frames.count frames; "foamtex presets keys" lists this and all other keys for --set.
 --progress json prints JSON lines with phase, done, total (in units of the phase), seconds, seconds_left
 (of the phase), frame, bubbles and, in a loop, cycle and measure (closing error in bubble diameters).)";
 
@@ -37,7 +37,7 @@ struct BakeArguments {
     ImageArguments images;
 };
 
-/// Returns the frames that a simulation of all sizes computes.
+/// Returns the frames that the simulation must compute. All sizes share this simulation.
 std::vector<int> simulated_frames(const std::vector<Preset>& presets,
                                   const std::vector<int>& frames,
                                   bool dry_run) {
@@ -48,8 +48,8 @@ std::vector<int> simulated_frames(const std::vector<Preset>& presets,
     return frames_to_simulate(presets, frames);
 }
 
-/// Warns of too little space for the states of the given frames, which are stored as temporary
-/// files (SharedSimulation).
+/// Warns if the disk of the folder for temporary files has too little space for the states of the
+/// given frames, which SharedSimulation stores there.
 void warn_of_full_temporary_disk(const Preset& preset, const std::vector<int>& frames) {
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
@@ -69,7 +69,8 @@ ExitCode bake_sizes(const std::vector<Preset>& presets,
     std::vector<ImageRun> runs;
     for (const Preset& preset : presets) {
         BakeOptions options{.frames = frames, .threads = arguments.run.threads};
-        // The estimate of the first size measures the time of the simulation.
+        // In a dry run, the first size runs a simulation of its own, so that its estimate measures
+        // the time of a simulation.
         if (!is_single && !(is_dry && runs.empty())) {
             options.source = shared.source(preset);
         }

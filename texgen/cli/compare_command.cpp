@@ -40,8 +40,8 @@ constexpr const char* kCompareExamples = R"(Examples:
 Samples of a PNG are compared as numbers from 0 to 1, samples of an EXR as stored. The difference
 of a pixel is the largest difference of its samples. In folders, manifests and sequences without
 --frames, an image that exists only in A or only in B is a failure. A file of tolerances has a table
-of limits per map, such as [normal], and [default]; the keys are the names of the options with _ in
-place of -, such as fail_percent. Options override the file.
+of limits per map, such as [normal], and [default] for all other maps; the keys are the names of the
+options with _ in place of -, such as fail_percent. Options override the file.
 Exit codes: 0 same, 1 warning, 2 failure, 3 different size or channels, 4 unreadable,
   5 an output could not be written, 64 bad command line or tolerances, 70 internal failure)";
 
@@ -185,7 +185,7 @@ void add_compare_command(CLI::App& app, Action& action) {
                          "), a sequence (####), a folder, or a manifest.json")
         ->required()
         ->option_text(" ");
-    command->add_option("B", arguments->b, "What is compared with A; of the same kind")
+    command->add_option("B", arguments->b, "The candidate to compare with A, of the same kind as A")
         ->required()
         ->option_text(" ");
     for (const Key<CompareLimits>& key : limit_keys()) {
@@ -196,8 +196,8 @@ void add_compare_command(CLI::App& app, Action& action) {
     command
         ->add_option("--map",
                      arguments->options.map,
-                     "Map of the images; by default the map that the EXR layer, the manifest or "
-                     "the metadata of the image names")
+                     "Map of the images; the default is given by the EXR layer, the manifest or "
+                     "the metadata of the image")
         ->option_text("MAP");
     add_frames_option(
         *command, arguments->frames, "Frames of both sequences; by default all existing frames");

@@ -27,7 +27,7 @@ struct CompletionWords {
 /// - the names of profiles after --for, and for the positional argument PROFILE;
 /// - the names of maps after --map and --maps, and for the positional argument MAP;
 /// - the formats of scene files after --scene;
-/// - keys after --set and --sweep and, after the '=', the values of the key that are words;
+/// - keys after --set and --sweep and, after the '=', those values of the key that are words;
 /// - preset names and files for the positional argument PRESET (in bash, files only if no preset
 ///   name matches);
 /// - preset names after --preset and for the positional argument NAME, and tables for TABLE;

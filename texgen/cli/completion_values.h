@@ -11,9 +11,9 @@ namespace foam::texgen {
 
 /// The kind of values that completion offers for an argument.
 enum class ValueKind {
-    Words,  // one of the words
-    List,   // several of the words, separated by commas
-    Key,    // one of the words, followed by '=' and any value
+    Words,  // one of Values::words
+    List,   // several of Values::words, separated by commas
+    Key,    // one of Values::words, followed by '=' and any value
     Path,   // the path of a file or folder; also the kind of all values that are not words
 };
 

@@ -20,8 +20,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns the exit code of a run that a signal has stopped: 128 plus the number of the signal, as
-/// a shell does.
+/// Returns the exit code of a run that a signal has stopped: 128 plus the number of the signal. A
+/// shell reports the same code for a process that a signal has ended.
 ExitCode code_of(const Interrupted& error) {
     constexpr int kSignals = 128;
     return static_cast<ExitCode>(kSignals + error.signal());

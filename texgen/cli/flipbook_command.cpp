@@ -67,8 +67,8 @@ void warn_of_size(const FlipbookArguments& arguments, const SheetLayout& layout)
 void note_unlisted(const Flipbook& flipbook) {
     if (!flipbook.unlisted.empty()) {
         print_stderr(
-            "foamtex: note: '{}' no longer lists {}: these sheets have another layout, other "
-            "frames or images of another bake",
+            "foamtex: note: '{}' no longer lists {}: these sheets have another layout or other "
+            "frames, or were made from another bake",
             flipbook.files.back().string(),
             fmt::join(flipbook.unlisted, ", "));
     }
@@ -135,8 +135,9 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
             .add_option(
                 "--gutter",
                 arguments.options.gutter,
-                "Width in pixels of a border around each frame, which continues the frame "
-                "periodically if it tiles and otherwise repeats its edge pixels (default: 0)")
+                "Width in pixels of a border around each frame (default: 0); the border "
+                "periodically continues a frame that tiles, and repeats the edge pixels of any "
+                "other frame")
             ->check(CLI::Range(0, kLargestGutter))
             ->option_text("PX");
     CLI::Option* strip =
@@ -149,7 +150,7 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
             .add_flag_callback(
                 name,
                 [&arguments, suffix] { arguments.options.array_suffix = suffix; },
-                fmt::format("Write array textures ({}) with mip levels instead of sheets", suffix))
+                fmt::format("Instead of sheets, write array textures ({}) with mip levels", suffix))
             ->excludes(columns)
             ->excludes(gutter)
             ->excludes(strip)

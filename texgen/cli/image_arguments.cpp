@@ -16,7 +16,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the assignment that the options --pack make.
+// Returns the assignment for the values of all options --pack.
 Assignment pack_assignment(const std::vector<std::string>& packings) {
     Value::List list;
     std::string location;
@@ -52,7 +52,7 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
             "--scene", arguments.scene, "Also write the material as scene files: usda, mtlx, gltf")
         ->option_text("A,B");
     command
-        .add_option("--wrap", arguments.wrap, "Border of a drawing: cut bubbles, or whole bubbles")
+        .add_option("--wrap", arguments.wrap, "Bubbles at the border of a drawing: cut, or whole")
         ->option_text("cut|whole");
     command
         .add_flag(
@@ -66,7 +66,7 @@ void add_image_options(CLI::App& command, ImageArguments& arguments) {
     command
         .add_flag("--dry-run",
                   arguments.dry_run,
-                  "Estimate the files of the frames, memory and time; write nothing")
+                  "Estimate memory, time and the files of the frames; write nothing")
         ->option_text(" ");
     add_json_option(command, arguments.json);
 }

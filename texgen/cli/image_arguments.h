@@ -21,7 +21,7 @@ namespace foam::texgen {
 /// line.
 struct ImageArguments {
     std::optional<std::string> maps;
-    std::vector<std::string> pack;  // the values of all --pack
+    std::vector<std::string> pack;  // the values of all options --pack
     std::optional<std::string> normal_y;
     std::optional<std::string> out;
     std::optional<std::string> scene;  // formats, separated by commas
@@ -34,7 +34,7 @@ struct ImageArguments {
     bool watch = false;
 };
 
-/// The images of one preset to draw.
+/// One preset whose images are to be drawn, and the options for drawing them.
 struct ImageRun {
     Preset preset;
     BakeOptions options;

@@ -57,9 +57,15 @@ bool is_preset_name(const std::string& path) {
 
 void add_set_options(CLI::App& command, SetArguments& arguments) {
     add_preset_name_option(command, arguments.preset);
-    command.add_option("--size", arguments.size, "Size of the images, if the folder has several")
+    command
+        .add_option("--size",
+                    arguments.size,
+                    "Size of the images, if the folder has images of several sizes")
         ->option_text("W[xH]");
-    command.add_option("--seed", arguments.seed, "Seed of the images, if the folder has several")
+    command
+        .add_option("--seed",
+                    arguments.seed,
+                    "Seed of the images, if the folder has images of several seeds")
         ->option_text("N");
 }
 

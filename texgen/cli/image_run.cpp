@@ -76,8 +76,9 @@ void note_clipped(const BakeSummary& summary, const Preset& preset) {
     for (const WrittenNumbers& numbers : summary.numbers) {
         if (numbers.extent.clipped > 0.0) {
             print_stderr(
-                "foamtex: {}: up to {:.3g} % of the samples of a file are outside of {:g} "
-                "to {:g} and were clipped; the numbers are from {:.3g} to {:.3g}; {}",
+                "foamtex: {}: in a file, up to {:.3g} % of the samples are outside of {:g} "
+                "to {:g} and were clipped; before clipping, the numbers of all files were from "
+                "{:.3g} to {:.3g}; {}",
                 numbers.image.name(),
                 100.0 * numbers.extent.clipped,
                 numbers.range[0],
@@ -175,7 +176,7 @@ BakeSummary bake_images(const ImageRun& run,
     }
 }
 
-/// Writes what output.sheets and output.scene ask for.
+/// Writes the sheets and the scene files that the keys output.sheets and output.scene request.
 OtherFiles write_sheets_and_scenes(const ImageRun& run, const ProgressOptions& progress) {
     OtherFiles written;
     if (run.preset.output.sheets != SheetKind::None) {

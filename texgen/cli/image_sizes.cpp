@@ -17,7 +17,9 @@ namespace foam::texgen {
 
 namespace {
 
-/// Throws std::invalid_argument if the last of the presets cannot be drawn beside the others.
+/// Throws std::invalid_argument if the images of the last preset cannot be drawn in the same run as
+/// those of the others. The presets differ only in their image sizes and in the folders of their
+/// files. `sizes` is the value of --size, for the message.
 void check_last(std::span<const Preset> presets, const std::string& sizes) {
     const Preset& last = presets.back();
     const std::string last_size = fmt::format("{}x{}", last.image.width, last.image.height);

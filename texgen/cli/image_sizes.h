@@ -15,11 +15,13 @@ namespace foam::texgen {
 void describe_several_sizes(CLI::App& command);
 
 /// Returns the preset of each size that --size lists, such as "2048,1024,512"; one preset if the
-/// option has at most one size. `load` returns the preset of arguments with a single size. For each
-/// size except the first, these arguments have `quiet` set, so that `load` prints notes only once.
+/// option has at most one size. `load` is called once for each size, with arguments that contain
+/// only this size, and returns their preset. For each size except the first, these arguments have
+/// `quiet` set, so that `load` prints notes only once.
 ///
-/// With several sizes, the images of each size get a folder of their own, unless the pattern of
-/// their names contains {size}: with_size_folder changes output.pattern and output.sheet_pattern.
+/// With several sizes, with_size_folder changes output.pattern and output.sheet_pattern, so that
+/// the images of each size get a folder of their own. A pattern that contains {size} is not
+/// changed.
 ///
 /// Throws the exceptions of `load`. Throws std::invalid_argument if a size occurs twice, if the
 /// sizes need different simulations (simulation_hash) because their aspect ratios differ, or if

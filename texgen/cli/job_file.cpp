@@ -20,9 +20,11 @@ namespace {
 
 constexpr std::string_view kPreset = "preset";
 
-/// The values that a key of a job takes. One takes a text or a number, Flag true or false. Words
-/// and Repeated also take a list: Words joins its elements with commas, Repeated gives the option
-/// once for each element.
+/// The values that a key of a job takes. Each key except `preset` stands for the option of `bake`
+/// with the same name. A key of the kind `One` takes a text or a number, a key of the kind `Flag`
+/// takes true or false. Keys of the other kinds take a text, a number or a list. For `Words`, the
+/// elements of the list are joined with commas; for `Repeated`, the option is given once for each
+/// element.
 enum class Takes { One, Words, Repeated, Flag };
 
 struct JobKey {
@@ -84,7 +86,7 @@ const JobKey& find_key(const Assignment& assignment, std::string_view name) {
     return *found;
 }
 
-/// Returns the text of a value on a command line.
+/// Returns the text that a value has on a command line.
 std::string text_of(const Value& value, const Assignment& assignment) {
     if (const auto* const text = std::get_if<std::string>(&value.data)) {
         return *text;
@@ -143,7 +145,7 @@ std::vector<Job> read_jobs(std::string_view toml, const std::string& source) {
         }
         jobs.resize(std::max(jobs.size(), path->job), {{"bake", ""}});
         if (path->name.empty()) {
-            continue;  // the table itself
+            continue;  // the assignment is not of a key, but of the whole table [[bake]]
         }
         const JobKey& key = find_key(assignment, path->name);
         std::vector<std::string>& arguments = jobs[path->job - 1].arguments;

@@ -8,7 +8,7 @@
 
 namespace foam::texgen {
 
-/// A bake of a job file, as the command line that runs it.
+/// One job of a job file: the command line of a bake.
 struct Job {
     std::vector<std::string> arguments;  // "bake", the preset, options
 
@@ -16,13 +16,14 @@ struct Job {
     std::string command() const;
 };
 
-/// Reads a job file: a TOML document with a table [[bake]] for each job. The key `preset` is the
+/// Reads a job file: a TOML document with a table [[bake]] for each job. The key `preset` names the
 /// preset; every other key is an option of `bake` without its leading dashes, such as `size` or
-/// `normal-y` (kJobKeys in job_file.cpp lists them). `set` and `pack`, which may be repeated, and
-/// `maps` and `scene`, which take several words, also take a list. The flag `stats` takes true or
-/// false. `source` is the name of the document in messages. Throws PresetError if the document is
-/// malformed or has no job, if a job has no preset or an unknown key, or if a value has the wrong
-/// type. All other checks of values are made when a job runs.
+/// `normal-y` (kJobKeys in job_file.cpp lists them). The value may be a list if the key is `set` or
+/// `pack`, whose options may be repeated, or `maps` or `scene`, whose options take several words.
+/// The value of the flag `stats` is true or false. `source` is the name of the document in
+/// messages. Throws PresetError if the document is malformed or has no job, if a job has no preset
+/// or an unknown key, or if a value has the wrong type. All other checks of values are made when a
+/// job runs.
 std::vector<Job> read_jobs(std::string_view toml, const std::string& source);
 
 }  // namespace foam::texgen

@@ -7,10 +7,11 @@
 
 namespace foam::texgen {
 
-/// Returns the JSON object (--json) of a command that simulates nothing, such as `maps`, or whose
-/// parts have outcomes of their own: the variations of `vary` and the jobs of `run`. The only
-/// member is `status`: "complete", or "failed" if a part is not complete. The command adds further
-/// members.
+/// Returns the JSON object that a command prints for --json in two cases: the command simulates
+/// nothing (for example, the command `maps`), or the command has several parts, each with an
+/// outcome of its own (the variations of the command `vary`, and the jobs of the command `run`).
+/// The only member is `status`: "complete", or "failed" if a part is not complete. The command adds
+/// further members.
 Json json_report(bool is_complete = true);
 
 /// Returns the JSON object of a run that simulates or draws frames. The command adds further
@@ -19,7 +20,7 @@ Json json_report(bool is_complete = true);
 /// - `status`: "complete", "no_equilibrium" or "open_loop"
 /// - `failed_frame`: the first frame that could not be simulated; null if the run is complete
 /// - `closing_error`: Simulation::closing_error, in mean bubble diameters; null if no cycle of a
-///   loop was simulated, or if it is infinite
+///   loop was simulated, or if the error is infinite
 Json json_report(const RunOutcome& outcome);
 
 /// Prints an object on stdout as one line.

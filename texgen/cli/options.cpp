@@ -44,7 +44,7 @@ CLI::Option* add_quiet_option(CLI::App& command, bool& quiet, const char* meanin
 
 CLI::Option* add_progress_option(CLI::App& command, std::string& progress) {
     CLI::Option* const option = command.add_option(
-        "--progress", progress, "Progress on stderr: auto, or one JSON line per second");
+        "--progress", progress, "Progress on stderr: a bar, or one JSON line per second");
     allow_only(*option, {"auto", kJsonProgress});
     return option;
 }
@@ -73,7 +73,9 @@ void add_maps_option(CLI::App& command, std::optional<std::string>& maps, const 
 }
 
 void add_preset_name_option(CLI::App& command, std::string& preset) {
-    command.add_option("--preset", preset, "Preset of the images, if the folder has several")
+    command
+        .add_option(
+            "--preset", preset, "Preset of the images, if the folder has images of several presets")
         ->option_text("NAME");
 }
 

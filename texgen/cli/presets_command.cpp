@@ -105,7 +105,7 @@ void add_keys(CLI::App& presets, Action& action) {
             ->option_text(" ");
     keys->add_flag("--json-schema",
                    *schema,
-                   "Print a JSON Schema of all keys instead, with which editors complete presets")
+                   "Instead of the list, print a JSON Schema, with which editors complete keys")
         ->option_text(" ")
         ->excludes(name);
     keys->footer(kKeysExamples);

@@ -236,7 +236,9 @@ void add_choices(CLI::App& command, PreviewArguments& arguments) {
         ->option_text("PX");
     add_preset_name_option(command, arguments.shown_preset);
     add_out_folder_option(
-        command, arguments.out, "Folder for the previews (default: out, or the given folder)");
+        command,
+        arguments.out,
+        "Folder for the previews (default for a preset: out; for a folder: the folder itself)");
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ constexpr const char* kFooter = R"(Examples:
 
 Exit codes: 0 success, 1 internal failure or out of memory, 2 bad command line or preset,
   3 the foam did not reach equilibrium, or its loop does not close, 4 bad input file,
-  5 an output could not be written, 6 a check of verify failed, 129 hung up, 130 interrupted,
-  143 terminated. The codes of compare are different: see foamtex compare --help)";
+  5 an output could not be written, 6 a check of verify failed, 129 the terminal was closed,
+  130 interrupted, 143 terminated. The codes of compare are different: see foamtex compare --help)";
 
 /// Returns the exit code of a command for a failure. `code` is the code that all commands except
 /// `compare` return; `compare` uses the codes 1 and 2 for verdicts. `command` is empty if the
@@ -77,7 +77,7 @@ ExitCode parse_and_run(int argc, char** argv, std::string& command) {
     app.set_version_flag(
         "--version",
         [verbose] { return version_text(verbose->count() > 0); },
-        "Print the version; with --verbose, facts of the build");
+        "Print the version; with --verbose, also facts about the build");
     app.require_subcommand(1);
     app.footer(kFooter);
     for (const AddCommand add : all_commands()) {

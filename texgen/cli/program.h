@@ -10,8 +10,9 @@ namespace foam::texgen {
 /// error as one line on stderr. Throws nothing.
 ExitCode run_program(int argc, char** argv);
 
-/// Runs a command line within the program as run_program does, but without the preparations that a
-/// process makes once. The first argument is ignored, as in main().
+/// Does the same as run_program, but without the preparations that a process makes only once, so
+/// that a command can run further command lines. The first argument is the name of the program, as
+/// in main(), and is ignored.
 ExitCode run_command_line(int argc, char** argv);
 
 }  // namespace foam::texgen

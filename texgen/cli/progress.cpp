@@ -21,8 +21,8 @@ namespace {
 constexpr double kBarInterval = 0.1;           // seconds between two drawings of the bar
 constexpr double kLineInterval = 1.0;          // seconds between two lines
 constexpr std::chrono::seconds kHeartbeat{1};  // time after which the latest report is repeated
-// A run is long if its rest takes at least kLongRun. A note reports this once the speed of a phase
-// has been measured for kMeasured.
+// A run is long if it will take at least kLongRun more. A note reports this once the speed of a
+// phase has been measured for kMeasured.
 constexpr double kLongRun = 60.0;  // seconds
 constexpr double kMeasured = 2.0;  // seconds
 
@@ -152,9 +152,9 @@ void ProgressReporter::print() {
 }
 
 // The estimate multiplies the measured time of a unit, such as a step, by the number of units left.
-// Before the phase Frames, the frames count as such units, because a step that prepares frame 1
-// takes about as long as the step to a later frame. In these phases the estimate is a lower bound,
-// because drawing and further cycles of a loop take additional time.
+// Before the phase Frames, the frames are added to the units left, because a step that prepares
+// frame 1 takes about as long as the step to a later frame. In the phases before Frames, the
+// estimate is a lower bound, because it does not include drawing and further cycles of a loop.
 void ProgressReporter::note_long_run() {
     const std::optional<double> per_unit = clock_.seconds_per_unit();
     const bool is_told = options_.verbosity == Verbosity::Normal && !options_.json;

@@ -31,8 +31,8 @@ struct ProgressOptions {
 /// - JSON lines (progress_json), if ProgressOptions::json is true: the first and the last report of
 ///   the run, and otherwise one line per second.
 /// - lines, for Verbosity::Verbose: in the phase Frames one per frame; in every other phase one at
-///   its start, one when its last unit is reported (in a loop, at the end of each cycle), and
-///   otherwise at most one per second.
+///   its start, one when its last unit is reported (in the phase LoopClosing, the last unit of each
+///   cycle), and otherwise at most one per second.
 /// - a bar, for Verbosity::Normal if stderr is a terminal. It is in color only if the environment
 ///   variable NO_COLOR is unset or empty.
 /// - nothing, in all other cases, and always for Verbosity::Quiet.
@@ -58,7 +58,8 @@ class ProgressReporter {
     ProgressReporter& operator=(const ProgressReporter&) = delete;
 
     /// Returns the callback that reports. After SIGINT, SIGTERM or SIGHUP it throws Interrupted,
-    /// unless the phase is finished. The reporter must outlive the callback.
+    /// unless it has just received the last unit of a phase (RunProgress::finished). The reporter
+    /// must outlive the callback.
     ProgressCallback callback();
 
   private:

@@ -90,8 +90,8 @@ void print_notes(const LoadedFoam& loaded, const std::string& in) {
     }
 }
 
-/// Prints that the foam did not reach equilibrium, as one line. The line also contains all notes of
-/// load_foam about the file, because they may explain the failure.
+/// Prints one line that says that the foam did not reach equilibrium. The line also contains all
+/// notes of load_foam about the file, because they may explain the failure.
 void print_failure(const LoadedFoam& loaded, const std::string& in) {
     print_stderr("foamtex: {}: the foam did not reach equilibrium{}{}",
                  in,
@@ -137,7 +137,7 @@ void add_relax_command(CLI::App& app, Action& action) {
         ->option_text("OUT");
     add_threads_option(*command, arguments->threads);
     add_json_option(*command, arguments->json);
-    add_quiet_option(*command, arguments->quiet, "Print only errors (and --json)");
+    add_quiet_option(*command, arguments->quiet, "Print only errors and, with --json, the results");
     command->footer(kRelaxExamples);
     command->callback(
         [&action, arguments] { action = [arguments] { return run_relax(*arguments); }; });

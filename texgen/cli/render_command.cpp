@@ -29,7 +29,7 @@ constexpr const char* kRenderExamples = R"(Examples:
   foamtex render foam --size 4096 --maps albedo,height,normal --out 'out/{map}.####.exr'
 If the cache contains all frames of the animation, the images are identical to those of a bake. Keys
 of images, output, drawings, meshes and maps can be set, but the aspect ratio of a torus cannot be
-changed. For a patch without events at positions, keys of the camera can also be set.)";
+changed. For a patch in which no event has a position, keys of the camera can also be set.)";
 
 struct RenderArguments {
     RunArguments run;
@@ -84,7 +84,7 @@ ExitCode run_render(const RenderArguments& arguments) {
 void add_render_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("render", "Draw frames from simulated states");
     const auto arguments = std::make_shared<RenderArguments>();
-    command->add_option("CACHE", arguments->run.preset, "Folder that simulate has written")
+    command->add_option("CACHE", arguments->run.preset, "Folder that foamtex simulate has written")
         ->required()
         ->option_text(" ");
     add_frame_options(*command, arguments->run);

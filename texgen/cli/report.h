@@ -52,8 +52,8 @@ std::string memory_needed(std::uint64_t bytes);
 /// `bytes` is an estimate of the memory that the run needs.
 void warn_of_little_memory(std::uint64_t bytes);
 
-/// Prints a warning on stderr for each element of `replaced`: the bake replaces images of an
-/// earlier bake. The warning says how to keep the images of both bakes.
+/// Prints a warning on stderr for each element of `replaced`, that is, for each earlier bake whose
+/// images this bake replaces. The warning says how to keep the images of both bakes.
 void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the

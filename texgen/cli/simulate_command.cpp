@@ -52,7 +52,8 @@ void check_same_foam(const std::string& folder, const Preset& preset) {
     }
     std::string difference = fmt::format("it was simulated by foamtex {}", info.version);
     if (info.version == FOAMTEX_VERSION) {
-        // If no key differs, the content of a file differs, on which the hash depends, too.
+        // The hash also depends on the content of the files that keys name. If no key differs, the
+        // content of such a file does.
         difference = "the file that foam.density or foam.outline names has changed";
         try {
             check_same_simulation(info.preset, preset);

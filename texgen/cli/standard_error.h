@@ -17,8 +17,9 @@ namespace foam::texgen {
 // depends on stderr.
 
 /// Opens /dev/null for each standard stream that is closed. Otherwise, a file that is opened later
-/// could get the descriptor of the stream and receive messages. Reading from such a stdin and
-/// writing to such a stdout or stderr fail, as with a closed stream. Must be called before any file
+/// could get the descriptor of the stream and receive messages. /dev/null is opened only for
+/// writing as stdin and only for reading as stdout or stderr, so that reading from this stdin and
+/// writing to this stdout or stderr fail, as with a closed stream. Must be called before any file
 /// is opened.
 void open_missing_streams();
 

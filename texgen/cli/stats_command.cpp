@@ -28,7 +28,7 @@ constexpr const char* kStatsExamples = R"(Examples:
   foamtex stats coarsening
   foamtex stats sea_foam --frames 1-200 --seed 7 --out sea_stats
   foamtex stats my.toml --set foam.bubbles=2000
-  foamtex stats foam                     a folder that simulate has written
+  foamtex stats foam                     a folder that foamtex simulate has written
 A torus has the aspect ratio of the image; the image size in pixels does not matter.)";
 
 struct StatsArguments {

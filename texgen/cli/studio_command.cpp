@@ -45,7 +45,7 @@ struct StudioArguments {
     bool json = false;
 };
 
-/// The exception that ends the studio when no page is open.
+/// The exception that ends the studio when no page has been open for kLongestIdleTime.
 class NoPages : public std::exception {};
 
 /// Opens an address in the default browser. The program that does this may run as long as the
@@ -55,7 +55,8 @@ void open_browser(const std::string& url) {
         try {
             const std::optional<int> code =
                 run_external({"xdg-open", url}, {.shows_errors = false});
-            // The code is below 0 if a signal ended the program: Ctrl-C ends the studio, too.
+            // The code is below 0 if a signal ended the program. In this case no message is needed:
+            // the signal usually comes from Ctrl-C, which also ends the studio.
             if (code.value_or(1) > 0) {
                 print_stderr("foamtex: no browser was found; open the address by hand");
             }

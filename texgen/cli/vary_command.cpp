@@ -43,13 +43,13 @@ constexpr const char* kVaryExamples = R"(Examples:
   foamtex vary pebbles --random 12 --set foam.bubbles=150
   foamtex vary mine.toml --sweep albedo.colormap=magma,viridis --map albedo --width 400
   foamtex bake out/lava_07.toml                bakes the seventh variation
-0..0.6:4 stands for 4 evenly spaced numbers from 0 to 0.6. In a grid of two sweeps, rows have the
-values of the first one; --seeds is a sweep, too, and comes first. --random draws a seed of the foam
-and values of the keys that the preset lists in preset.vary, except those that --set gives. Every
+0..0.6:4 stands for 4 evenly spaced numbers from 0 to 0.6. In a grid of two sweeps, each row has one
+value of the first sweep; --seeds is a sweep, too, and comes first. --random gives every variation a
+random seed and random values of the keys in preset.vary; a key that --set sets does not vary. Every
 variation becomes a preset file beside the sheet; these files replace those of an earlier run.)";
 
 constexpr int kLargestWidth = 2048;
-constexpr int kMostVariations = 400;  // of --random
+constexpr int kMostVariations = 400;  // limit of --random
 
 struct VaryArguments {
     RunArguments run;

@@ -21,7 +21,8 @@
 #include <utility>
 
 // Files are polled: a few calls of stat() ten times per second are cheap compared with a run, and
-// polling works on every system and on network disks, where inotify reports nothing.
+// polling works on every system. It also works on network disks, where inotify does not report the
+// changes that other machines make.
 
 namespace foam::texgen {
 

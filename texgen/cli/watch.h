@@ -13,8 +13,8 @@
 
 namespace foam::texgen {
 
-/// The contents of files, to detect changes. Becoming missing or unreadable, and becoming readable
-/// again, count as changes.
+/// The contents of files, to detect changes. If a file becomes missing or unreadable, or becomes
+/// readable again, this is a change, too.
 class WatchedFiles {
   public:
     /// Remembers the present contents.
@@ -36,7 +36,8 @@ class WatchedFiles {
     std::vector<State> states_;
 };
 
-/// Adds --watch, which excludes --json. The argument must outlive the parsing.
+/// Adds the option --watch, which cannot be combined with --json. `watch` must outlive the parsing
+/// of the command line. Precondition: the command has the option --json.
 void add_watch_option(CLI::App& command, bool& watch);
 
 /// Returns the files on which the run of a command with these arguments depends: those of the
@@ -45,10 +46,10 @@ void add_watch_option(CLI::App& command, bool& watch);
 std::vector<std::filesystem::path> watched_files(const RunArguments& arguments);
 
 /// Calls `run`, and calls it again after each change of a file on which it depends (watched_files).
-/// Editors write a file in several steps, so the call waits until no file has changed for 0.2 s.
-/// Reports an exception of `run` as one line (report_exception) and goes on watching. Never
-/// returns: throws Interrupted after a signal, and PresetError if there is no file to watch or if a
-/// `--set` is malformed.
+/// Editors write a file in several steps, so `run` is called again only when no file has changed
+/// for 0.2 s. Reports an exception of `run` as one line (report_exception) and goes on watching.
+/// Never returns: throws Interrupted after a signal, and PresetError if there is no file to watch
+/// or if a `--set` is malformed.
 [[noreturn]] void run_watching(const RunArguments& arguments, const std::function<void()>& run);
 
 }  // namespace foam::texgen

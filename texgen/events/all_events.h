@@ -68,7 +68,7 @@ std::string kinds_of(const KeyInfo& key);
 /// Returns the names of the keys that a kind accepts, separated by commas.
 std::string keys_of(std::string_view kind);
 
-/// Returns the table of all kinds in Markdown, as it is in README.md.
+/// Returns the table of all kinds in Markdown. texgen/events/README.md contains this table.
 std::string describe_event_kinds_in_markdown();
 
 }  // namespace foam::texgen

@@ -112,7 +112,7 @@ void check_choice(const EventCheck& check, bool may_choose_all) {
         (event.bubbles.empty() ? 0 : 1) + (event.at ? 1 : 0) + (event.sides.empty() ? 0 : 1);
     check.require(given_count <= 1,
                   event.sides.empty() ? "at" : "sides",
-                  "only one of bubble, at and sides may be given");
+                  "only one of the keys bubble, at and sides may be given");
     check.require(may_choose_all || given_count == 1,
                   "kind",
                   "the event must have one of the keys bubble, at and sides, which choose bubbles");
@@ -128,7 +128,7 @@ void check_choice(const EventCheck& check, bool may_choose_all) {
     }
     check.require(!check.is_given("count") || !event.sides.empty(),
                   "count",
-                  "only allowed together with sides");
+                  "only allowed together with the key sides");
 }
 
 }  // namespace foam::texgen

@@ -21,12 +21,13 @@ struct ChosenBubble {
 /// each call. `first_index` is the sum of `count` over the earlier calls. The bubbles depend on the
 /// key that the event has:
 ///
-/// - bubble, a list of identities: the bubbles from the index `first_index` of the list on.
+/// - `bubble`, a list of identities: the bubbles from the index `first_index` of the list on.
 ///   Precondition: the list has at least first_index + count elements.
-/// - sides, a list of numbers of sides: the numbers take turns, beginning at the index
-///   `first_index` modulo the length of the list. In its turn, a number chooses a bubble with this
-///   number of sides: the one with the smallest target area that the call has not chosen yet.
-/// - at, a position: the bubble that contains it.
+/// - `sides`, a list of numbers of sides: the numbers take turns, beginning at the index
+///   `first_index` modulo the length of the list. Each turn of a number chooses, among the bubbles
+///   with this number of sides that the call has not chosen yet, the one with the smallest target
+///   area.
+/// - `at`, a position: the bubble that contains it.
 ///
 /// Bubbles that do not exist are left out, so that the result may be shorter or empty.
 std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
@@ -34,10 +35,10 @@ std::vector<ChosenBubble> choose_bubbles(const EventBase& event,
                                          std::size_t first_index,
                                          std::size_t count);
 
-/// Rejects an event that has more than one of the keys bubble, at and sides, which choose bubbles.
-/// Unless `may_choose_all` is true, also rejects an event that has none of these keys. Also rejects
-/// an event that has the key count without the key sides, and an event with an identity that no
-/// bubble can have.
+/// Rejects an event that has more than one of the keys `bubble`, `at` and `sides`, which choose
+/// bubbles. Unless `may_choose_all` is true, also rejects an event that has none of these keys.
+/// Also rejects an event that has the key `count` without the key `sides`, and an event with an
+/// identity that no bubble can have.
 void check_choice(const EventCheck& check, bool may_choose_all);
 
 }  // namespace foam::texgen

@@ -10,8 +10,8 @@ namespace foam::texgen {
 inline constexpr EventTraits kCollapseEvent = {
     .name = "collapse",
     .meaning =
-        "bubbles shrink and vanish, `at-once` or `in-turn`; on a torus the others take "
-        "up their gas in proportion to their areas, in a patch it goes to the surroundings",
+        "bubbles shrink and vanish, `at-once` or `in-turn`; on a torus the gas goes to the other "
+        "bubbles in proportion to their areas, in a patch it goes to the surroundings",
     .takes_bubbles = true,
     .takes_position = true,
     .takes_count = true};
@@ -31,8 +31,8 @@ void check_collapse(const EventCheck& check, const CollapseOptions& options);
 
 /// Schedules the collapse of the bubbles that begin to collapse in the step that leads to the frame
 /// `context.frame`: their target areas shrink to the T2 area, and the bubbles vanish at the last
-/// frame of their collapse. With EventOrder::AtOnce, this is the last frame of the event. Counts
-/// bubbles that do not exist in context.missing.
+/// frame of their collapse. With EventOrder::AtOnce, this is the last frame of the event. Adds
+/// the number of bubbles that do not exist to context.missing.
 void advance_collapse(const EventBase& event,
                       const CollapseOptions& options,
                       EventContext& context);

@@ -16,8 +16,8 @@ inline constexpr EventTraits kDriveEvent = {
     .takes_position = true,
     .takes_count = true};
 
-/// Selects whether all bubbles of an event oscillate with the same phase, or each with an
-/// additional random phase.
+/// Selects whether all bubbles of an event oscillate with the phase DriveOptions::phase, or each
+/// bubble with the sum of this phase and a random phase.
 enum class Phases { Same, Random };
 
 struct DriveOptions {
@@ -36,8 +36,8 @@ Keys<DriveOptions> drive_keys();
 void check_drive(const EventCheck& check, const DriveOptions& options);
 
 /// Before the step to the first frame of the event, chooses bubbles and schedules their target
-/// areas: a ramp times an oscillation (E9). Counts bubbles that do not exist in context.missing.
-/// Does nothing at later frames.
+/// areas: a ramp times an oscillation (E9). If bubbles that the event is to choose do not exist,
+/// adds their number to context.missing. Does nothing at later frames.
 void advance_drive(const EventBase& event, const DriveOptions& options, EventContext& context);
 
 }  // namespace foam::texgen

@@ -175,15 +175,16 @@ Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
                  key("sides",
                      IntegerLists{{2, 100}},
                      "numbers of sides: chooses the smallest bubbles with these numbers of sides, "
-                     "one bubble for each number in turn; an in-turn collapse chooses each bubble "
-                     "when its turn begins, any other event chooses all bubbles when it begins",
+                     "one bubble for each number in turn; a collapse of the order in-turn chooses "
+                     "each bubble when its turn begins, any other event chooses all bubbles when "
+                     "it begins",
                      &EventBase::sides)
                      .in("sides")),
         taken_by(kinds,
                  &Traits::takes_count,
                  key("count",
                      Integers{1, kMaxBubbles},
-                     "number of bubbles that sides chooses, or number of new bubbles",
+                     "number of bubbles that the key sides chooses, or number of new bubbles",
                      &EventBase::count)
                      .in("bubbles"))};
 }

@@ -51,19 +51,19 @@ struct EventBase {
 
 /// The properties of a kind of event, and the shared keys that it accepts.
 struct EventTraits {
-    std::string_view name;         // as in `kind = "collapse"`
+    std::string_view name;         // the value of the key `kind`, such as "collapse"
     std::string_view meaning;      // what happens, in Markdown
-    bool takes_bubbles = false;    // true if the kind accepts the keys bubble and sides
-    bool takes_position = false;   // true if the kind accepts the key at
-    bool takes_count = false;      // true if the kind accepts the key count
+    bool takes_bubbles = false;    // true if the kind accepts the keys `bubble` and `sides`
+    bool takes_position = false;   // true if the kind accepts the key `at`
+    bool takes_count = false;      // true if the kind accepts the key `count`
     bool creates_bubbles = false;  // true if the kind creates `count` bubbles
 };
 
-/// Returns the keys that determine when an event happens: frame, frames and time.
+/// Returns the keys that determine when an event happens: `frame`, `frames` and `time`.
 Keys<EventBase> time_keys();
 
-/// Returns the keys that choose bubbles or a position: bubble, at, sides and count. `kinds` lists
-/// all kinds of events. Each key is restricted to the kinds that accept it.
+/// Returns the keys that choose bubbles or a position: `bubble`, `at`, `sides` and `count`. `kinds`
+/// lists all kinds of events. Each key is restricted to the kinds that accept it.
 Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds);
 
 }  // namespace foam::texgen

@@ -28,27 +28,29 @@ struct EventSetting {
 /// struct, "assigned" means assigned by this file or command line.
 struct EventCheck {
     const EventBase& event;
-    FrameSpan frames;  // frames of the event; computed from its time if it has one
+    FrameSpan frames;  // frames of the event; computed from EventBase::time if that is set
     EventSetting setting;
     std::string name;  // name of the event in messages, such as "event[2]"
     std::function<bool(std::string_view key)> is_given;  // true if the key was assigned
-    // Throws PresetError. The message contains the reason, and begins with an assignment to the key
-    // or, if the key was not assigned, to another key of the event.
+    // Throws PresetError. The message quotes an assignment, followed by the reason. The assignment
+    // is the last one to the key or, if the key was not assigned, to any key of the event.
     std::function<void(std::string_view key, std::string_view reason)> reject;
-    // Throws PresetError. The message contains the reason, and begins with an assignment to a key
-    // outside of the event, such as foam.bubbles, on which the allowed values of events depend.
+    // Throws PresetError. The message quotes an assignment, followed by the reason. The assignment
+    // is one to a key outside of the event, such as foam.bubbles, on which the allowed values of
+    // events depend.
     std::function<void(std::string_view reason)> reject_foam;
 
-    /// Calls `reject` with the key and the reason unless the condition `holds`. For conditions on
-    /// keys of the event alone.
+    /// Calls `reject` with the key and the reason unless `holds` is true. `holds` must be a
+    /// condition on keys of the event alone; for a condition that depends on the foam, too, call
+    /// require_fit.
     void require(bool holds, std::string_view key, std::string_view reason) const {
         if (!holds) {
             reject(key, reason);
         }
     }
-    /// Rejects a value of a key that does not fit the foam, unless the condition `holds`. If the
-    /// key was assigned, calls `reject` with the reason `text`. Otherwise the foam was changed.
-    /// Then calls `reject_foam` with the reason "event[2].key" + separator + text, so that the
+    /// Rejects a value of a key that does not fit the foam, unless `holds` is true. If the key was
+    /// assigned, calls `reject` with the reason `text`. Otherwise the foam was changed, and this
+    /// function calls `reject_foam` with the reason "event[2].key" + separator + text, so that the
     /// message names the key of the event, too.
     void require_fit(bool holds,
                      std::string_view key,

@@ -26,7 +26,7 @@ Keys<ForceOptions> force_keys() {
 void check_force(const EventCheck& check, const ForceOptions& options) {
     check.require(check.event.at.has_value(),
                   "kind",
-                  "the event must have the key at, the position of the push");
+                  "the event must have the key 'at', the position of the push");
     const double largest = 0.5 * check.setting.shorter_side;
     check.require_fit(
         check.setting.is_patch || options.radius <= largest,

@@ -24,8 +24,8 @@ Keys<NucleateOptions> nucleate_keys() {
                 .in("square foam units"),
             key("growth",
                 Integers{1, kLastEventFrame},
-                "number of frames in which a new bubble grows to its area; several new bubbles "
-                "appear evenly over the frames of the event",
+                "number of frames in which a new bubble grows to its area; if the event creates "
+                "several bubbles, their births are spread evenly over its frames",
                 &Options::growth)
                 .in("frames")};
 }

@@ -24,7 +24,7 @@ struct NucleateOptions {
 
 Keys<NucleateOptions> nucleate_keys();
 
-/// Rejects an event whose `area` is not above the T2 area, and an event with a position that
+/// Rejects an event whose `area` is not above the T2 area, and an event that has a position but
 /// creates more than one bubble.
 void check_nucleate(const EventCheck& check, const NucleateOptions& options);
 

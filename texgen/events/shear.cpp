@@ -10,8 +10,9 @@ Keys<ShearOptions> shear_keys() {
     return {key("strain",
                 Reals{-100.0, 100.0},
                 "shear strain: how far the upper border moves to the right, divided by the height; "
-                "applied evenly over the frames. Images of a sheared foam tile if each row of "
-                "images is displaced to the right by this distance, relative to the row below it",
+                "applied evenly over the frames. Images of a sheared foam fit together without "
+                "seams if each row of images is displaced to the right by this distance, relative "
+                "to the row below it",
                 &ShearOptions::strain)};
 }
 

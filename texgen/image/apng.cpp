@@ -152,7 +152,7 @@ void ApngMuxer::append_frame() {
     append(control, big_endian(std::uint64_t{0}));  // offset of the frame in x and y
     append(control, big_endian(static_cast<std::uint16_t>(rate_.seconds)));
     append(control, big_endian(static_cast<std::uint16_t>(rate_.frames)));
-    // dispose_op none, blend_op source: replace pixels
+    // The bytes dispose_op (0: none) and blend_op (0: source). The frame replaces all pixels.
     append(control, big_endian(std::uint16_t{0}));
     append_chunk(stream_, "fcTL", control);
 }

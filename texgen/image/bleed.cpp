@@ -49,7 +49,7 @@ void add_weighted(Texel& sum, const Texel& texel) {
     sum[3] += texel[3];
 }
 
-// Converts a sum that add_weighted has computed to a mean: divides its color by its opacity.
+// Returns the mean for a sum that add_weighted has computed: divides its color by its opacity.
 // Returns zeros if the opacity is 0.
 Texel weighted_mean(const Texel& sum) {
     return sum[3] > 0.0F ? Texel{sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]}

@@ -10,8 +10,9 @@
 namespace foam::texgen {
 
 /// Gives every fully transparent pixel a color, so that filters that ignore opacity, such as
-/// texture filters and mip maps, mix in only colors that the picture shows. The image has linear
-/// colors (not sRGB codes), not premultiplied, in three channels and opacity in the fourth channel.
+/// texture filters and mip maps, mix in only colors that the picture shows. The first three
+/// channels of the image are linear colors (not sRGB codes), which are not multiplied by the
+/// opacity. The fourth channel is the opacity.
 ///
 /// The color of a transparent pixel is a mean weighted by opacity. If any of the eight neighbors of
 /// the pixel has an opacity above 0, the color is the mean of the neighbors. At the edge of the

@@ -18,8 +18,9 @@ struct ChannelRow {
           step(static_cast<std::size_t>(image.channels())),
           count(static_cast<std::size_t>(image.width())) {}
 
-    /// Writes convert(sample) for each sample to `to`, without gaps, in a vectorized loop.
-    /// `convert` has to capture by value, and all functions that it calls have to be inline.
+    /// Computes convert(sample) for each sample in a vectorized loop, and writes the results to
+    /// `to`, without gaps. `convert` has to capture by value, and all functions that it calls have
+    /// to be inline.
     template <class Convert>
     void write(const Convert& convert, std::byte* to) const {
         using Stored = decltype(convert(Sample()));

@@ -18,8 +18,8 @@ namespace {
 
 using Encoding = std::array<std::uint8_t, 65536>;
 
-// A value has the code k if it is below the light with the encoding (k + 1/2) / 255, but not below
-// the light with the encoding (k - 1/2) / 255.
+// Returns the sRGB codes of the values 0 to 65535 of linear light. A value has the code k if its
+// sRGB encoding, a number from 0 to 1, is at least (k - 1/2) / 255 and less than (k + 1/2) / 255.
 Encoding make_srgb_encoding() {
     constexpr double kWhite = 65535.0;
     Encoding encoding{};

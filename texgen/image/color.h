@@ -34,7 +34,7 @@ double srgb_to_linear(double encoded);
 double linear_to_srgb(double linear);
 
 /// Returns a table whose element v is the 8-bit sRGB code of the 16-bit value v of linear light.
-/// The value 65535 is white. A value has the code k if its sRGB encoding rounds to k.
+/// The value 65535 is white. A value has the code k if 255 times its sRGB encoding rounds to k.
 std::span<const std::uint8_t, 65536> srgb_codes_of_light();
 
 /// Returns the color in linear light.

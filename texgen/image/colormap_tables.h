@@ -9,8 +9,8 @@ namespace foam::texgen {
 
 // viridis, magma, inferno and plasma by Nathaniel J. Smith, Stefan van der Walt and Eric Firing,
 // https://github.com/BIDS/colormap (CC0); cividis by Jamie Nunez, Christopher Anderton and Ryan
-// Renslow, https://doi.org/10.1371/journal.pone.0199239 (CC0). The entries are the numbers that
-// Matplotlib ships, rounded to 8 bits.
+// Renslow, https://doi.org/10.1371/journal.pone.0199239 (CC0). The entries are sRGB colors in the
+// form 0xRRGGBB: the numbers that Matplotlib ships, rounded to 8 bits per channel.
 
 inline constexpr std::array<std::uint32_t, 256> kViridis = {
     0x440154, 0x440256, 0x450457, 0x450559, 0x46075a, 0x46085c, 0x460a5d, 0x460b5e, 0x470d60,

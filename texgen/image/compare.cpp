@@ -53,8 +53,8 @@ struct SampleLimits {
     double fail;
 };
 
-/// Stores the statistics of the differences of samples in `found`. Returns the difference of each
-/// pixel.
+/// Compares the samples of two pictures and writes the statistics of their differences to `found`.
+/// Returns, for each pixel, the largest difference of its channels.
 Image<double> measure_samples(const Picture& a,
                               const Picture& b,
                               const SampleLimits& limits,
@@ -83,8 +83,8 @@ Image<double> measure_samples(const Picture& a,
     return pixels;
 }
 
-/// Stores the largest angle and the position of its pixel in `found`. `angles` is in the order of
-/// normal_angles.
+/// Writes the largest angle to `found`, and the position of the pixel that has this angle. `angles`
+/// is the result of normal_angles.
 void note_largest_angle(std::span<const double> angles, int width, int height, Comparison& found) {
     const auto largest = std::ranges::max_element(angles);
     const auto index = static_cast<int>(largest - angles.begin());

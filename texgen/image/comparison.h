@@ -18,7 +18,7 @@ enum class Verdict {
     Unreadable,       // a picture could not be read; the function `compare` never returns this
 };
 
-/// The percentile of the differences of pixels that a Comparison reports.
+/// The percentile that Comparison::percentile reports.
 inline constexpr double kReportedPercentile = 99.9;
 
 /// The differences between two pictures. The difference of a pixel is the largest difference of its
@@ -29,15 +29,17 @@ struct Comparison {
     double mean = 0.0;        // mean of |a - b| over all samples
     double rms = 0.0;         // root mean square of |a - b| over all samples
     double percentile = 0.0;  // percentile_of(differences of the pixels, kReportedPercentile)
-    // The number of samples whose difference exceeds the limit of samples for warnings, and for
-    // failures (DifferenceLimits::sample_limit).
+    // `warnings` counts the samples whose difference exceeds the sample limit for warnings,
+    // `failures` those whose difference exceeds the sample limit for failures
+    // (DifferenceLimits::sample_limit).
     std::size_t warnings = 0;
     std::size_t failures = 0;
     std::string channel{};   // channel of the largest difference; empty if all samples are equal
     int x = 0;               // column of the largest difference
     int y = 0;               // row of the largest difference
     std::size_t pixels = 0;  // number of pixels
-    // The number of pixels above the limits for warnings, and for failures (DifferenceLimits).
+    // `warning_pixels` counts the pixels above the limits for warnings, `failure_pixels` those
+    // above the limits for failures (DifferenceLimits).
     std::size_t warning_pixels = 0;
     std::size_t failure_pixels = 0;
     // Largest angle between normals, degrees; nullopt if pixels are not compared as normals.

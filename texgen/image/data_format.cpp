@@ -20,7 +20,7 @@ constexpr std::uint32_t kTransferLinear = 1;
 constexpr std::uint32_t kTransferSrgb = 2;
 constexpr std::uint32_t kAlphaIsPremultiplied = 1;  // a flag
 constexpr std::uint32_t kAlphaChannel = 15;
-constexpr std::uint32_t kLinearSample = 0x10;  // qualifier of alpha in an sRGB format
+constexpr std::uint32_t kLinearSample = 0x10;  // flag: the channel is linear, not sRGB
 
 std::uint32_t model_of(PixelFormat format) {
     switch (format) {

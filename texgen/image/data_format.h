@@ -10,8 +10,9 @@
 
 namespace foam::texgen {
 
-/// Returns the description of a pixel format that a KTX2 file contains: a data format descriptor
-/// with one basic block, as the Khronos Data Format Specification 1.3 describes it.
+/// Returns the data format descriptor with which a KTX2 file describes its pixel format. The
+/// descriptor has a single block, which is a "basic descriptor block" (Khronos Data Format
+/// Specification 1.3).
 Bytes data_format_descriptor(PixelFormat format);
 
 /// Throws InputError if a data format descriptor is too short, or if it says that the colors of a

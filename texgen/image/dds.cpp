@@ -21,8 +21,8 @@ namespace {
 constexpr std::uint32_t kDdsMagic = 0x20534444;  // "DDS "
 constexpr std::uint32_t kDdsHeaderBytes = 124;
 constexpr std::uint32_t kFormatBytes = 32;   // size of DDS_PIXELFORMAT in the first header
-constexpr std::uint32_t kFourCc = 0x4;       // flag of DDS_PIXELFORMAT: it has a code
-constexpr std::uint32_t kDx10 = 0x30315844;  // the code "DX10": there is a second header
+constexpr std::uint32_t kFourCc = 0x4;       // flag of DDS_PIXELFORMAT: the field dwFourCC is used
+constexpr std::uint32_t kDx10 = 0x30315844;  // "DX10" in dwFourCC: there is a second header
 
 // Flags of the first header. Each flag states that certain fields of the header are used.
 constexpr std::uint32_t kAlways = 0x1007;       // caps, height, width and the pixel format
@@ -37,7 +37,8 @@ constexpr std::uint32_t kHasMipLevels = 0x400008;
 constexpr std::uint32_t kTwoDimensional = 3;
 constexpr std::uint32_t kCube = 0x4;
 
-// The bits of the last number of the second header that contain the alpha mode, and its values.
+// The last number of the second header contains the alpha mode in the bits kAlphaMode. The
+// constants after kAlphaMode are values of the alpha mode.
 constexpr std::uint32_t kAlphaMode = 0x7;
 constexpr std::uint32_t kStraightAlpha = 1;
 constexpr std::uint32_t kPremultipliedAlpha = 2;
@@ -49,7 +50,7 @@ void check_dds(bool holds, const char* reason) {
     }
 }
 
-// Returns the bytes of all mip levels of all layers.
+// Returns the number of bytes of all mip levels of all layers together.
 std::size_t level_bytes(const GpuTexture& texture) {
     std::size_t bytes = 0;
     for (const std::vector<Bytes>& layer : texture.layers) {
@@ -129,7 +130,7 @@ GpuTexture decode_dds(std::span<const std::byte> content) {
     for (std::uint32_t& number : header) {
         number = reader.number();
     }
-    check_dds(header[0] == kDdsHeaderBytes, "the header has another size");
+    check_dds(header[0] == kDdsHeaderBytes, "the header does not have 124 bytes");
     if (header[20] != kDx10) {
         throw InputError("the DDS has no header of Direct3D 10 (DX10), which foamtex needs");
     }

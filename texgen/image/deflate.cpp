@@ -20,20 +20,21 @@ namespace {
 // The level of ISA-L, 0 to 3, for Compression::Fast. At level 3, files are 1 % smaller than at
 // level 2, but compression takes 2 to 6 times as long.
 constexpr int kFastLevel = 2;
-// Up to this level of zlib, ISA-L makes streams of the same size as libdeflate, within 5 %, in a
-// third of the time.
+// The largest level of Deflater::zlib_stream at which ISA-L is used instead of libdeflate. Up to
+// this level, the streams of ISA-L have the same size as those of libdeflate, within 5 %, but take
+// a third of the time.
 constexpr int kLargestFastLevel = 2;
 // The level of libdeflate, 0 to 12, for Compression::Small; level 0 stores without compression. At
 // level 9, files are 1 % smaller than at level 7, but compression takes 2 to 4 times as long.
 constexpr int kSmallLevel = 7;
 
-// This number of bytes at the start of each part is compressed and flushed separately. (For ISA-L,
-// each part is a stream of its own.) This avoids an error in the main loop of ISA-L 2.30
-// (igzip_icf_body_h1_gr_bt.asm, .write_first_byte). At the start of a stream, this loop should hash
-// the input bytes from the third byte on, but it hashes a register that still contains the address
-// of the stream object. The matches that ISA-L finds therefore sometimes depend on this address. An
-// input of 4 bytes is processed only by the loop for the end of the data. That loop needs at least
-// 4 bytes, and has no such error.
+// ISA-L compresses each part of the data (one call of deflate_fast) as a stream of its own. This
+// number of bytes at the start of each part is compressed and flushed separately. This avoids an
+// error in the main loop of ISA-L 2.30 (igzip_icf_body_h1_gr_bt.asm, .write_first_byte). At the
+// start of a stream, this loop should hash the input bytes from the third byte on, but it hashes a
+// register that still contains the address of the stream object. The matches that ISA-L finds
+// therefore sometimes depend on this address. An input of 4 bytes is processed only by the loop for
+// the end of the data. That loop needs at least 4 bytes, and has no such error.
 constexpr std::size_t kFirstBytes = 4;
 
 // Returns an upper bound, in bytes, of the compressed size of `size` bytes. If data cannot be

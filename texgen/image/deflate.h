@@ -40,8 +40,8 @@ class Deflater {
                                        bool last = true);
 
     /// Returns data compressed to a zlib stream (RFC 1950). `level` is from 1 (fastest) to 9
-    /// (smallest); the stream is about as large as from zlib at the same level. Levels 1 and 2 give
-    /// the same stream, which differs between processors as for Compression::Fast.
+    /// (smallest); the stream is about as large as from zlib at the same level. Level 2 gives the
+    /// same stream as level 1. As for Compression::Fast, this stream can differ between processors.
     Bytes zlib_stream(int level, std::span<const std::byte> data);
 
   private:

@@ -33,7 +33,7 @@ struct DifferenceLimits {
     std::optional<double> angle{};   // degrees; only pictures of normals have angles
     double allowed_percent = 0.0;
     std::int64_t allowed_pixels = 0;
-    std::optional<double> hard{};  // limit that the difference of no sample may exceed
+    std::optional<double> hard{};  // limit of Comparison::largest
     std::optional<double> rms{};   // limit of Comparison::rms
     std::vector<PercentileLimit> percentiles{};
 

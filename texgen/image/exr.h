@@ -40,8 +40,8 @@ struct ExrEncoding {
     /// numbers are averaged by area (mean_level). Integers are ids, which cannot be averaged, so
     /// one of the covered ids is chosen (central_level).
     bool mip_levels = false;
-    /// The number of threads that compress, as for thread_count (core/parallel/parallel_for.h). The
-    /// bytes do not depend on it.
+    /// The number of threads that compress; 0 or less means as many as the hardware runs at once.
+    /// The bytes do not depend on the number of threads.
     int threads = 1;
 };
 
@@ -50,11 +50,12 @@ struct ExrEncoding {
 /// the same width and height, and distinct names that are not empty. Their order does not matter.
 /// By convention colors are linear light, premultiplied by the opacity, which is the channel A.
 ///
-/// The members `color` with `primaries`, `periodic` and `frame_rate` of the metadata are stored in
-/// the attributes `chromaticities`, `wrapmodes` and `framesPerSecond`. Each text is stored in a
-/// string attribute. The keywords of texts must be distinct and have 1 to 31 characters. They must
-/// not be names of attributes that the header has anyway, such as `channels`, or names in the list
-/// kReservedNames in exr_encode.cpp.
+/// If the member `color` of the metadata is true, the attribute `chromaticities` stores the member
+/// `primaries`. The attribute `wrapmodes` stores the member `periodic`, and the attribute
+/// `framesPerSecond` stores the member `frame_rate`. Each text is stored in a string attribute. The
+/// keywords of texts must be distinct and have 1 to 31 characters. They must not be names of
+/// attributes that the header has anyway, such as `channels`, or names in the list kReservedNames
+/// in exr_encode.cpp.
 ///
 /// Throws std::invalid_argument for channels or texts that break these rules, and for a sample that
 /// is not finite or that its type cannot hold. Throws OutputError if OpenEXR fails.

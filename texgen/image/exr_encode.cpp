@@ -31,9 +31,9 @@ namespace {
 constexpr int kTileSide = 64;
 constexpr std::size_t kLongestName = 31;  // characters; old readers reject longer attribute names
 
-// Names of optional attributes of EXR. A text must not have one of these names, because readers
-// would give it a meaning. Attributes that a header has, such as the required ones, need not be
-// listed, because is_text_name also searches the header.
+// Names of optional attributes of EXR. The keyword of a text must not be one of these names,
+// because readers would take the text for the attribute. Attributes that the header already has,
+// such as the required ones, need not be listed, because is_text_name also searches the header.
 constexpr std::array<std::string_view, 7> kReservedNames = {
     "chromaticities", "wrapmodes", "framesPerSecond", "name", "type", "view", "chunkCount"};
 
@@ -51,7 +51,7 @@ void check_channel(const ExrChannel& channel, const ExrSize& size) {
             fmt::format("channel '{}' has a different size than the first channel", channel.name));
     }
     if (channel.channel_index < 0 || channel.channel_index >= channels_of(channel)) {
-        reject_exr(fmt::format("channel '{}' has the channel index {}, but must be from 0 to {}",
+        reject_exr(fmt::format("the channel index of channel '{}' is {}, but must be from 0 to {}",
                                channel.name,
                                channel.channel_index,
                                channels_of(channel) - 1));
@@ -134,7 +134,7 @@ Imf::Header header_of(std::span<const ExrChannel> channels,
 
 /// Returns the number of threads of OpenEXR's thread pool that one file may use. The result 0 means
 /// that only the caller's thread is used. All files of the process share the pool. Enlarges the
-/// pool if it has fewer threads than requested. `threads` is as for thread_count.
+/// pool if it has fewer threads than requested. `threads` is ExrEncoding::threads.
 int library_threads(int threads) {
     static std::mutex mutex;
     if (threads == 1) {
@@ -164,7 +164,7 @@ bool has_long_names(std::span<const ExrChannel> channels) {
         channels, [](const ExrChannel& channel) { return channel.name.size() > kLongestName; });
 }
 
-// Returns an EXR of rows with the compression ZIP or ZIPS.
+// Returns an EXR that stores rows, not tiles, with the compression ZIP or ZIPS.
 Bytes encode_zip(std::span<const ExrChannel> channels,
                  const Imf::Header& header,
                  const ExrEncoding& encoding) {

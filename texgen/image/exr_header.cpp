@@ -26,13 +26,14 @@ constexpr std::uint32_t kExrMagic = 20000630;
 // An EXR contains a table with the position of each block. A block is a tile, or the rows that are
 // compressed together. This is the number of bytes of a position.
 constexpr double kBytesOfOffset = 8.0;
-// The largest allowed size of a decoded block, in bytes, unless the whole image is larger.
+// The largest allowed size of a decoded block, in bytes. If the decoded image is larger, a block
+// may be as large as the image.
 constexpr double kMaxBlock = 64.0 * 1024 * 1024;
 // The largest compression ratio of deflate. The other methods of EXR, except DWA, compress samples
 // of 16 bits by at most this ratio, too.
 constexpr double kMaxDeflateRatio = 1032.0;
-// The largest compression ratio of DWA, a lossy method of EXR. DWA first reduces each block of 64
-// samples, in the extreme case to a single number.
+// The largest compression ratio of DWA, a lossy method of EXR. Before it uses deflate, DWA reduces
+// each square of 8 x 8 samples, in the extreme case to a single number.
 constexpr double kMaxDwaRatio = 64.0 * kMaxDeflateRatio;
 
 /// A type of attributes whose values all have the same size in bytes.

@@ -41,14 +41,14 @@ Imf::PixelType pixel_type(SampleType type);
 /// codes of 8 or 16 bits.
 std::vector<ExrChannel> exr_channels(const Picture& picture);
 
-/// The samples of a channel in the type of the file, with the top row first.
+/// The samples of a channel, converted to the type that a file stores, with the top row first.
 struct ExrPlane {
     std::string name;
     SampleType type = SampleType::Half;
     Bytes samples;
     std::size_t row_bytes = 0;
 
-    /// Returns the samples of a row. Rows count from the top.
+    /// Returns the samples of a row. Rows are counted from the top.
     std::span<const std::byte> row(int index) const {
         return std::span(samples).subspan(static_cast<std::size_t>(index) * row_bytes, row_bytes);
     }

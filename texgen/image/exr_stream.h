@@ -35,7 +35,7 @@ class ExrOutput : public Imf::OStream {
     std::size_t at_ = 0;
 };
 
-/// An input stream that reads bytes of the caller, which must outlive it.
+/// An input stream that reads from a span of bytes. The bytes must outlive the stream.
 class ExrInput : public Imf::IStream {
   public:
     explicit ExrInput(std::span<const std::byte> bytes) : Imf::IStream("EXR"), bytes_(bytes) {}

@@ -14,13 +14,14 @@
 
 // The format of OpenEXR ("OpenEXR File Layout" in its documentation): after the header come the
 // offsets of all chunks in the file. A chunk has the number of its first row, the size of its data,
-// and the data: a zlib stream (RFC 1950), or the samples as they are if the stream would not be
-// smaller. The samples of a chunk are sorted by rows, and within a row by channels. Before they are
-// compressed, the bytes with even indices are moved before those with odd indices, and each byte
-// but the first is replaced by its difference from the byte before it, plus 128.
+// and the data. If a zlib stream (RFC 1950) of the samples is smaller than the samples, the data is
+// this stream; otherwise the data is the samples themselves. The samples of a chunk are sorted by
+// rows, and within a row by channels. Before the compression, the bytes with even indices are moved
+// to the front, followed by those with odd indices. Each byte except the first is then replaced by
+// its difference from the preceding byte, plus 128.
 //
-// OpenEXR 3.1 itself compresses with zlib, which takes several times as long for data of the same
-// size.
+// The functions below compress without OpenEXR, because OpenEXR 3.1 uses zlib. For output of the
+// same size, zlib takes several times as long as Deflater (deflate.h).
 
 namespace foam::texgen {
 
@@ -28,14 +29,14 @@ namespace {
 
 // The buffers of one thread.
 struct ZipWorker {
-    Bytes samples;    // of a chunk
-    Bytes parted;     // the even bytes, then the odd ones
-    Bytes predicted;  // the differences
+    Bytes samples;    // the samples of a chunk
+    Bytes parted;     // the bytes of `samples` with even indices, then those with odd indices
+    Bytes predicted;  // the differences of the bytes of `parted`
     Deflater deflater;
 };
 
-// Sets `samples` to the samples of the rows from `first` up to, but not including, `last`. Rows
-// count from the top.
+// Sets `samples` to the samples of the rows from `first` up to, but not including, `last`. Rows are
+// counted from the top.
 void gather_rows(const ExrPlanes& planes, int first, int last, Bytes& samples) {
     samples.clear();
     for (int row = first; row < last; ++row) {
@@ -45,7 +46,7 @@ void gather_rows(const ExrPlanes& planes, int first, int last, Bytes& samples) {
     }
 }
 
-// Sets `predicted` to the samples in the form that is compressed.
+// Computes `worker.parted` and `worker.predicted` from `worker.samples`.
 void predict(ZipWorker& worker) {
     const std::size_t size = worker.samples.size();
     const std::size_t half = (size + 1) / 2;

@@ -2,8 +2,8 @@
 
 #pragma once
 
-// The pixel data of an EXR of rows with the compression ZIP or ZIPS. Only exr_encode.cpp uses these
-// declarations.
+// The pixel data of an EXR that stores rows (scan lines) instead of tiles, with the compression ZIP
+// or ZIPS. Only exr_encode.cpp uses these declarations.
 
 #include "core/files/file_io.h"
 #include "texgen/image/exr_planes.h"
@@ -14,7 +14,7 @@ namespace foam::texgen {
 struct ExrZip {
     int rows_per_chunk = 16;  // 16 for ZIP, 1 for ZIPS
     int level = 2;            // ExrEncoding::zip_level
-    int threads = 1;          // as for thread_count
+    int threads = 1;          // ExrEncoding::threads
 };
 
 /// Appends the table of offsets and the chunks of rows to a file that ends with its header. The

@@ -153,7 +153,8 @@ Bytes encode_image(const Picture& picture, PixelFormat format, int threads) {
     }
 }
 
-// Returns the code of z of a unit vector from the codes of x and y.
+// Returns the code of z, the third coordinate of a unit vector, given the codes of x and y. The
+// coordinate z is not negative.
 std::uint8_t z_of_normal(std::uint8_t x_code, std::uint8_t y_code) {
     const double x = x_code / 127.5 - 1.0;
     const double y = y_code / 127.5 - 1.0;
@@ -175,14 +176,14 @@ TexelBlock decoded_block(PixelFormat format, std::span<const std::uint8_t> bytes
     return decode_bc7(bytes.first<kBc7Bytes>());
 }
 
-// Returns the number of channels of the picture of a texture.
+// Returns the number of channels of the picture that picture_of returns for a texture.
 int picture_channels(const GpuTexture& texture) {
     const int channels = facts_of(texture.format).channels;
     return channels == 2 || (channels == 4 && texture.opaque) ? 3 : channels;
 }
 
-// Copies the texels of a block into the picture, apart from those beyond its border. The top left
-// texel of the block is in column `left`, and `top` rows from the top.
+// Copies the texels of a block into the picture, except texels beyond the border of the picture.
+// The top left texel of the block goes to column `left` and row `top`, counted from the top.
 void copy_block(const TexelBlock& block, int left, int top, Image<std::uint8_t>& pixels) {
     for (int k = 0; k < kBlockTexels; ++k) {
         const int column = left + k % kBlockSide;

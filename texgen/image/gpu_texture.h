@@ -17,8 +17,8 @@
 
 namespace foam::texgen {
 
-/// Selects the images that are compressed in blocks of 4 x 4 texels, as graphics hardware reads
-/// them.
+/// Selects the images that are compressed in blocks of 4 x 4 texels. Graphics hardware reads such
+/// blocks directly.
 enum class BlockCompression {
     Auto,  // images of 8 bits whose width and height are multiples of 4, except ids
     None,  // no image
@@ -29,12 +29,12 @@ struct GpuEncoding {
     BlockCompression blocks = BlockCompression::Auto;
     bool mip_levels = true;  // if false, only the full size is stored
     TexelMeaning meaning = TexelMeaning::Numbers;
-    /// The number of channels that contain data. Pictures of two channels are stored with a third
-    /// channel of zeros, which a texture does not need. 0 if all channels contain data. All
-    /// channels of a picture of four channels are stored.
+    /// The number of channels of the picture that contain data, or 0 if all channels do. If it is 2
+    /// for a picture of three channels, the third channel is 0 everywhere, and a texture of 16 bits
+    /// omits this channel (Rg16). All other values have no effect.
     int used_channels = 0;
-    /// The number of threads that compress, as for thread_count (core/parallel/parallel_for.h). The
-    /// bytes do not depend on it.
+    /// The number of threads that compress; 0 or less means as many as the hardware runs at once.
+    /// The bytes do not depend on the number of threads.
     int threads = 1;
 };
 
@@ -54,7 +54,7 @@ struct GpuTexture {
     int height = 0;
     bool is_array = false;  // true for an array texture, which may have any number of layers
     bool opaque = true;     // true if there is no alpha; a fourth channel is then 1 everywhere
-    std::vector<std::vector<Bytes>> layers;  // for each layer, its mip levels from the full size on
+    std::vector<std::vector<Bytes>> layers;  // for each layer: its mip levels, the full size first
     std::vector<std::pair<std::string, std::string>> text;  // ImageMetadata::text
     /// Set if the layers of an array are frames of an animation. A DDS cannot store it.
     std::optional<TextureAnimation> animation = {};
@@ -81,11 +81,12 @@ PixelFormat pixel_format_of(const Picture& picture, const GpuEncoding& encoding)
 /// picture has one group of 1, 3 or 4 channels of codes.
 GpuTexture texture_of(const Picture& picture, const GpuEncoding& encoding);
 
-/// Returns the full size of the first layer of a texture as a picture. For a format of one channel
-/// it has one channel, and for a format of two channels it has three. For a format of four channels
-/// it has four, or three if the texture has no alpha (`opaque`). The third channel of Rg16 is 0.
-/// The channels of Bc5 are x, y and z of a unit vector, of which the texture stores x and y. Throws
-/// OutOfMemory if the machine has too little memory for the picture.
+/// Returns the full size of the first layer of a texture as a picture. If the format has one
+/// channel, the picture has one, too. If the format has two channels, the picture has three: for
+/// Rg16, the third channel is 0; for Bc5, the three channels are x, y and z of a unit vector, of
+/// which the texture stores x and y. If the format has four channels, the picture has four, or
+/// three if the texture has no alpha (`opaque`). Throws OutOfMemory if the machine has too little
+/// memory for the picture.
 Picture picture_of(const GpuTexture& texture);
 
 }  // namespace foam::texgen

@@ -14,7 +14,7 @@ namespace foam::texgen {
 [[gnu::always_inline]] inline std::uint16_t half_bits(float number) {
     constexpr std::uint32_t kSign = 0x80000000U;
     constexpr std::uint32_t kTooLarge = 0x47800000U;        // 65536
-    constexpr std::uint32_t kInfinity = 0x7f800000U;        // of a float
+    constexpr std::uint32_t kInfinity = 0x7f800000U;        // infinity as a float
     constexpr std::uint32_t kSmallestNormal = 0x38800000U;  // 2^-14
     constexpr std::uint32_t kHalfInfinity = 0x7c00U;
     const auto bits = std::bit_cast<std::uint32_t>(number);
@@ -24,7 +24,8 @@ namespace foam::texgen {
     // The exponent is reduced by 112, and 13 bits are rounded away.
     const std::uint32_t normal = (size - (112U << 23U) + 0xfffU + ((size >> 13U) & 1U)) >> 13U;
 
-    // The sum with 1/2 has the unit 2^-24 in its last place, which is that of small half floats.
+    // Half floats below 2^-14 are multiples of 2^-24. The addition of 1/2 rounds to such a
+    // multiple, because floats from 1/2 to 1 are multiples of 2^-24, too.
     const float sum = std::bit_cast<float>(size) + 0.5F;
     const std::uint32_t small =
         std::bit_cast<std::uint32_t>(sum) - std::bit_cast<std::uint32_t>(0.5F);

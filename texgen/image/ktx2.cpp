@@ -30,13 +30,13 @@ namespace {
 
 constexpr std::array<std::uint8_t, 12> kIdentifier = {
     0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb, '\r', '\n', 0x1a, '\n'};
-constexpr std::size_t kKtx2HeaderBytes = 80;  // identifier, header and index without its levels
+constexpr std::size_t kKtx2HeaderBytes = 80;  // everything before the index of the levels
 constexpr std::size_t kLevelEntryBytes = 24;  // an entry of the index of levels
 constexpr std::uint32_t kZstandard = 2;       // scheme of supercompression
 constexpr int kZstandardLevel = 5;
-constexpr std::size_t kMostLevelBytes = std::size_t{1} << 32U;  // of a level before compression
-// Zstandard stores at most 128 KiB of equal bytes in a block of 4 bytes. The limit keeps a small
-// file from claiming much memory.
+constexpr std::size_t kMostLevelBytes = std::size_t{1} << 32U;  // of one level, uncompressed
+// The largest compression ratio of Zstandard: a block of 4 bytes can stand for 128 KiB of equal
+// bytes. Larger ratios are rejected, so that a small file cannot claim much memory.
 constexpr std::size_t kLargestRatio = 32768;
 constexpr std::string_view kAnimation = "KTXanimData";
 constexpr std::size_t kAnimationBytes = 12;  // duration of a frame, time units per second, loops
@@ -62,7 +62,7 @@ std::string animation_value(const TextureAnimation& animation) {
 }
 
 // Returns the keys and values of a file, sorted as the specification requires. Values that are
-// texts end with a byte of 0. KTXswizzle marks a texture of four channels that has no alpha.
+// texts end with a byte of 0. KTXswizzle marks an opaque texture whose format has four channels.
 Bytes key_value_data(const GpuTexture& texture) {
     std::map<std::string, std::string, std::less<>> values(texture.text.begin(),
                                                            texture.text.end());
@@ -88,7 +88,7 @@ Bytes key_value_data(const GpuTexture& texture) {
     return bytes;
 }
 
-// Returns the bytes of a mip level of all layers.
+// Returns the images of all layers at one mip level.
 Bytes level_of(const GpuTexture& texture, int level) {
     Bytes bytes;
     for (const std::vector<Bytes>& layer : texture.layers) {
@@ -117,7 +117,7 @@ Bytes decompressed(std::span<const std::byte> packed, std::size_t size) {
     return bytes;
 }
 
-// The position of a mip level in a file.
+// The position and the sizes of a mip level in a file.
 struct LevelEntry {
     std::uint64_t offset = 0;
     std::uint64_t bytes = 0;
@@ -204,7 +204,7 @@ std::span<const std::byte> part_of(std::span<const std::byte> content,
     return content.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
-// Reads a mip level of all layers.
+// Reads the images of all layers at one mip level.
 void read_level(std::span<const std::byte> packed,
                 int level,
                 std::uint64_t uncompressed,
@@ -215,8 +215,8 @@ void read_level(std::span<const std::byte> packed,
                "a mip level has another size than its images");
     const unsigned long long claimed = ZSTD_getFrameContentSize(packed.data(), packed.size());
     check_ktx2(claimed == uncompressed && uncompressed / kLargestRatio <= packed.size(),
-               "a mip level is not compressed as the index says");
-    require_texture_memory(2 * uncompressed, texture.width, texture.height);  // with the copies
+               "the index of mip levels gives a wrong size for the compressed data of a level");
+    require_texture_memory(2 * uncompressed, texture.width, texture.height);  // `bytes`, layers
     const Bytes bytes = decompressed(packed, static_cast<std::size_t>(uncompressed));
     for (std::size_t k = 0; k < texture.layers.size(); ++k) {
         const auto part = std::span(bytes).subspan(k * image, image);

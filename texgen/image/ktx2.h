@@ -11,14 +11,16 @@
 namespace foam::texgen {
 
 /// Returns a texture as a KTX 2.0 file (Khronos Texture), whose mip levels are compressed with
-/// Zstandard. The texts become key/value data, and so does the animation of an array. On one
+/// Zstandard. The texts become key/value data. If the texture is an array with an animation
+/// (GpuTexture::animation), so do the frame rate and the repetition of the animation. On one
 /// machine, equal textures give equal bytes. Throws OutputError if Zstandard fails.
 Bytes encode_ktx2(const GpuTexture& texture);
 
 /// Returns the texture in a KTX 2.0 file. Throws InputError if the stream is malformed or
-/// truncated, if its format is not one of PixelFormat, if it is a cube or a volume, if it is not
-/// compressed with Zstandard, if its alpha is premultiplied, and for an image above the limits in
-/// input_limits.h. Throws OutOfMemory if the machine has too little memory for the texture.
+/// truncated, if its format is not one of PixelFormat, if the texture is a cube or a volume, if it
+/// is not compressed with Zstandard, if its alpha is premultiplied, and for an image above the
+/// limits in core/files/input_limits.h. Throws OutOfMemory if the machine has too little memory for
+/// the texture.
 GpuTexture decode_ktx2(std::span<const std::byte> content);
 
 }  // namespace foam::texgen

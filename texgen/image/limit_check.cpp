@@ -48,7 +48,7 @@ std::vector<std::string> reasons_of(const PixelDifferences& all,
                         above,
                         found.pixels,
                         limits_in_words(limits, !all.angles.empty()),
-                        allowed > 0 ? fmt::format(" instead of at most {}", allowed) : ""));
+                        allowed > 0 ? fmt::format(" although only {} are allowed", allowed) : ""));
     }
     if (limits.hard && found.largest > *limits.hard) {
         reasons.push_back(

@@ -9,19 +9,22 @@
 
 namespace foam::texgen {
 
-/// The differences of all pixels of two pictures, in the order of the samples of an Image.
+/// The differences of all pixels of two pictures, row by row from the bottom row. `differences` has
+/// the largest difference of the samples of each pixel. `angles` has the angle between the two
+/// normals at each pixel, in degrees; it is empty if pixels are not compared as normals.
 struct PixelDifferences {
-    std::span<const double> differences;  // per pixel: the largest difference of its samples
-    std::span<const double> angles;       // per pixel: degrees; empty unless pixels are normals
+    std::span<const double> differences;
+    std::span<const double> angles;
 };
 
 /// Returns the smallest difference that at least `percent` percent of the pixels do not exceed (the
-/// nearest-rank percentile). Preconditions: there is a pixel; `percent` is above 0 and at most 100.
+/// nearest-rank percentile). Preconditions: there is at least one pixel; `percent` is above 0 and
+/// at most 100.
 double percentile_of(std::span<const double> differences, double percent);
 
 /// Compares the differences with the limits. Sets these members of `found`: pixels, warning_pixels,
-/// failure_pixels, percentile, reasons and verdict. Preconditions: there is a pixel; the members
-/// `largest` and `rms` of `found` are set.
+/// failure_pixels, percentile, reasons and verdict. Preconditions: there is at least one pixel; the
+/// members `largest` and `rms` of `found` are set.
 void judge(const PixelDifferences& differences, const CompareLimits& limits, Comparison& found);
 
 }  // namespace foam::texgen

@@ -30,7 +30,7 @@ namespace {
 using Planes = std::vector<Image<float>>;
 
 constexpr std::size_t kColors = 3;   // red, green and blue
-constexpr std::size_t kOpacity = 3;  // index of the channel and of the plane of the opacity
+constexpr std::size_t kOpacity = 3;  // index of the opacity, both among channels and among planes
 
 template <class Code>
 constexpr float kLargest = static_cast<float>(std::numeric_limits<Code>::max());
@@ -39,11 +39,11 @@ constexpr float kLargest = static_cast<float>(std::numeric_limits<Code>::max());
 template <class Code>
 struct Conversion {
     TexelMeaning meaning;
-    bool color;            // sRGB colors
-    std::size_t channels;  // of the picture
+    bool color;            // true if the codes are sRGB colors
+    std::size_t channels;  // number of channels of the picture
     std::span<const std::uint8_t, 65536> codes = srgb_codes_of_light();
-    std::vector<float> light{};      // of each code, for colors
-    std::vector<float> fractions{};  // of each code, for other channels
+    std::vector<float> light{};      // for colors: the linear light of each code
+    std::vector<float> fractions{};  // for other channels: the number that each code represents
 
     Conversion(const Picture& picture, TexelMeaning given)
         : meaning(given),
@@ -71,7 +71,7 @@ struct Conversion {
         const double whole = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
         if (!is_light(channel)) {
             // The product is exact, and so is the sum unless the product is far below 1.
-            // std::lround would be a call for each number.
+            // std::lround would be slower, because it would be a function call for each number.
             // NOLINTNEXTLINE(bugprone-incorrect-roundings)
             return static_cast<Code>(whole * static_cast<double>(kLargest<Code>) + 0.5);
         }
@@ -103,7 +103,7 @@ void fill_plane(const Image<Code>& pixels,
 template <class Code>
 Planes first_planes(const Image<Code>& pixels, const Conversion<Code>& conversion) {
     Planes planes;
-    Planes colors;  // that are not multiplied by the opacity
+    Planes colors;  // the planes of colors that are not multiplied by the opacity
     Image<float> plane(pixels.width(), pixels.height(), 1);
     Image<float> opacity;
     if (conversion.has_opacity()) {
@@ -131,8 +131,8 @@ Planes halved(const Planes& planes) {
     return smaller;
 }
 
-// Returns the numbers of a pixel that are stored: unit vectors, and colors that are not multiplied
-// by the opacity.
+// Returns the numbers from which the codes of pixel k are computed. Normals are scaled to unit
+// length and mapped to the range from 0 to 1; colors are divided by the opacity.
 template <class Code>
 std::array<float, 4> stored_numbers(const Planes& planes,
                                     std::size_t k,

@@ -15,7 +15,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;  // degrees per radian
-constexpr double kOpposite = 180.0;  // degrees; also for a normal without direction
+constexpr double kOpposite = 180.0;  // degrees; also the result if a normal has no direction
 
 using Normal = std::array<double, 3>;
 

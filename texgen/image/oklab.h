@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-/// A color in Oklab, in which equal distances look about equally different (B. Ottosson, "A
-/// perceptual color space for image processing", 2020).
+/// A color in Oklab, a color space in which the distance between two colors is about proportional
+/// to how different they look (B. Ottosson, "A perceptual color space for image processing", 2020).
 struct Oklab {
     double lightness = 0.0;  // from 0 (black) to 1 (white)
     double a = 0.0;          // from green to red

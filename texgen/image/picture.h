@@ -33,7 +33,7 @@ std::string_view name_of(SampleType type);
 using Samples =
     std::variant<Image<std::uint8_t>, Image<std::uint16_t>, Image<float>, Image<std::uint32_t>>;
 
-/// Channels of a picture whose samples are interleaved in one image.
+/// Some channels of a picture. The samples of these channels are interleaved in one image.
 struct ChannelGroup {
     /// One name per channel, such as "R". A name such as "height.Y" is the channel Y of the layer
     /// "height".
@@ -57,7 +57,8 @@ struct ImageMetadata {
     /// are linear light. False for data, such as heights or ids: the file then carries no color
     /// space, so that readers do not convert the values.
     bool color = false;
-    /// The primaries of the colors, if there are any. Only an EXR stores other primaries than Srgb.
+    /// The primaries of the colors; unused if `color` is false. Only an EXR stores other primaries
+    /// than Srgb.
     Primaries primaries = Primaries::Srgb;
     bool periodic = false;  // the picture tiles in both directions
     std::optional<FrameRate> frame_rate = {};

@@ -9,7 +9,8 @@
 
 namespace foam::texgen {
 
-/// A layer of a picture: the channels that are in the same layer (layer_of in picture.h).
+/// A layer of a picture: the channels whose names have the same text before the last dot (layer_of
+/// in picture.h).
 struct PictureLayer {
     std::string name;  // "height" for the channel "height.Y"; empty for channels without a layer
     Picture picture;

@@ -12,8 +12,8 @@ namespace foam::texgen {
 
 namespace {
 
-// The rows are in the order of PixelFormat. The numbers are those of DXGI_FORMAT in dxgiformat.h
-// and of VkFormat in the Vulkan specification.
+// The rows are in the order of PixelFormat. The first number of a row is from DXGI_FORMAT in
+// dxgiformat.h, the second from VkFormat in the Vulkan specification.
 constexpr std::array<PixelFormatFacts, 10> kFormatFacts{
     {{PixelFormat::R8, "R8_UNORM", 61, 9, 1, 8, false, false, 1},
      {PixelFormat::R16, "R16_UNORM", 56, 70, 1, 16, false, false, 2},

@@ -10,7 +10,7 @@
 namespace foam::texgen {
 
 /// A pixel format of a texture for graphics hardware. Channels are red, green, blue and alpha, in
-/// this order. All numbers are codes, whose largest value represents 1.
+/// this order. Samples are unsigned integers (codes); the largest code represents 1.
 enum class PixelFormat : std::uint8_t {
     R8,         // one channel of 8 bits
     R16,        // one channel of 16 bits
@@ -27,7 +27,7 @@ enum class PixelFormat : std::uint8_t {
 /// The facts about a pixel format.
 struct PixelFormatFacts {
     PixelFormat format;
-    std::string_view name;  // as Direct3D calls it, without "DXGI_FORMAT_"
+    std::string_view name;  // the name in Direct3D, without "DXGI_FORMAT_"
     std::uint32_t dxgi;     // the number of the format in Direct3D (DXGI_FORMAT)
     std::uint32_t vulkan;   // the number of the format in Vulkan (VkFormat)
     int channels = 0;

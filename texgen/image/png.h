@@ -19,8 +19,8 @@ enum class PngFilter : std::uint8_t { None, Sub, Up, Average, Paeth };
 
 /// Options of filtering and compression. The pixels do not depend on them.
 struct PngEncoding {
-    // None gives the smallest files for maps in which each bubble has a single color or number. Up
-    // or Sub gives the smallest files for smooth maps.
+    // The filter None gives the smallest files for maps in which each bubble has a single color or
+    // number. The filter Up or Sub gives the smallest files for smooth maps.
     PngFilter filter = PngFilter::None;
     Compression compression = Compression::Fast;
     /// The number of threads that compress a picture with Compression::Fast; 0 or less means as

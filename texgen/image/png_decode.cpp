@@ -41,9 +41,10 @@ void check_stream_length(const PngSession& session, std::size_t left) {
     }
 }
 
-/// Throws InputError if a chunk is longer than the rest of the file. libpng allocates a chunk
-/// before it reads it, so without this check a short file could make it allocate 2 GiB. Bytes after
-/// the last chunk, IEND, are ignored. Files that are no PNG pass, because libpng rejects them.
+/// Throws InputError if a chunk is longer than the rest of the file. libpng allocates memory for a
+/// chunk before it reads the chunk, so without this check a short file could make libpng allocate
+/// 2 GiB. Bytes after the last chunk, IEND, are ignored. Files that are no PNG pass this check;
+/// libpng rejects them later.
 void check_chunk_lengths(std::span<const std::byte> file) {
     std::optional<std::span<const std::byte>> rest = after_png_signature(file);
     while (rest && !rest->empty()) {

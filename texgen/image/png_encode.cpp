@@ -60,7 +60,7 @@ std::vector<png_text> text_chunks(const ImageMetadata& metadata) {
         }
         png_text chunk{};
         chunk.compression = text_kind(text);
-        chunk.key = const_cast<png_charp>(key.c_str());  // libpng copies and does not write
+        chunk.key = const_cast<png_charp>(key.c_str());  // libpng only reads it
         chunk.text = const_cast<png_charp>(text.c_str());
         chunks.push_back(chunk);
     }

@@ -20,7 +20,7 @@ namespace foam::texgen {
 
 namespace {
 
-/// The bytes from which a row and its predictions are computed: pointers to the first pixel of the
+/// The bytes from which a filtered row is computed: pointers to the first pixel of the unfiltered
 /// row and to the first pixel of the row above it, and the size of a pixel in bytes.
 struct Neighbors {
     const std::uint8_t* current;

@@ -23,9 +23,10 @@ struct Chromaticities {
     Chromaticity white;
 };
 
-/// Returns the chromaticities of a color space. Srgb: ITU-R BT.709 with the white point D65
-/// (IEC 61966-2-1). AcesCg: the primaries AP1 with the white point of ACES, about D60 (the
-/// Academy's specification S-2014-004, "ACEScg - A Working Space for CGI Render and Compositing").
+/// Returns the chromaticities of a color space. Primaries::Srgb has those of ITU-R BT.709 with the
+/// white point D65 (IEC 61966-2-1). Primaries::AcesCg has the primaries AP1 with the white point of
+/// ACES, about D60 (the Academy's specification S-2014-004, "ACEScg - A Working Space for CGI
+/// Render and Compositing").
 Chromaticities chromaticities_of(Primaries primaries);
 
 /// The rows of a matrix that is multiplied by a color, a column vector of red, green and blue.

@@ -24,13 +24,13 @@ struct TextureFormat {
 const TextureFormat* find_texture_format(std::string_view file_name);
 
 /// Returns the content of a file that stores a picture as a texture. Throws the exceptions of
-/// texture_of and of the format.
+/// texture_of and of TextureFormat::encode.
 Bytes encode_picture(const TextureFormat& format,
                      const Picture& picture,
                      const GpuEncoding& encoding);
 
-/// Returns the picture in a file with this content. Throws the exceptions of picture_of and of the
-/// format, and InputError for an array of several layers.
+/// Returns the picture in a file with this content. Throws the exceptions of picture_of and of
+/// TextureFormat::decode, and InputError for an array of several layers.
 Picture decode_picture(const TextureFormat& format, std::span<const std::byte> content);
 
 }  // namespace foam::texgen

@@ -13,15 +13,15 @@ inline constexpr std::uint32_t kMostLayers = 2048;
 /// Checks the sizes in the header of a texture before memory is allocated for its images. Throws
 /// InputError if one of the four numbers is 0, if the image is above the limits in input_limits.h,
 /// if there are more mip levels than an image of this size has (full_level_count), or if there are
-/// more than kMostLayers layers. `format` is the name of the file format for the message.
+/// more than kMostLayers layers. `format` is the name of the file format, for the message.
 void check_texture_size(std::string_view format,
                         std::uint32_t width,
                         std::uint32_t height,
                         std::uint32_t levels,
                         std::uint32_t layers);
 
-/// Throws OutOfMemory if the machine has too little memory for `bytes` bytes of a texture. Width
-/// and height are those of the texture for the message.
+/// Throws OutOfMemory if the machine has too little memory for `bytes` bytes of a texture. `width`
+/// and `height` are the size of the texture, which the message states.
 void require_texture_memory(std::uint64_t bytes, int width, int height);
 
 }  // namespace foam::texgen

@@ -22,8 +22,9 @@ namespace {
 // memory in proportion to this number.
 constexpr int kDeepest = 16;
 
-/// Returns the parser's message without its error code. The text that the message quotes, with all
-/// that follows it, is made printable and shortened in its middle to kLongestQuote characters.
+/// Returns the parser's message without its error code. If the message quotes the text that was
+/// read last, the rest of the message, from this text on, is made printable and is shortened in the
+/// middle to kLongestQuote characters.
 std::string reason(const std::string& what) {
     constexpr std::string_view kQuote = "last read: '";
     const std::size_t code = what.find("] ");

@@ -16,10 +16,10 @@
 
 namespace foam::texgen {
 
-/// A value of a JSON file, and its path in the file, such as "sets[0].size". The object refers to
-/// its JsonDocument, which must outlive the object. Every function throws InputError
-/// (core/files/file_io.h) if the value has another JSON type than the function needs. The message
-/// names the file, the path, the value, and the allowed values.
+/// A value of a JSON file, and its path in the file, such as "sets[0].size". A JsonValue refers to
+/// its JsonDocument, which must outlive it. Every function throws InputError (core/files/file_io.h)
+/// if the value has another JSON type than the function needs. The message names the file, the
+/// path, the value, and the allowed values.
 class JsonValue {
   public:
     /// Returns a member of an object. Throws InputError if it is missing or null.

@@ -38,7 +38,7 @@ struct KeyInfo {
     std::string allowed;  // the allowed values: "an integer from 4 to 1000000"
     std::string schema;   // the allowed values as a JSON Schema
     /// The words that are allowed as a value, or as items of a list. Other texts may be allowed,
-    /// too. The list is empty if the values are not words.
+    /// too. This member is empty if the values are not words.
     std::vector<std::string_view> words{};
     /// Returns the specific reason why a value is not allowed; empty if there is none. An error
     /// message appends the reason to `allowed`, unless the message suggests a word. This member is
@@ -103,7 +103,7 @@ struct Key : KeyInfo {
 
     /// Returns a copy of this key with a condition: the key must keep its default unless the other
     /// key has one of the given values. `other` is the complete path of the other key, because
-    /// make_nested_keys does not change it.
+    /// make_nested_keys does not add the name of a table to this path.
     Key only_for(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.condition = Condition{other, std::move(values)};

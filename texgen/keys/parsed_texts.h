@@ -13,9 +13,10 @@
 
 namespace foam::texgen {
 
-/// Lists of texts, each of which a function parses. A single text may be written without brackets.
-/// `parse` throws std::invalid_argument for a text that is not allowed; the message is the fault of
-/// the value. `description` describes the allowed values in words.
+/// A kind of values: lists of texts. A single text may be written without brackets. The function
+/// `parse` checks each text of a list: it throws std::invalid_argument for a text that is not
+/// allowed; fault() returns the message of this exception. `description` describes the allowed
+/// values in words.
 template <auto parse>
 struct ParsedTexts {
     std::string_view description;

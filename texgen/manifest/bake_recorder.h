@@ -18,7 +18,8 @@ namespace foam::texgen {
 std::filesystem::path manifest_folder(const Preset& preset);
 
 /// Returns the paths of the files that a bake will write, relative to `folder`, the folder of the
-/// manifest. Files of BakeOptions::existing_frames are left out.
+/// manifest. The files of the frames in BakeOptions::existing_frames are left out, because the bake
+/// keeps them.
 std::vector<std::string> written_paths(const Preset& preset,
                                        const BakeOptions& options,
                                        const std::filesystem::path& folder);

@@ -20,14 +20,15 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the hash that the manifest records for a file.
+// Returns the hash of a file as it is now, of the kind that ManifestFile::pixels records.
 std::string recorded_hash(const std::filesystem::path& path) {
     return find_vector_format(path.string()) != nullptr ? file_hash(path)
                                                         : pixel_hash(read_picture(path));
 }
 
-// Returns true if a file exists and has the recorded pixels. Compares the size first, because this
-// is fast and most damaged files differ in size.
+// Returns true if a file exists and has the hash that the manifest records (ManifestFile::pixels).
+// Compares the size of the file with the recorded size first, because this is fast and most damaged
+// files have another size.
 bool has_recorded_pixels(const ManifestFile& file, const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / file.path;
     std::error_code error;
@@ -41,7 +42,8 @@ bool has_recorded_pixels(const ManifestFile& file, const std::filesystem::path& 
     }
 }
 
-// Returns the names that the manifest lists for the files of a frame.
+// Returns the names by which BakedSet::find_file finds the files of a frame: the names of the maps
+// and packed images, or of the vector files.
 std::vector<std::string> names_of(const Preset& preset) {
     if (vector_format_of(preset) != nullptr) {
         return vector_parts(preset);
@@ -67,7 +69,8 @@ std::set<int> existing_frames_of(const Preset& preset,
     if (set == nullptr) {
         return {};
     }
-    // A layered EXR with further maps is not the file that a bake of these maps writes.
+    // An EXR that also has layers of maps that the preset does not draw is not the file that a bake
+    // of the preset writes.
     const std::vector<std::string> names = names_of(preset);
     const auto is_wanted = [&](const std::string& map) {
         return std::ranges::find(names, map) != names.end();

@@ -17,11 +17,12 @@ namespace foam::texgen {
 /// its content. Throws InputError, whose message names the file, if the file cannot be read.
 std::string file_hash(const std::filesystem::path& path);
 
-/// Returns the subset of `frames` whose files a resumed bake can keep. The manifest must have a set
-/// with the BakedSet::parameters of the preset. For every map of the preset, this set must list a
-/// file of the frame. The file must still have the pixels that the manifest records, and must
-/// contain no map that the preset does not have. The set must also have the measurements of the
-/// frame that output.measurements lists. `folder` is the folder of the manifest.
+/// Returns the subset of `frames` whose files a resumed bake can keep. If the manifest has no set
+/// of images (BakedSet) with the BakedSet::parameters of the preset, the subset is empty. Otherwise
+/// it contains the frames that meet two conditions. First, the set lists a file of the frame for
+/// every map of the preset; each of these files still has the pixels that the manifest records, and
+/// contains no map that the preset does not have. Second, the set has, for the frame, all
+/// measurements that the key output.measurements lists. `folder` is the folder of the manifest.
 std::set<int> existing_frames_of(const Preset& preset,
                                  const std::vector<int>& frames,
                                  const std::filesystem::path& folder,

@@ -57,7 +57,7 @@ void merge_into(BakedSet& into, const BakedSet& more) {
     into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
     // The conventions contain the motion multiplier. If the multiplier is automatic, it is known
     // only after ranges have been fitted, that is, once a bake has written a file of the map
-    // motion.
+    // `motion`.
     const ManifestMap* const motion = more.find_map(kMotionMap.name);
     if (motion != nullptr && motion->samples) {
         into.conventions = more.conventions;

@@ -20,16 +20,17 @@ inline constexpr int kManifestVersion = 1;
 /// The value of the member "format" of every manifest.
 inline constexpr std::string_view kManifestFormat = "foamtex-manifest";
 
-/// The value of the member "kind" of drawings, tables and meshes in vector files.
+/// The value of the member "kind" of an item of the list "maps" in a manifest, if the item is a
+/// drawing, table or mesh.
 inline constexpr std::string_view kVectorKind = "vector";
 
-/// One map, one packed image (maps/packing.h), or one drawing, table or mesh in vector files
-/// (vector/format.h), of a set.
+/// An item of the list BakedSet::maps: a map, a packed image (maps/packing.h), or a drawing, table
+/// or mesh, which is stored in vector files (vector/format.h).
 struct ManifestMap {
     std::string name;
     std::string meaning;
     std::string unit;         // unit of the values, and the meaning of the samples of a PNG
-    std::string note;         // additional information, such as the direction of y; may be empty
+    std::string note;         // DrawnImage::note, such as the direction of y; may be empty
     std::vector<int> frames;  // requested frames, in increasing order
     std::optional<MapSamples> samples;  // nullopt until the first file of the map is written
     // The content of each channel of a packed image, such as "1-roughness"; empty for a map.
@@ -86,15 +87,18 @@ struct FrameStatistics {
     double time = 0.0;   // foam time
     int bubbles = 0;
     double mean_area = 0.0;
-    std::int64_t t1 = 0;       // number of T1s
-    std::int64_t t2 = 0;       // number of T2s
-    double area_error = 0.0;   // largest |A / A_target - 1|; NaN if the manifest has null
-    double angle_error = 0.0;  // largest deviation from 120 degrees, radians; NaN for null
-    double simulating = 0.0;   // wall time, seconds
-    double drawing = 0.0;      // wall time of drawing, encoding, writing and measuring, seconds
+    std::int64_t t1 = 0;  // number of T1s
+    std::int64_t t2 = 0;  // number of T2s
+    // The largest |A / A_target - 1|, and the largest deviation from 120 degrees, in radians. A
+    // manifest stores infinity and NaN as null; null is read as NaN.
+    double area_error = 0.0;
+    double angle_error = 0.0;
+    double simulating = 0.0;  // wall time, seconds
+    double drawing = 0.0;     // wall time of drawing, encoding, writing and measuring, seconds
     // nullopt in manifests that older versions of foamtex wrote.
     std::optional<FrameMechanics> mechanics{};
-    // The JSON object that measurements_json returned; empty if there is none.
+    // The JSON object that measurements_json (bake/measurements.h) returned; empty if there is
+    // none.
     std::string measurements{};
 
     friend bool operator==(const FrameStatistics&, const FrameStatistics&) = default;
@@ -108,7 +112,7 @@ struct ManifestLoop {
     bool cross_faded = false;
     // Loops of the kinds breathe, shear and boil: the distance (closing_error in
     // core/dynamics/cycle.h) between the foam at the start and at the end of the last cycle before
-    // frame 1, in diameters of a mean bubble; nullopt if no such cycle was simulated. An infinite
+    // frame 1, in mean bubble diameters; nullopt if no such cycle was simulated. An infinite
     // distance becomes nullopt when a manifest is written and read again.
     std::optional<double> closing_error;
 
@@ -134,9 +138,10 @@ struct BakedSet {
     std::string version;  // version of foamtex
     std::string preset;   // name of the preset
     std::string description;
-    std::string toml;        // all keys of the preset as TOML
-    std::string parameters;  // hash of version, preset name, all keys except image.maps,
-                             // output.scene and output.measurements, and the files that keys name
+    std::string toml;  // all keys of the preset as TOML
+    // A hash of `version`, the name of the preset, the content of the files that keys name, and all
+    // keys except image.maps, output.scene and output.measurements.
+    std::string parameters;
     std::uint64_t seed = 0;
     int width = 0;
     int height = 0;
@@ -150,7 +155,8 @@ struct BakedSet {
     // The reason why the last bake ended early; empty if it did not end early, or if complete().
     std::string failure;
     std::vector<ManifestScene> scenes{};
-    // kAlgorithmVersion of the program; 0 in manifests of older programs, which did not record it.
+    // kAlgorithmVersion (preset/algorithm_version.h) of the program that baked the set; 0 in
+    // manifests of older programs, which did not record it.
     int algorithm_version = 0;
 
     /// Returns true if every map has a file of each of its requested frames.
@@ -168,8 +174,8 @@ struct BakedSet {
     friend bool operator==(const BakedSet&, const BakedSet&) = default;
 };
 
-/// The manifest of a folder: all sets of images in it. The newest set, into which `merge` has
-/// merged a bake last, is at the end.
+/// The manifest of a folder: all sets of images in it. The newest set, which the latest call of
+/// `merge` has added or changed, is at the end.
 struct Manifest {
     std::vector<BakedSet> sets;
 
@@ -188,12 +194,12 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// exceptions: the old closing error stays if `set` has none, and there is no failure if the merged
 /// set is complete. The scene files of the old set stay. The note of a map is replaced if a file of
 /// the map has been written, that is, if the map has ManifestMap::samples in `set`. The conventions
-/// are replaced if a file of the map motion has been written. If the manifest has no set with the
+/// are replaced if a file of the map `motion` has been written. If the manifest has no set with the
 /// same parameters, `set` is appended. In either case, the set becomes the last one of the
 /// manifest. Other sets that have no files left are removed.
 void merge(Manifest& manifest, const BakedSet& set);
 
-/// The number of files of a set that a bake of another set replaces.
+/// A set, and the number of its files that a bake of another set replaces.
 struct ReplacedFiles {
     const BakedSet* set = nullptr;  // refers to an element of Manifest::sets
     std::size_t count = 0;          // number of files

@@ -84,8 +84,8 @@ BakeSummary bake_and_record(const Preset& preset,
     return bake(preset, options, recording);
 }
 
-// Fits the automatic ranges of a preset to the frames of a sequence. Precondition: the options have
-// a source if the preset has automatic ranges.
+// Fits the automatic ranges of a preset to the frames of a sequence. Precondition: if the preset
+// has automatic ranges, options.source can make frames (it is not empty).
 RunOutcome fit_ranges(Preset& preset,
                       const BakeOptions& options,
                       const std::vector<int>& sequence,

@@ -44,8 +44,9 @@ std::string words_of(const SetChoice& choice) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// Returns the end of a message about an unknown preset: the preset of the manifest with the most
-// similar name. Returns an empty text if the manifest has the preset, or none that is similar.
+// Returns the end of a message about an unknown preset, which suggests the preset of the manifest
+// with the most similar name. Returns an empty text if the manifest has the preset, or if no preset
+// of the manifest has a similar name.
 std::string similar_preset(const Manifest& manifest, const std::string& preset) {
     std::vector<std::string_view> presets;
     for (const BakedSet& set : manifest.sets) {

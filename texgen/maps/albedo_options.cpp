@@ -17,12 +17,12 @@ namespace foam::texgen {
 
 namespace {
 
-// The last assignment to one of the keys colormap, colors and colors.from is used. So setting a
-// color map removes the colors of a preset. An empty colors.from removes only colors that were
-// taken from a picture.
+// The keys colormap, colors and colors.from exclude each other: the key that is assigned last
+// determines the colors. For this reason, setting a color map removes the colors of a preset. An
+// empty colors.from removes only colors that were taken from a picture.
 
-// Returns a copy of a key that calls `then(before, options)` after its value has been read, with
-// the options before and after reading.
+// Returns a copy of a key that calls then(before, options) after its value has been stored in
+// `options`. `before` is a copy of the options as they were before the value was stored.
 template <class Function>
 Key<AlbedoOptions> with_effect(Key<AlbedoOptions> key, const Function& then) {
     key.read = [read = std::move(key.read), then](const Value& value, AlbedoOptions& options) {
@@ -36,8 +36,9 @@ Key<AlbedoOptions> with_effect(Key<AlbedoOptions> key, const Function& then) {
     return key;
 }
 
-// Replaces the colors of the picture before, if there was one, by the main colors of the present
-// picture, if there is one.
+// If options.colors_from is set, replaces options.colors by the main colors of this picture. If it
+// is not set, but before.colors_from is, removes options.colors, which are the main colors of the
+// earlier picture.
 void update_colors(const AlbedoOptions& before, AlbedoOptions& options) {
     if (before.colors_from.is_set() || options.colors_from.is_set()) {
         options.colors.clear();
@@ -156,8 +157,8 @@ Keys<AlbedoOptions> bubble_keys() {
     return {
         key("color_mix",
             kColorMixes,
-            "blend interpolates between albedo.colors; pick uses only these colors themselves, and "
-            "a color then begins at its position",
+            "blend interpolates between albedo.colors; pick uses only these colors themselves, "
+            "each from its position on the scale to the position of the next color",
             &Options::color_mix)
             .unused_with("albedo.colors", {"[]"}),
         key("variation",

@@ -21,7 +21,7 @@ enum class ColorBy {
     Area,
     Sides,   // the scale goes from three sides to nine sides
     Random,  // a pseudo-random position on the scale, which a bubble keeps for life
-    // Not a position on the scale: the mean color of a picture under the bubble.
+    // There is no scale: a bubble has the mean color of the part of a picture that it covers.
     Picture,
 };
 
@@ -35,7 +35,9 @@ enum class PictureSampling {
 /// The construction of a scale of colors from the list AlbedoOptions::colors.
 enum class ColorMix {
     Blend,  // interpolated from each color to the next
-    Pick,   // not interpolated; without positions, each color covers an equal part of the scale
+    // Not interpolated: each color covers the scale from its position to the position of the next
+    // color. If no color has a position, each covers an equal part of the scale.
+    Pick,
 };
 
 /// The shape of films.
@@ -51,7 +53,7 @@ enum class WidthUnit {
 };
 
 /// The colors of bubbles, and the width and shape of films. The walls of mazes, the lines of the
-/// map contour, and the relief have widths of their own.
+/// map `contour`, and the relief have widths of their own.
 struct AlbedoOptions {
     ColorBy color_by = ColorBy::Pressure;
     std::string colormap = "viridis";

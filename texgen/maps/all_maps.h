@@ -57,7 +57,7 @@ struct MapOptions {
     OcclusionOptions occlusion;
     CurvatureOptions curvature;
     ThinFilmOptions thin_film;
-    MazeOptions maze;  // used by maze, maze_solution, lit, emission, and ReliefFilms::Walls
+    MazeOptions maze;  // used by all maps that show a maze (shows_maze)
     ContourOptions contour;
     CausticsOptions caustics;
 };

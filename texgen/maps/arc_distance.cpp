@@ -19,8 +19,9 @@ namespace {
 constexpr int kBandRows = 32;  // rows that one thread computes at a time
 
 // Returns the distance from a point to the circle that contains an arc, and the direction from the
-// nearest point of the circle to the given point. For the point p, the chord c, the half angle a,
-// and q = |p|² sin a - p.c sin a - (c x p) cos a, the distance is
+// nearest point of the circle to the given point. Let p be the point relative to the tail of the
+// arc, c the chord, a the half angle, and q = |p|² sin a - p.c sin a - (c x p) cos a, where p.c is
+// the scalar product. The distance is
 //     |q| / (|c| / 2 + sqrt(|c|² / 4 + q sin a)).
 // This formula also holds for a straight line, where a = 0. The gradient of |q| points away from
 // the nearest point of the circle.
@@ -72,8 +73,8 @@ struct PixelRange {
     int end;
 };
 
-// Returns a part of a range that contains all pixels at most `extent` from a position. It may also
-// contain a few pixels that are farther away.
+// Returns the part of `range` that is near a position: all pixels of the range that are at most
+// `extent` from the position, and possibly a few pixels that are farther away.
 PixelRange range_near(double position, double extent, PixelRange range) {
     const double first = std::floor(position - extent);
     const double last = std::ceil(position + extent);
@@ -81,8 +82,8 @@ PixelRange range_near(double position, double extent, PixelRange range) {
             static_cast<int>(std::min(last + 1.0, static_cast<double>(range.end)))};
 }
 
-// Stores the distance of `nearest` at a pixel if it is smaller than the distance stored there. Then
-// also stores the gradient of the distance, if gradients are needed.
+// If the distance of `nearest` is smaller than the distance stored at a pixel, replaces the stored
+// distance and, if gradients are needed, the stored gradient.
 void lower_to(const NearestOnArc& nearest, int x, int y, ArcDistances& distances) {
     float& distance = distances.distance.pixel(x, y)[0];
     if (static_cast<float>(nearest.distance) >= distance) {

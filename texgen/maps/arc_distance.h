@@ -22,8 +22,8 @@ struct PlacedArc {
 struct NearestOnArc {
     double distance = 0.0;  // in pixels
     // The direction from the nearest point of the arc to the given point, as a vector of any
-    // length. If the given point is on the arc, the vector is a normal of the arc; it is zero if
-    // the chord of the arc is zero, too.
+    // length. If the given point is on the arc, the vector is instead a normal of the arc, or zero
+    // if the arc has a chord of length zero.
     Vec2 direction{0.0, 0.0};
 };
 
@@ -44,15 +44,15 @@ struct ArcDistanceNeeds {
 /// Distances from the centers of pixels to the nearest of several arcs.
 struct ArcDistances {
     Image<float> distance;  // one channel, in pixels; infinite beyond the reach
-    // The gradient of the distance: x to the right, y up; zero beyond the reach. Empty if it is not
-    // needed.
+    // The gradient of the distance: x to the right, y up; zero beyond the reach. The image is empty
+    // unless ArcDistanceNeeds::gradient is true.
     Image<float> gradient;
 };
 
 /// Returns the distances to the nearest of the arcs and of their periodic copies. Visits the pixels
 /// in a square around each arc, so it is fast only for short arcs. The result does not depend on
-/// `threads` (core/parallel/parallel_for.h). Precondition: pixels_per_unit does not throw for this
-/// grid and this domain.
+/// `threads` (core/parallel/parallel_for.h). Precondition: the function pixels_per_unit
+/// (raster_grid.h) does not throw for this grid and this domain.
 ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const RasterGrid& grid,
                                const Domain& domain,
@@ -63,9 +63,10 @@ ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
 /// `width` is the full width of the strokes in pixels.
 ArcDistanceNeeds stroke_needs(double width);
 
-/// Returns the fraction of every pixel that strokes with round ends cover, in one channel.
-/// `distance` contains the distances to the center lines of the strokes, which
-/// distances_to_arcs computes with the result of stroke_needs; `width` is the full width in pixels.
+/// Returns the coverage of strokes with round ends: the fraction of every pixel that the strokes
+/// cover, in one channel. `distance` contains the distances to the center lines of the strokes,
+/// which distances_to_arcs computes with the result of stroke_needs; `width` is the full width in
+/// pixels.
 /// The fraction is approximate: at the edge of a stroke it falls linearly from 1 to 0 over the
 /// width of a pixel. A stroke narrower than a pixel is drawn one pixel wide, with its fractions
 /// multiplied by its width.

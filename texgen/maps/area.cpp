@@ -17,7 +17,7 @@ Keys<AreaOptions> area_keys() {
             "area that a PNG stores as its largest code, in the unit area.unit; \"auto\" fits the "
             "whole animation",
             &AreaOptions::full)
-            .in("areas of a mean bubble, which area.unit selects")};
+            .in("areas of the mean bubble, selected by area.unit")};
 }
 
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options) {

@@ -11,15 +11,15 @@ namespace foam::texgen {
 
 inline constexpr MapTraits kAreaMap = {.name = "area",
                                        .meaning = "area of bubbles",
-                                       .unit = "mean areas; PNG: 0 to area.full",
+                                       .unit = "areas of the mean bubble; PNG: 0 to area.full",
                                        .channels = "Y",
                                        .png_bits = 16,
                                        .full_key = "area.full"};
 
 struct AreaOptions {
     MeanBubble unit = MeanBubble::Current;
-    // The area that a PNG stores as its largest code (65535), in areas of the mean bubble that
-    // `unit` selects.
+    // The area that a PNG stores as its largest code (65535). Its unit is the area of the mean
+    // bubble that `unit` selects.
     AutoReal full{4.0, true};
 };
 

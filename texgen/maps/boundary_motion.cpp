@@ -10,12 +10,12 @@
 
 namespace foam::texgen {
 
-// Mean value coordinates (Floater 2003, Hormann and Floater 2006): the motion of the point is a
-// weighted mean of the motions of the corners. A corner at the distance r from the point has the
-// weight (tan(a / 2) + tan(b / 2)) / r, where a and b are the signed angles that the two sides at
-// the corner subtend at the point. The outer loop visits the sides, and adds the term of each side,
-// tan(a / 2) / r, to the weights of both its ends, for all points. Weights are infinite at a point
-// on a corner or a side, so these points are computed separately.
+// Mean value coordinates (Floater 2003, Hormann and Floater 2006): the motion of a point is a
+// weighted mean of the motions of the polygon's corners. A corner at the distance r from the point
+// has the weight (tan(a / 2) + tan(b / 2)) / r, where a and b are the signed angles that the two
+// sides at the corner subtend at the point. The outer loop visits the sides, and adds the term of
+// each side, tan(a / 2) / r, to the weights of both its ends, for all points. Weights are infinite
+// at a point on a corner or a side, so these points are computed separately.
 
 namespace {
 
@@ -39,7 +39,7 @@ void for_each_side(const BoundaryMotion& boundary, const Visit& visit) {
     }
 }
 
-// The sum of weights for each point, and whether the point is on the polygon.
+// The sum of weights for each point, and whether the point is on a side of the polygon.
 struct Weights {
     explicit Weights(std::size_t count) : sums(count), is_on_side(count) {}
 
@@ -80,8 +80,8 @@ void add_side(const Side& side, MovingPoints& points, Weights& weights) {
     });
 }
 
-// Returns the motion of a point on the polygon, interpolated along the last side that contains the
-// point.
+// Returns the motion of a point on a side of the polygon, interpolated between the ends of the
+// side. If several sides contain the point, as at a corner, the last one is used.
 Vec2 motion_on_side(const BoundaryMotion& boundary, const Vec2& point) {
     Vec2 motion = Vec2::Zero();
     for_each_side(boundary, [&](const Side& side) {

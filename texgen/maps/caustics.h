@@ -11,8 +11,8 @@
 
 namespace foam::texgen {
 
-/// The traits declare no smooth distance, because draw_caustics computes a distance field of its
-/// own, on a finer grid.
+/// MapTraits::smooth_distance is left Unused, because draw_caustics computes a distance field of
+/// its own. The points of this field are the starts of the rays, of which a pixel may have several.
 inline constexpr MapTraits kCausticsMap = {
     .name = "caustics",
     .meaning = "light on the floor of a pool whose water surface is the relief",

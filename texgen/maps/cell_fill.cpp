@@ -24,10 +24,10 @@ constexpr std::uint16_t kFullValue = 65535;
 using Texel = std::array<std::uint16_t, kMaxChannels>;
 
 // Returns the values of all bubbles, and of the surroundings of a patch, in the order of
-// CellValues. texel_of(k) returns the value of bubble k in the order of PerBubble, and `count` is
-// the number of bubbles. Only the first `channels` channels of a value are used. In a patch the
-// surroundings come after the bubbles of the network and before the lone bubbles, and have the
-// value 0.
+// CellValues. texel_of(k) returns the value of bubble k, where bubbles are numbered in the order of
+// PerBubble, and `count` is the number of bubbles. Only the first `channels` channels of a value
+// are used. In a patch the surroundings come after the bubbles of the network and before the lone
+// bubbles, and have the value 0.
 template <class TexelOf>
 CellValues cell_values(const FrameLayers& layers,
                        std::size_t channels,
@@ -56,8 +56,8 @@ Texel light_of(const LinearRgb& color) {
 }
 
 // A linear scale from the smallest number in a CellNumbers to the largest one, divided into 65535
-// equal steps. The class converts between numbers and counts of steps from the start of the scale,
-// which are the 16-bit integers of the rasterizer.
+// equal steps. The class converts numbers to counts of steps from the start of the scale, and back.
+// The counts are the 16-bit values that the rasterizer averages.
 class Steps {
   public:
     explicit Steps(const CellNumbers& numbers) {
@@ -167,8 +167,8 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
 }
 
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles) {
-    // No pixel shows a film of width 0, but CellNumbers::film affects the scale (Steps). If it
-    // equals the number of a bubble, the scale depends only on bubbles.
+    // No pixel shows a film of width 0, but CellNumbers::film affects the scale (Steps). If `film`
+    // is the number of a bubble, the scale depends only on the numbers of bubbles.
     const double film = bubbles.empty() ? 0.0 : bubbles.front();
     return fill_numbers(layers, {bubbles, film}, 0.0);
 }

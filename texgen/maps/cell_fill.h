@@ -55,9 +55,9 @@ std::vector<Value> by_cell_id(const FrameLayers& layers, PerBubble<Value> values
     return values;
 }
 
-/// Returns the radius, in pixels, of a circle with the area of the bubble, for every bubble. The
-/// table is indexed by the ids of a DistanceField and contains `around` for the surroundings of a
-/// patch.
+/// Returns a table with one radius per bubble, in pixels: that of a circle with the area of the
+/// bubble. The table is indexed by the ids of a DistanceField and contains `around` for the
+/// surroundings of a patch.
 std::vector<double> radii_by_cell_id(const FrameLayers& layers, double around);
 
 /// Returns an image in which each pixel has the integer of the bubble at the center of the pixel,

@@ -17,7 +17,7 @@ namespace foam::texgen {
 
 namespace detail {
 
-// Replaces the colors of pixels that have `Channels` samples.
+// Replaces the colors of `count` pixels, each of `Channels` samples, as change_colors describes.
 template <int Channels, class Kernel>
 void change_all_colors(std::uint16_t* samples, std::size_t count, const Kernel& kernel) {
     at_simd_level([=] {

@@ -110,8 +110,8 @@ std::string Gradients::allowed() const {
 }
 
 std::string Gradients::schema() const {
-    // A position from 0 to 1 in decimals, or with an exponent, whose range the pattern does not
-    // check.
+    // A position from 0 to 1 in decimals, or any number with an exponent. The pattern does not
+    // check that a number with an exponent is from 0 to 1.
     constexpr std::string_view kPosition =
         R"(0+(\\.[0-9]*)?|\\.[0-9]+|0*1(\\.0*)?|[0-9.]+[eE][-+]?[0-9]+)";
     const std::string item =

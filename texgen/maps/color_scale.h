@@ -22,11 +22,11 @@ struct Gradient {
     std::vector<double> positions{};
 };
 
-/// Selects the position of the last color of a scale in a list that has positions, but not for its
-/// last color.
+/// Selects the position of the last color of a list if other colors of the list have positions, but
+/// the last one has none.
 enum class ScaleEnd {
     LastColor,       // the last color is at the position 1
-    AfterLastColor,  // the part of the scale that the last color covers ends at 1
+    AfterLastColor,  // the last color is before 1, and covers the rest of the scale, up to 1
 };
 
 /// Returns the gradient of a list such as {"#000000", "#ff8000@0.25", "#ffffff"}: a color may be

@@ -17,7 +17,7 @@ Keys<ContourOptions> contour_keys() {
     using Options = ContourOptions;
     return {key("levels",
                 Integers{2, 256},
-                "number of equal levels into which the tones of the map pressure are divided; "
+                "number of equal levels into which the tones of the map `pressure` are divided; "
                 "lines run between bubbles of different levels, and around a patch",
                 &Options::levels)
                 .in("levels"),

@@ -22,7 +22,7 @@ inline constexpr MapTraits kContourMap = {
     .png_filter = PngFilter::Up};
 
 struct ContourOptions {
-    std::int64_t levels = 2;  // equal parts of the scale of tones
+    std::int64_t levels = 2;  // number of equal levels into which tones are divided (draw_contour)
     // The full width of lines, in diameters of a mean bubble of the seeded foam.
     double width = 0.2;
     std::string line_color = "#16262f";  // colors are sRGB

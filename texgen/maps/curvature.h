@@ -22,10 +22,10 @@ inline constexpr MapTraits kCurvatureMap = {
 
 struct CurvatureOptions {
     // The height at a point is compared with the heights at this distance on both sides of it. The
-    // unit is the diameter of the relief's mean bubble.
+    // unit is the diameter of the mean bubble (ReliefOptions::mean_bubble).
     double radius = 0.08;
-    // The curvature that a PNG stores as its largest code (65535), per diameter of the relief's
-    // mean bubble. Code 0 stands for -full.
+    // The curvature that a PNG stores as its largest code (65535), per diameter of the mean bubble
+    // (ReliefOptions::mean_bubble). Code 0 stands for -full.
     AutoReal full{10.0, true};
 };
 

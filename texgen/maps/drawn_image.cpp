@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view kChannelNames = "RGBA";
 
-// Returns a description of the packed numbers of a channel, such as
-// "height with height.full = 0.63".
+// Returns a text that says what a channel of a packed image contains. If the map of the channel has
+// a key for its range, the text also gives the value of this key: "height with height.full = 0.63".
 std::string describe(const PackedChannel& channel, const MapOptions& options) {
     const AutoReal* const range =
         channel.map != nullptr ? range_option_of(*channel.map, options) : nullptr;

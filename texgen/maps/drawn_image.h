@@ -34,7 +34,7 @@ class DrawnImage {
     std::vector<std::string> packed_channels() const;
     /// Returns the indices of the channels whose map has a key for its range (Map::full_key).
     std::vector<std::size_t> ranged_channels() const;
-    /// Returns the keys of these ranges, such as "height.full", each once.
+    /// Returns the keys of the ranges of the maps in the image, such as "height.full", each once.
     std::vector<std::string_view> range_keys() const;
     /// Returns what a channel of a packing contains, or nullptr if the image has no such channel or
     /// is a map.

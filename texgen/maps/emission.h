@@ -7,17 +7,16 @@
 
 namespace foam::texgen {
 
-inline constexpr MapTraits kEmissionMap = {
-    .name = "emission",
-    .meaning = "light that the surface emits: the glow that the map lit shows (key lit.glow)",
-    .unit = "light",
-    .channels = "R G B",
-    .kind = MapKind::Color,
-    .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::Used};
+inline constexpr MapTraits kEmissionMap = {.name = "emission",
+                                           .meaning = "light that the surface emits (key lit.glow)",
+                                           .unit = "light",
+                                           .channels = "R G B",
+                                           .kind = MapKind::Color,
+                                           .png_filter = PngFilter::Up,
+                                           .smooth_distance = SmoothDistance::Used};
 
-/// Draws the emitted light of a surface: the fraction of its colors that glow_fractions returns.
-/// The map lit shows the same light. The surroundings of a patch are transparent. Throws as
+/// Draws the emitted light of a surface: its colors, multiplied by the result of glow_fractions.
+/// The map `lit` shows the same light. The surroundings of a patch are transparent. Throws as
 /// draw_surface_colors does.
 ColorPixels draw_emission(FrameLayers& layers, const SurfaceColors& surface, double glow);
 

@@ -23,7 +23,7 @@ struct EventDisk {
     std::size_t channel;  // channel of the image: 0 red, 1 green, 2 blue
 };
 
-// Paints one periodic copy of a disk, with its center at `middle`, in subpixels.
+// Paints one periodic copy of a disk. `middle` is the center of the copy in subpixels.
 void paint_copy(const EventDisk& disk, const Vec2& middle, ImageView<float> image) {
     const Vec2 last(image.width() - 1, image.height() - 1);
     const double reach = std::ceil(disk.radius);

@@ -12,11 +12,11 @@
 
 // In a cross-fade, bubbles of the new foam grow over the old foam (fade_border.h). The growth of a
 // bubble is from 0 (not visible) to 1 (complete). Until it is complete, a growing bubble is bounded
-// by a level set of the smooth distance s from its films (DistanceField::smooth). In a circle of
-// radius R, s = (R² - r²) / (2 R) at the distance r from the center. The points where s is above
-// h = R/2 (1 - g²) form a circle of radius g R, and (s - h) / g is the smooth distance of this
-// circle. The same formulas are used for all bubbles: g is the growth, and R is twice the largest
-// smooth distance in the bubble, as in a circle.
+// by its rim: a level set of the smooth distance s from its films (DistanceField::smooth). In a
+// circle of radius R, s = (R² - r²) / (2 R) at the distance r from the center. The points where s
+// is above h = R/2 (1 - g²) form a circle of radius g R, and (s - h) / g is the smooth distance
+// from the rim of this circle. The same formulas are used for all bubbles: g is the growth, and R
+// is twice the largest smooth distance in the bubble, as in a circle.
 
 namespace foam::texgen {
 
@@ -29,7 +29,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // border has creases, which would be visible in the relief.
 constexpr double kReach = 0.5;
 
-// A slope below this limit is raised to it before something is divided by the slope.
+// Before a division by a slope, the slope is clamped to be at least this value.
 constexpr double kFlattestRim = 1e-6;
 
 Vec2 vector_at(const Image<float>& image, std::size_t index) {
@@ -61,9 +61,9 @@ std::vector<double> radii_of(const DistanceField& field, std::size_t bubbles) {
     return radii;
 }
 
-// Returns the signed distance from the rim of a circle of radius `rim`, given the smooth distance
-// from the rim, (rim² - r²) / (2 rim), and its gradient. For other shapes it is a distance to first
-// order near the rim.
+// Returns the signed distance from the rim of a circle of radius `rim`. `smooth` is the smooth
+// distance from the rim, (rim² - r²) / (2 rim), and the gradient of this smooth distance. For other
+// shapes, the result is correct only to first order near the rim.
 DistanceAndGradient from_rim(const DistanceAndGradient& smooth, double rim) {
     const double slope = std::max(std::sqrt(smooth.gradient.squaredNorm()), kFlattestRim);
     const double first_order = smooth.distance / slope;
@@ -118,9 +118,9 @@ ArcDistances distances_to_rim_films(const CrossFade& fade, const RasterGrid& gri
         films, grid, frame.domain, {.reach = reach_of(fade, grid), .gradient = true}, threads);
 }
 
-// Joins the distance fields `out` (of the old foam) and `in` (of the new foam) pixel by pixel:
-// afterwards both contain the same distances: from the films of the foam that is shown at the
-// pixel, or from the border if it is nearer.
+// Joins the distance fields `out` (of the old foam) and `in` (of the new foam) pixel by pixel.
+// Afterwards both contain the same distances: from the films of the foam that is shown at the
+// pixel, or from the border if the border is nearer.
 class FieldJoiner {
   public:
     FieldJoiner(const CrossFade& fade,
@@ -135,7 +135,7 @@ class FieldJoiner {
           in_(in),
           radii_(radii_of(in, fade.fading_in.bubbles.size())) {}
 
-    // Joins both fields at a pixel, and sets the distance and the weight of the border there.
+    // Joins both fields at a pixel, and sets FadeBorder::distance and FadeBorder::weights there.
     void join(std::size_t k, FadeBorder& border) {
         DistanceAndGradient nearest{static_cast<double>(films_.distance.samples()[k]),
                                     vector_at(films_.gradient, k)};

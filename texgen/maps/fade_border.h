@@ -36,9 +36,9 @@ struct FadeBorder {
 };
 
 /// Finds the border and joins the distance fields of both foams at the border. `out` is the field
-/// of CrossFade::fading_out, and `in` is the field of CrossFade::fading_in. Afterwards both
-/// fields contain the same distances: from the films of the foam that is shown, or from the border
-/// if it is nearer. The ids do not change. Precondition: both fields have the same images, among
+/// of CrossFade::fading_out, and `in` is the field of CrossFade::fading_in. Afterwards both fields
+/// contain the same distances: from the films of the foam that is shown, or from the border if the
+/// border is nearer. The ids do not change. Precondition: both fields have the same images, among
 /// them the smooth distances. If the grid is shifted, the results are shifted cyclically, and no
 /// bit of them changes. Throws std::invalid_argument if the grid and the domain of the frames do
 /// not fit together (pixels_per_unit).

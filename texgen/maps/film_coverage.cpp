@@ -19,8 +19,8 @@ namespace {
 
 // The smallest slope of the smooth distance (raster/distance/distance_field.h) that is used;
 // smaller slopes are replaced by it, because a distance is divided by the slope. Smaller slopes
-// occur only near the middle of bubbles, which the edge of a film reaches only if the film nearly
-// fills its bubbles.
+// occur only near the middle of a bubble. The edge of a film reaches this region only if the film
+// nearly fills the bubble.
 constexpr double kSmallestSlope = 0.05;
 
 // Returns the fraction of every pixel that wet films cover. A wet film covers the points whose
@@ -148,7 +148,8 @@ ColorPixels paint_films(FrameLayers& layers, const AlbedoOptions& options, Color
         mix_in(film, films, colors.pixels);
         return colors;
     }
-    // The colors of a pixel at the rim are those of the part that the patch covers.
+    // At the rim, a pixel shows the mean color of the part of the pixel that the patch covers.
+    // The coverage of films is therefore converted to a fraction of this part.
     const Image<float> foam = foam_coverage(layers, options, films);
     for (std::size_t k = 0; k < foam.samples().size(); ++k) {
         const float whole = foam.samples()[k];

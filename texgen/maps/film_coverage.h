@@ -12,10 +12,10 @@ namespace foam::texgen {
 /// Returns the fraction of every pixel that films cover, from 0 to 1, in one channel. For even
 /// films (FilmProfile::Even: the same width everywhere) the fraction is exact, except at the border
 /// of a cross-fade (FadeBorder). Wet films (FilmProfile::Wet) end where the smooth distance
-/// (distance_field.h) is half of options.film_width, which rounds the corners of bubbles. At the
-/// edge of a wet film the fraction falls linearly from 1 to 0 over the width of a pixel. Throws as
-/// film_width_in_pixels does and, for even films, as fill_coverage does. Precondition: if films are
-/// wet, the distance field contains the smooth distance (film_distance_needs).
+/// (distance_field.h) is half of options.film_width, so that the corners of bubbles are round. At
+/// the edge of a wet film the fraction falls linearly from 1 to 0 over the width of a pixel. Throws
+/// as film_width_in_pixels does and, for even films, as fill_coverage does. Precondition: if films
+/// are wet, the distance field contains the smooth distance (film_distance_needs).
 Image<float> film_coverage(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Returns the fraction of every pixel that films and bubbles cover together, in one channel.
@@ -32,9 +32,9 @@ Image<float> foam_coverage(FrameLayers& layers,
 /// lack the smooth distance.
 Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options);
 
-/// Returns an image whose pixels are means of the numbers of the bubbles and films in them,
-/// weighted by the part of the pixel that each of them covers. The options give the width and the
-/// shape of films. Pixels around a patch are 0. The image has one channel.
+/// Returns an image of one channel. Each pixel is the mean of the numbers that `numbers` gives to
+/// the bubbles and films in the pixel, weighted by the part of the pixel that each bubble or film
+/// covers. The options give the width and the shape of films. Pixels around a patch are 0.
 Image<float> fill_numbers(FrameLayers& layers,
                           const CellNumbers& numbers,
                           const AlbedoOptions& options);
@@ -42,8 +42,8 @@ Image<float> fill_numbers(FrameLayers& layers,
 /// Returns which images of the distance field the functions of this file need.
 DistanceNeeds film_distance_needs(const AlbedoOptions& options);
 
-/// Paints films over the colors of bubbles. `colors` has a color for every pixel in its first three
-/// channels. The surroundings of a patch become transparent, as in fill_colors. Throws
+/// Paints films over the colors of bubbles. The first three channels of `colors` hold a color for
+/// every pixel. The surroundings of a patch become transparent, as in fill_colors. Throws
 /// std::invalid_argument if options.film_color is invalid. Also throws as film_coverage does.
 ColorPixels paint_films(FrameLayers& layers, const AlbedoOptions& options, ColorPixels colors);
 

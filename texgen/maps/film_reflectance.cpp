@@ -41,8 +41,8 @@ double lobe(double wavelength, double height, double middle, double below, doubl
     return height * ieee::exp(-0.5 * t * t);
 }
 
-// Returns the CIE 1931 color matching functions at a wavelength in nanometers, by Wyman, Sloan and
-// Shirley (2013).
+// Returns the values of the CIE 1931 color matching functions at a wavelength in nanometers, in the
+// approximation of Wyman, Sloan and Shirley (2013).
 Xyz color_matching(double wavelength) {
     return {
         lobe(wavelength, 1.056, 599.8, 37.9, 31.0) + lobe(wavelength, 0.362, 442.0, 16.0, 26.7) +

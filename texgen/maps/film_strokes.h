@@ -13,7 +13,7 @@
 namespace foam::texgen {
 
 /// Draws strokes with round ends along arcs. Returns the fraction of every pixel that the strokes
-/// cover (stroke_coverage). `width` is the full width of a stroke in diameters of a mean bubble of
+/// cover (stroke_coverage). `width` is the full width of a stroke, in diameters of a mean bubble of
 /// the seeded foam.
 Image<float> strokes_along(const FrameLayers& layers,
                            std::span<const PlacedArc> arcs,

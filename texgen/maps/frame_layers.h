@@ -23,10 +23,10 @@ struct FrameInput {
     const Frame& frame;
     const FoamRecord& record;
     const Frame* next = nullptr;  // the frame after `frame`; null if no map needs it
-    DistanceNeeds distance{};     // images of the distance field that maps need
-    /// The cross-fade of two foams, of which `frame` is one; null if the frame shows only one foam.
-    /// Precondition: `frame` refers to CrossFade::fading_out or CrossFade::fading_in itself, not to
-    /// a copy.
+    /// The images of the distance field that maps need, apart from ids and distances.
+    DistanceNeeds distance{};
+    /// The cross-fade to which `frame` belongs; null if images show only one foam. Precondition:
+    /// `frame` refers to CrossFade::fading_out or CrossFade::fading_in itself, not to a copy.
     const CrossFade* fade = nullptr;
     const FrameOne* first = nullptr;  // frame 1 of the animation; null if it is not known
 };
@@ -53,9 +53,9 @@ class FrameLayers {
     /// Throws as cell_arcs does.
     const CellArcs& arcs(double film_width);
     /// Returns the distance field of the frame. It contains the ids, the distances and the images
-    /// that FrameInput::distance lists. In a cross-fade, the distance at a pixel is measured
-    /// from the films of the foam that is shown there, or from the border between the two foams if
-    /// it is nearer (join_at_border).
+    /// that FrameInput::distance lists. In a cross-fade, the distance at a pixel is measured from
+    /// the films of the foam that the pixel shows, or from the border between the two foams if the
+    /// border is nearer (join_at_border).
     const DistanceField& distance();
     /// Returns the border between the two foams; nullptr without a cross-fade.
     const FadeBorder* border();
@@ -69,7 +69,7 @@ class FrameLayers {
     /// (distances_to_arcs). Throws std::invalid_argument if the grid does not fit the domain, for
     /// example if pixels on a torus are not square (pixels_per_unit).
     const ArcDistances& wall_distances(const MazeRule& rule, const ArcDistanceNeeds& needs);
-    /// Returns true if an id of the distance field stands for the surroundings of a patch.
+    /// Returns true if `id`, a sample of DistanceField::ids, denotes the surroundings of a patch.
     bool is_surroundings(std::uint32_t id) const {
         return is_patch() && id == frame().bubbles.size();
     }

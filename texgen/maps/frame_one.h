@@ -17,12 +17,12 @@ namespace foam::texgen {
 /// The colors of bubbles by their identities.
 using ColorsByIdentity = std::unordered_map<BubbleIdentity, LinearRgb>;
 
-/// Frame 1 of an animation, and the colors of a picture under its bubbles. All frames of the
-/// animation share an object, so that both are computed only once, and only if a map needs them.
-/// Thread-safe.
+/// Frame 1 of an animation, and the colors that a picture has under the bubbles of this frame. All
+/// frames of the animation share one object of this class, so that frame 1 and the colors are
+/// computed only once, and only if a map needs them. Thread-safe.
 class FrameOne {
   public:
-    /// `make` returns frame 1. It is called when frame 1 is first needed, by one thread.
+    /// `make` returns frame 1. Only the first thread that needs frame 1 calls `make`.
     explicit FrameOne(std::function<std::shared_ptr<const Frame>()> make)
         : make_(std::move(make)) {}
 

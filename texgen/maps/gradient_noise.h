@@ -18,8 +18,8 @@ struct NoiseValue {
     double slope_y = 0.0;
 };
 
-/// The magnitude of gradient noise with unit gradients is at most 1/sqrt(2). This factor spreads it
-/// to the range from -1 to 1.
+/// Gradient noise with unit gradients has values from -1/sqrt(2) to 1/sqrt(2). Multiplied by this
+/// factor, it has values from -1 to 1.
 inline constexpr double kNoiseScale = 1.4142135623730951;
 
 /// A hash of 32 bits (the finalizer of MurmurHash3, A. Appleby).
@@ -40,7 +40,7 @@ inline std::int32_t floor_of(double x) {
 
 namespace detail {
 
-// Returns the hash of a row of the lattice.
+// Returns the hash of row `y` of the lattice (the points with integer coordinates).
 inline std::uint32_t row_hash(std::int32_t y, std::uint32_t seed) {
     return scrambled(static_cast<std::uint32_t>(y) + scrambled(seed));
 }
@@ -57,13 +57,13 @@ inline constexpr std::array<double, 16> kGradientsY = {
 
 // A plane (a linear function) that is 0 at a lattice point.
 struct LatticePlane {
-    double value;  // at the point of the noise
+    double value;  // at the point where the noise is computed
     double slope_x;
     double slope_y;
 };
 
-// Returns the plane of a lattice point in the row with the given hash. `x` and `y` are the position
-// of the point of the noise relative to the lattice point.
+// Returns the plane of a lattice point in the row with the given hash. (x, y) is the position of
+// the point where the noise is computed, relative to the lattice point.
 inline LatticePlane plane_of(std::int32_t column, std::uint32_t row, double x, double y) {
     const std::uint32_t direction = scrambled(static_cast<std::uint32_t>(column) + row) >> 28U;
     const double slope_x = kGradientsX.data()[direction];
@@ -73,9 +73,9 @@ inline LatticePlane plane_of(std::int32_t column, std::uint32_t row, double x, d
 
 }  // namespace detail
 
-/// Returns gradient noise on the lattice of the points with integer coordinates, so that its
-/// features have the size 1. Each of the four lattice points around the point defines a plane.
-/// Quintic polynomials blend the four planes.
+/// Returns gradient noise at the point (x, y). The points with integer coordinates form the
+/// lattice, so that the features of the noise have the size 1. Each of the four lattice points
+/// around (x, y) defines a plane. Quintic polynomials blend the four planes.
 inline NoiseValue gradient_noise(double x, double y, std::uint32_t seed) {
     const std::int32_t column = floor_of(x);
     const std::int32_t line = floor_of(y);
@@ -108,11 +108,11 @@ inline std::uint32_t seed_of_octave(std::uint32_t seed, int octave) {
 }
 
 /// Returns the sum of several octaves of gradient noise at a point (K. Perlin, "Improving noise",
-/// 2002). The first octave has features of size 1. The features of each further octave have half
-/// the size and half the height of the features of the preceding octave. The gradient is the
-/// derivative with respect to `point`. The noise depends only on the arguments. draw_grain
-/// (grain.h) computes the same sum for many points; tests compare both. Precondition: `octaves` is
-/// from 1 to 30.
+/// 2002). The first octave has features of size 1 and is multiplied by kNoiseScale. The features of
+/// each further octave have half the size and half the height of the features of the preceding
+/// octave. The gradient is the derivative with respect to `point`. The noise depends only on the
+/// arguments. draw_grain (grain.h) computes the same sum for many points; tests compare both.
+/// Precondition: `octaves` is from 1 to 30.
 NoiseValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
 
 }  // namespace foam::texgen

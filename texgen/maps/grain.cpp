@@ -60,10 +60,11 @@ int octaves_of(double size) {
 }
 
 // The origin and the seed of the noise in each bubble, indexed by the ids of the distance field.
-// Origins are whole numbers, but they are doubles, because those of a magnified patch may not fit
-// into 32 bits.
+// Origins are whole numbers, but are stored as doubles, because the origins in a magnified patch
+// may not fit into 32 bits.
 struct Origins {
-    std::vector<double> x;  // the centroid of the bubble on the unshifted grid, in subpixels
+    // The centroids of the bubbles, in subpixels, on the unshifted grid (RasterGrid::shift_x).
+    std::vector<double> x;
     std::vector<double> y;
     std::vector<std::uint32_t> seeds;  // 0 around a patch
 };

@@ -30,10 +30,10 @@ struct Grain {
 /// Draws a fine texture of noise in every bubble. It moves with the centroid of the bubble, does
 /// not turn or stretch, and differs from bubble to bubble. There is no noise around a patch: the
 /// values there are 0. There are up to five octaves: the first one, and further ones whose features
-/// are not smaller than two pixels. If a bubble of a torus extends beyond half the width or height
-/// of the image from its centroid, the noise has a visible step at this distance. `size` is the
-/// size of the largest features, in diameters of a mean bubble of the seeded foam. `mean` is the
-/// mean of the values in bubbles.
+/// are not smaller than two pixels. If a bubble of a torus extends farther from its centroid than
+/// half the width or height of the image, the noise has a visible step at this distance. `size` is
+/// the size of the largest features, in diameters of a mean bubble of the seeded foam. `mean` is
+/// the mean of the values in bubbles.
 Grain draw_grain(FrameLayers& layers, double size, GrainUse use, double mean = 0.0);
 
 }  // namespace foam::texgen

@@ -22,20 +22,20 @@ inline constexpr MapTraits kHeightMap = {
 
 struct HeightOptions {
     // The height that a PNG stores as its largest code (65535), in diameters of the relief's mean
-    // bubble.
+    // bubble (the bubble that ReliefOptions::mean_bubble selects).
     AutoReal full{0.5, true};
 };
 
 Keys<HeightOptions> height_keys();
 
-/// Draws the height of the relief in diameters of the relief's mean bubble. The image has one
+/// Draws the height of the relief, in diameters of the relief's mean bubble. The image has one
 /// channel and is 0 around a patch, apart from the outer half of ridges and wet films.
 NumberPixels draw_height(FrameLayers& layers,
                          const ReliefSource& source,
                          const HeightOptions& options);
 
-/// Returns the unit of heights, a bubble diameter, as a fraction of the width of the image. A
-/// program that displaces a surface needs this number.
+/// Returns the unit of heights (the diameter of the relief's mean bubble) as a fraction of the
+/// width of the image. A program that displaces a surface needs this number.
 double height_unit(const FrameLayers& layers, const ReliefOptions& options);
 
 }  // namespace foam::texgen

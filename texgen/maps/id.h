@@ -9,7 +9,7 @@ namespace foam::texgen {
 inline constexpr MapTraits kIdMap = {
     .name = "id",
     .meaning = "permanent id of a bubble plus 1, not averaged; 0 around a patch",
-    .unit = "PNG: lowest 16 bits",
+    .unit = "PNG: the lowest 16 bits of the id",
     .channels = "Y",
     .kind = MapKind::Id,
     .png_bits = 16};

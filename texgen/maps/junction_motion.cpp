@@ -22,12 +22,14 @@ namespace {
 using Corner = std::array<BubbleIdentity, 3>;
 using Motion = Indexed<JunctionId, std::optional<Vec2>>;
 
-// Returns the identity of a bubble; for the ghost bubble kNoIndex, which is no bubble's identity.
+// Returns the identity of a bubble. For the ghost bubble, returns kNoIndex, which is not the
+// identity of any other bubble.
 BubbleIdentity identity_of(const Frame& frame, BubbleId bubble) {
     return bubble == frame.network.ghost() ? kNoIndex : frame.bubbles[bubble].identity;
 }
 
-// Returns the bubbles at a junction in clockwise order, the smallest identity first.
+// Returns the identities of the bubbles at a junction in clockwise order, beginning with the
+// smallest identity.
 Corner corner_at(const Frame& frame, JunctionId junction) {
     Corner corner{};
     const auto leaving = frame.network.leaving(junction);
@@ -61,8 +63,8 @@ std::optional<Vec2> shortest_motion(const Domain& domain,
     return shortest;
 }
 
-// Returns the motion of the junctions whose corner matches a corner of the next frame, nullopt for
-// all others.
+// Returns the motion of each junction, or nullopt for a junction whose corner does not exist in the
+// next frame.
 Motion motion_of_matched(const Frame& frame, const Frame& next) {
     const std::map<Corner, std::vector<Vec2>> positions = positions_by_corner(next);
     Motion motion;

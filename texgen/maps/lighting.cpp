@@ -17,8 +17,8 @@ namespace foam::texgen {
 // sky. The shine is the sum of a highlight, which depends on the halfway vector (J. F. Blinn,
 // "Models of light reflection for computer synthesized pictures", 1977), of a rim light that grows
 // with the slope, and of the reflections of windows and of the sky (reflections.h). Direct light is
-// divided by its value on flat ground, and the highlight and the reflection of flat ground are
-// subtracted.
+// divided by its value on flat ground. The highlight and the reflections are each reduced by their
+// own value on flat ground, but not below 0.
 
 namespace {
 

@@ -42,8 +42,8 @@ struct HighlightTable {
     double first;
 };
 
-/// Computes the light at points of a relief. Flat ground under the whole sky has the diffuse light
-/// 1 and no shine.
+/// Computes the light at points of a relief. Flat ground from which the whole sky is visible has
+/// the diffuse light 1 and no shine.
 class Lighting {
   public:
     explicit Lighting(const LightOptions& options);

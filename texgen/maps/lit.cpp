@@ -26,14 +26,16 @@ namespace foam::texgen {
 
 namespace {
 
-// A shaded color is the color of the map times the diffuse light, plus the shine (lighting.h).
-// Films, the shade beside them, and the walls of a maze can glow: the fraction LitOptions::glow of
-// their color is not shaded. The color of the map is already the mean over the pixel. The light is
-// computed at the center of each pixel. Where this is not enough, at creases, in small highlights
-// and at the borders of reflected windows, the shaded color is the mean over several points of the
-// pixel. These pixels are found by their contrast (D. P. Mitchell, "Generating antialiased images
-// at low sampling densities", 1987), and the relief at their points is computed from the smooth
-// distance around the center (relief_sampler.h).
+// The map `lit` shades the colors of another map (LitOptions::colors), called the source map here.
+// A shaded color is the color of the source map times the diffuse light, plus the shine
+// (lighting.h). Films, the tinted zones beside films (AlbedoOptions::shade), and the walls of a
+// maze can glow: the fraction LitOptions::glow of their color is not shaded. The color of the
+// source map is already the mean over the pixel. The light is computed at the center of each pixel.
+// Where this is not enough, at creases, in small highlights and at the borders of reflected
+// windows, the shaded color is the mean over several points of the pixel. These pixels are found by
+// their contrast (D. P. Mitchell, "Generating antialiased images at low sampling densities", 1987),
+// and the relief at their points is computed from the smooth distance to the films around the
+// center (relief_sampler.h).
 
 // The light at points (PointLights). The vectors have one number per point.
 struct Light {
@@ -43,8 +45,8 @@ struct Light {
     std::vector<float> shine;
 };
 
-// Returns one component of a shaded color, from 0 to kWhite. `color` is the component of the color
-// of the map.
+// Returns one component of a shaded color, from 0 to kWhite. `color` is this component before
+// shading.
 float shaded(float color, float diffuse, float shine) {
     constexpr auto kLargest = static_cast<float>(kWhite);
     return min_value(max_value(diffuse * color + shine * kLargest, 0.0F), kLargest);
@@ -140,7 +142,7 @@ void add_shaded(const Component& component, const Light& light, Component& sums)
     });
 }
 
-// Returns the mean shaded colors of pixels, over samples² points of each of them.
+// Returns the shaded colors of pixels. Each color is the mean over samples² points of the pixel.
 std::vector<Color> mean_colors(std::span<const std::uint32_t> pixels,
                                const Surface& surface,
                                const Lighting& lighting,
@@ -224,17 +226,17 @@ Keys<LitOptions> lit_keys() {
                                                  {"thin_film", LitColors::ThinFilm},
                                                  {"maze", LitColors::Maze}}}};
     return joined<LitOptions>(
-        {{key("colors", kColors, "the map that is lit", &Options::colors),
+        {{key("colors", kColors, "map whose colors are lit", &Options::colors),
           key("glow",
               kFractions,
-              "fraction of the color of films, of the shade beside films, and of the walls of a "
-              "maze that is emitted light: the map emission shows it, and lit does not shade it",
+              "emitted fraction of the color of films, of the shade beside films, and of the walls "
+              "of a maze: the map `emission` shows this light, and the map `lit` does not shade it",
               &Options::glow)
               .in("fraction of the color"),
           key("samples",
               Integers{1, 8},
-              "number of points, in each direction, whose mean a pixel shows where the light "
-              "varies strongly",
+              "where the light varies strongly, a pixel shows the mean over several of its points; "
+              "this is the number of these points in each direction",
               &Options::samples)
               .in("points per pixel, in each direction")},
          nested_keys("", &Options::light, light_keys())});

@@ -26,12 +26,12 @@ inline constexpr MapTraits kLitMap = {
 struct LitOptions {
     LitColors colors = LitColors::Albedo;
     LightOptions light{};
-    // The emitted fraction of the color of films, of the shade beside them, and of the walls of a
-    // maze (glow_fractions).
+    // The fraction of their color that films, the shade beside them and the walls of a maze emit as
+    // light (glow_fractions).
     double glow = 0.0;
-    // The number of points, in each direction, whose mean a pixel shows where the light varies
-    // strongly: at creases, in small highlights and at the borders of reflected windows. Elsewhere
-    // a pixel shows the light at its center.
+    // Where the light varies strongly (at creases, in small highlights and at the borders of
+    // reflected windows), a pixel shows the mean over several of its points. This is the number of
+    // these points in each direction. Elsewhere a pixel shows the light at its center.
     int samples = 3;
 };
 
@@ -49,7 +49,7 @@ struct LitSurface {
 /// if the whole sky is visible from it. Highlights follow J. F. Blinn, "Models of light reflection
 /// for computer synthesized pictures" (1977); reflections of windows and of the horizon follow
 /// J. F. Blinn and M. E. Newell, "Texture and reflection in computer generated images" (1976). The
-/// visible fraction of the sky is computed as for the map occlusion (occlusion_of). The
+/// visible fraction of the sky is computed as for the map `occlusion` (occlusion_of). The
 /// surroundings of a patch are transparent. Throws as draw_surface_colors does.
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& source);
 

@@ -17,7 +17,7 @@ struct MapOptions;
 /// interpolated.
 enum class Mixing {
     Values,  // the samples of the images
-    Slopes,  // for a map of normals: the slopes of its surface
+    Slopes,  // for a map of normals: the slopes of the surface that has these normals
 };
 
 /// The conditions under which a map uses the smooth distance to films (DistanceField::smooth).
@@ -34,8 +34,8 @@ enum class MapKind {
     Id,      // IdPixels
 };
 
-/// The properties of the images of a map. They do not depend on options, except for those of the
-/// map `pressure` (drawn_traits in all_maps.h).
+/// The properties of the images of a map. Only the properties of the images of the map `pressure`
+/// depend on options (drawn_traits in all_maps.h).
 struct MapTraits {
     std::string_view name;      // part of file names
     std::string_view meaning;   // a description in a few words

@@ -44,8 +44,8 @@ Keys<MazeOptions> maze_keys() {
         key("passage_color", Colors{}, "sRGB color of passages", &Options::passage_color),
         key("solution_width",
             Reals{0.0, 10.0},
-            "full width of the line of maze_solution, in diameters of a mean bubble of the seeded "
-            "foam",
+            "full width of the line that the map maze_solution draws, in diameters of a mean "
+            "bubble of the seeded foam",
             &Options::solution_width)
             .in("mean bubble diameters of the seeded foam"),
         key("solution_color", Colors{}, "sRGB color of the solution", &Options::solution_color)

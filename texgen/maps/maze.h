@@ -27,7 +27,8 @@ inline constexpr MapTraits kMazeSolutionMap = {.name = "maze_solution",
                                                .png_filter = PngFilter::Up};
 
 struct MazeOptions {
-    // The weight of chance in the choice of openings; the weight of the pressure is 1 - chance.
+    // The weight of chance in the choice of the films to open. The weight of the difference of the
+    // pressures on both sides of a film is 1 - chance.
     double chance = 0.4;
     std::int64_t seed = 1;  // seed of the random choices
     // After a maze without loops has been built, this fraction (0 to 1) of its walls between

@@ -6,7 +6,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kPiecesPerCurve = 16;  // straight pieces of the curve between two stations
+// The number of straight pieces that replace the curve between two successive points (Station) of
+// the line.
+constexpr int kPiecesPerCurve = 16;
 
 // Returns the unit vector from the bubble on the left of a half-edge to the bubble on its right,
 // perpendicular to the chord of the half-edge's arc.
@@ -14,7 +16,8 @@ Vec2 across(const FilmArc& arc) {
     return -turned_left(arc.chord).normalized();
 }
 
-// Returns the vector from the tail of one side of a bubble to the tail of another.
+// Returns the vector from the tail of one side of a bubble to the tail of another side of the same
+// bubble.
 Vec2 between_tails(const Frame& frame, HalfEdgeId from, HalfEdgeId to) {
     Vec2 sum(0.0, 0.0);
     for (; from != to; from = frame.network.next(from)) {

@@ -7,10 +7,11 @@
 
 namespace foam::texgen {
 
-/// The mean bubble whose area and diameter are units of areas and lengths.
+/// The choices for the mean bubble, a circle whose area and diameter serve as units of areas and
+/// lengths in some maps.
 enum class MeanBubble {
-    Seed,     // the mean area of the seeded foam, which is 1
-    Current,  // the mean area of the frame, so that maps keep their look while a foam coarsens
+    Seed,     // has the mean area of the seeded foam, which is 1
+    Current,  // has the mean area of the frame, so that maps keep their look while a foam coarsens
 };
 
 inline constexpr Choices<MeanBubble> kMeanBubbles = {

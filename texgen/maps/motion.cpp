@@ -40,8 +40,8 @@ class FoamMotion {
           junctions_(junction_motion(frame_, layers.next())),
           shear_(layers.next().domain.shear_since(frame_.domain)) {}
 
-    // Returns the polygon of a bubble and its motion, in pixels. Points are relative to the
-    // bubble's first junction.
+    // Returns the polygon of a bubble and the motion of the polygon's corners, in pixels. The
+    // positions of the corners are relative to the bubble's first junction.
     BoundaryMotion around(BubbleId bubble) const {
         BoundaryMotion boundary;
         Vec2 tail = Vec2::Zero();
@@ -102,7 +102,7 @@ class CircleMotion {
 
   private:
     double scale_;                 // pixels per foam unit
-    Vec2 displacement_{0.0, 0.0};  // of the center, in foam units
+    Vec2 displacement_{0.0, 0.0};  // displacement of the center, in foam units
     double growth_ = 0.0;          // growth of the radius, as a fraction of the radius
 };
 
@@ -160,8 +160,8 @@ class MotionPainter {
         return Vec2(first.x, first.y) / kSubpixel;
     }
 
-    // Paints the pixels of the region in `pixels_`. The positions of points are those of the
-    // centers of pixels relative to `origin`. set_motions(points) sets the motions of many points
+    // Paints the pixels that `pixels_` contains. The points are the centers of these pixels, and
+    // their positions are relative to `origin`. set_motions(points) sets the motions of many points
     // at once.
     template <class SetMotions>
     void paint_pixels(ImageView<float> image, const Vec2& origin, const SetMotions& set_motions) {
@@ -202,7 +202,7 @@ class MotionPainter {
     FrameLayers& layers_;
     FoamMotion foam_;
     double scale_;  // pixels per foam unit
-    double unit_;   // unit of the image, in pixels
+    double unit_;   // unit of the samples, in pixels
     double up_;     // 1 if positive y points up, -1 if it points down
     RegionPixels pixels_;
     MovingPoints points_;          // the centers of some pixels

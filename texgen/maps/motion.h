@@ -45,8 +45,8 @@ Keys<MotionOptions> motion_keys();
 /// motion that junction_motion returns. Along a film the motion is interpolated linearly between
 /// its two junctions, and inside a bubble smoothly between the points of its films. A lone bubble
 /// moves and grows as a circle; its motion is 0 if it is not a lone bubble in the next frame. The
-/// image has two channels: motion to the right, and motion up or down (options.y). It is 0 around a
-/// patch.
+/// image has two channels: motion to the right, and motion up or down (options.y). Around a patch,
+/// both are 0.
 ///
 /// If the shear of a torus changes, two copies of a bubble that are one period apart in y have
 /// different motions. All copies are drawn with the motion of one of them: the copy whose first

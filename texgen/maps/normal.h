@@ -21,7 +21,7 @@ inline constexpr MapTraits kNormalMap = {
     .mixing = Mixing::Slopes,
     .shows_relief = true};
 
-/// Returns the traits of a map that differs from the map normal in one respect: its y has a fixed
+/// Returns the traits of a map that differs from the map `normal` in one respect: its y has a fixed
 /// direction. A bake that draws normal_gl and normal_dx has normals for both conventions.
 constexpr MapTraits fixed_normal_traits(std::string_view name, std::string_view meaning) {
     MapTraits traits = kNormalMap;

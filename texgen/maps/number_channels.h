@@ -11,11 +11,11 @@ namespace foam::texgen {
 
 /// The names of a map's channels in a file of floats or integers, such as an EXR.
 struct ChannelNames {
-    // The name of the layer, which precedes each name of a channel with a '.', as in "albedo.R".
-    // Empty for no layer.
+    // The name of the layer. In the file, this name and a '.' precede the name of each channel, as
+    // in "albedo.R". The name is empty if the file has no layers.
     std::string_view layer;
-    // The names, separated by spaces, such as "R G B". If the image has one channel more, the
-    // additional channel is the opacity and gets the name "A".
+    // The names, separated by spaces, such as "R G B". If the image has one channel more than there
+    // are names, the last channel is the opacity and gets the name "A".
     std::string_view channels;
 };
 

@@ -12,8 +12,9 @@ namespace foam::texgen {
 /// The smallest and the largest number of an image, and the fraction of its numbers that are
 /// outside the range of a file of integer samples (codes), such as a PNG.
 struct NumberExtent {
-    double smallest = 0.0;  // of the finite numbers, in the unit of the map; 0 if there is none
-    double largest = 0.0;   // of the finite numbers, in the unit of the map; 0 if there is none
+    // The smallest and the largest finite number, in the unit of the map; 0 if no number is finite.
+    double smallest = 0.0;
+    double largest = 0.0;
     // The fraction of the samples that are clipped: finite numbers that are outside of the range
     // from NumberPixels::low to NumberPixels::high by more than half a step of a 16-bit code.
     double clipped = 0.0;
@@ -24,12 +25,12 @@ struct NumberExtent {
 /// Returns the extent of the numbers of an image.
 NumberExtent extent_of(const NumberPixels& numbers);
 
-/// Returns the extent of the numbers in some channels of an image, which are given by their
-/// indices.
+/// Returns the extent of the numbers in some channels of an image. `channels` are the indices of
+/// these channels.
 NumberExtent extent_of(const NumberPixels& numbers, std::span<const std::size_t> channels);
 
 /// Returns the extent of two images together: the smallest and the largest number of both, and the
-/// larger of the two clipped fractions. Precondition: both images have a finite number.
+/// larger of the two clipped fractions. Precondition: each image has at least one finite number.
 NumberExtent joined(const NumberExtent& one, const NumberExtent& other);
 
 }  // namespace foam::texgen

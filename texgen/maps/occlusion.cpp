@@ -12,7 +12,7 @@ namespace foam::texgen {
 Keys<OcclusionOptions> occlusion_keys() {
     return {key("strength",
                 Reals{0.0, 100.0},
-                "exponent of the visible fraction of the sky; larger values are darker",
+                "exponent of the visible fraction of the sky; larger values darken the map",
                 &OcclusionOptions::strength)};
 }
 

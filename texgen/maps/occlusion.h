@@ -27,14 +27,15 @@ Keys<OcclusionOptions> occlusion_keys();
 /// Draws the fraction of a uniform sky that is visible from the relief, raised to the power
 /// options.strength. The fraction is 1 where nothing hides the sky. It is computed as if the
 /// nearest film were straight and endless and the relief had the same cross-section everywhere
-/// along it (ReliefSection). The image has one channel. Around a patch it is 1, except on the outer
-/// half of ridges and wet films, and near them, where they hide a part of the sky.
+/// along it (ReliefSection). The image has one channel. Around a patch the fraction is 1, except on
+/// the outer half of ridges and wet films, and near them, where they hide a part of the sky.
 NumberPixels draw_occlusion(FrameLayers& layers,
                             const ReliefSource& source,
                             const OcclusionOptions& options);
 
 /// Returns the image of draw_occlusion for an existing relief. `sky` is the lookup of a VisibleSky
-/// that was constructed from the section and the strength of this relief.
+/// that was constructed from the section and the strength of this relief, and from the exponent
+/// OcclusionOptions::strength.
 Image<float> occlusion_of(const Relief& relief, const SkyLookup& sky);
 
 }  // namespace foam::texgen

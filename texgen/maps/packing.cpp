@@ -109,8 +109,8 @@ bool is_color(const PackedChannel& channel) {
     return channel.map != nullptr && channel.map->kind == MapKind::Color;
 }
 
-// Sets Packing::is_color. Checks that A is data, that R, G and B are all colors or all data, and
-// that colors have 8 bits.
+// Sets Packing::is_color. Data are numbers that are not colors. Checks that the channel A, if there
+// is one, is data, that R, G and B are all colors or all data, and that colors have 8 bits.
 void check_colors(Packing& packing) {
     if (packing.channels.size() > 3 && is_color(packing.channels[3])) {
         reject(packing.name,
@@ -132,8 +132,8 @@ void check_colors(Packing& packing) {
     }
 }
 
-// Parses `text`, the part of the packing `whole` before '='. Returns a packing with this name and
-// number of bits, and without channels.
+// Parses `text`, the part of the packing `whole` before '='. Returns a packing without channels,
+// with the name and the number of bits that `text` gives.
 Packing parse_name(std::string_view text, std::string_view whole) {
     Packing packing;
     const std::vector<std::string_view> parts = split(text, ':');

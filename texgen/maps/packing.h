@@ -52,10 +52,11 @@ bool is_file_word(std::string_view text);
 ///     normal.X      a channel of a map with several channels; 1-normal.X is also possible
 ///     0.5           a constant from 0 to 1
 ///
-/// R, G and B are either all channels of maps of colors, or none of them is; A is never a color.
-/// Colors have 8 bits per sample and cannot be inverted. Maps of integers (MapKind::Id) cannot be
-/// packed. NAME satisfies is_file_word and is not the name of a map, even if their cases differ.
-/// Throws std::invalid_argument for any other text. The message says which part is wrong.
+/// Either each of R, G and B is a channel of a map of colors, or none of them is; A is never a
+/// color. Colors have 8 bits per sample and cannot be inverted. Maps of integers (MapKind::Id)
+/// cannot be packed. NAME satisfies is_file_word. It must not be the name of a map, in upper or
+/// lower case. Throws std::invalid_argument for any other text. The message says which part is
+/// wrong.
 Packing parse_packing(std::string_view text);
 
 /// Returns the maps of a packing, each once.

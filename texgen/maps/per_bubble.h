@@ -14,7 +14,8 @@ namespace foam::texgen {
 template <class Value>
 using PerBubble = std::vector<Value>;
 
-/// Returns of(id) for every bubble of the network and of_lone(bubble) for every lone bubble.
+/// Returns the result of `of(id)` for every bubble of the network, then the result of
+/// `of_lone(bubble)` for every lone bubble.
 template <class Value, class Of, class OfLone>
 PerBubble<Value> per_bubble(const Frame& frame, const Of& of, const OfLone& of_lone) {
     PerBubble<Value> values;

@@ -20,12 +20,15 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kChordsPerArc = 4;
-constexpr int kCircleCorners = 24;              // of the polygon of a lone bubble
-constexpr double kFinestSpacing = 1.0 / 512.0;  // of samples, relative to the longer side
+constexpr int kCircleCorners = 24;  // number of corners of the polygon of a lone bubble
+// The smallest spacing of samples, as a fraction of the longer side of the rectangle over which the
+// picture is stretched (PlacedPicture).
+constexpr double kFinestSpacing = 1.0 / 512.0;
 
 using Polygon = std::vector<Vec2>;
 
-// Returns the polygon of a bubble of the network. On a torus it is in the plane, not wrapped.
+// Returns the polygon of a bubble of the network. On a torus, its corners are not wrapped into the
+// fundamental cell, so that the polygon is connected.
 Polygon polygon_of(const Frame& frame, BubbleId bubble) {
     Polygon polygon;
     const HalfEdgeId first = frame.network.first(bubble);
@@ -68,7 +71,7 @@ class PlacedPicture {
         spacing_ = std::max(pixel, kFinestSpacing * size.maxCoeff());
     }
 
-    // Returns the mean color over a polygon.
+    // Returns the mean color of the picture over a polygon.
     LinearRgb mean_over(const Polygon& polygon) const {
         LinearRgb sum;
         double total = 0.0;
@@ -87,8 +90,8 @@ class PlacedPicture {
         return color_on_white(pixel_of(
             picture_, pixel(place.x(), picture_.width()), pixel(place.y(), picture_.height())));
     }
-    // Returns the index of the pixel along one axis of the picture, which has `pixels` pixels and
-    // is repeated. The unit of `place` is the width or height of the picture.
+    // Returns the index of the pixel at `place` along one axis of the repeated picture. The picture
+    // has `pixels` pixels along this axis. The unit of `place` is its width or height.
     static int pixel(double place, int pixels) {
         return std::min(static_cast<int>((place - std::floor(place)) * pixels), pixels - 1);
     }
@@ -117,7 +120,7 @@ PlacedPicture placed(const SourcePicture& picture, const Frame& frame) {
     return {picture, origin, size};
 }
 
-// Returns the colors of a picture under the bubbles of frame 1.
+// Returns, for each bubble of frame 1, the mean color of the picture under the bubble.
 ColorsByIdentity colors_in_first(const SourcePicture& source, const Frame& first) {
     const PlacedPicture picture = placed(source, first);
     const PerBubble<Polygon> polygons = polygons_of(first);
@@ -130,7 +133,7 @@ ColorsByIdentity colors_in_first(const SourcePicture& source, const Frame& first
 }
 
 // Returns the color of every bubble of a frame: its color in `known`, or the mean color of the
-// picture under it if `known` does not contain the bubble.
+// picture under the bubble if `known` does not contain the bubble.
 PerBubble<LinearRgb> colors_in_frame(const SourcePicture& source,
                                      const Frame& frame,
                                      const Frame& first,

@@ -13,8 +13,9 @@ namespace foam::texgen {
 
 namespace {
 
-// A row of pixels, the rows below and above it, and the distances of its pixels from films.
-// `padded` also has the left neighbor of the first pixel and the right neighbor of the last one.
+// The brightnesses of a row of pixels (`padded`) and of the rows below and above it, and the
+// distances of the row's pixels from films. `padded` begins with the left neighbor of the row's
+// first pixel, and ends with the right neighbor of the row's last pixel.
 struct ContrastRow {
     const float* padded;
     const float* below;
@@ -22,12 +23,14 @@ struct ContrastRow {
     const float* distances;
 };
 
-// Sets marks[k] to 1 if pixel k of the row needs several samples, otherwise to 0.
+// Sets marks[k] to 1 if pixel k of the row needs several samples, otherwise to 0. A pixel needs
+// them if a film is near, or if its brightness differs too much from the mean of its two neighbors
+// in the row or in the column.
 void mark_contrasts(const ContrastRow& row, std::vector<std::uint8_t>& marks) {
     at_simd_level([row, count = marks.size(), to = marks.data()] {
         constexpr float kContrast = 0.025F;  // smallest relative difference
         constexpr float kDark =
-            0.1F * static_cast<float>(kWhite);  // reduces differences in the dark
+            0.1F * static_cast<float>(kWhite);  // reduces the relative differences of dark pixels
         constexpr float kNear = 1.0F;           // pixels
         for (std::size_t k = 0; k < count; ++k) {
             const float middle = row.padded[k + 1];

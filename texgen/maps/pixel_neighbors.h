@@ -11,7 +11,8 @@ namespace foam::texgen {
 
 /// The pixels beside a pixel, as indices that count pixels row by row from the bottom row. On a
 /// torus, the first and the last column are neighbors, and so are the first and the last row unless
-/// the torus is sheared. Elsewhere, a pixel at the border of the image is its own neighbor.
+/// the torus is sheared. Where the image does not wrap around, a pixel at its border is its own
+/// neighbor.
 class PixelNeighbors {
   public:
     PixelNeighbors(const RasterGrid& grid, const Domain& domain)

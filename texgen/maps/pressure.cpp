@@ -25,7 +25,8 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kMiddle = 0.5;
-constexpr std::string_view kNoColors = "none";  // the value of pressure.colormap for numbers
+// The value of pressure.colormap with which the map stores tones as numbers, not as colors.
+constexpr std::string_view kNoColors = "none";
 
 std::span<const std::string_view> colormaps_and_none() {
     static const std::vector<std::string_view> words = [] {
@@ -96,8 +97,9 @@ double tone_of(double pressure, std::span<const double> scale, const PressureOpt
                          percentile_of(scale, 100.0 - options.percentile));
 }
 
-// Returns for each bubble the fraction of the total area of all bubbles in which the pressure is
-// lower. The areas of the bubble itself, and of bubbles of the same pressure, count half.
+// Returns, for each bubble, the total area of the bubbles of lower pressure, divided by the total
+// area of all bubbles. Half of the area of the bubble itself, and half of the areas of bubbles of
+// the same pressure, count as area of lower pressure.
 PerBubble<double> area_shares(const Frame& frame, const PerBubble<double>& pressures) {
     const auto areas = per_bubble<double>(
         frame,
@@ -154,9 +156,10 @@ Keys<PressureOptions> pressure_keys() {
             kScalings,
             "how pressures become tones. range: by the fixed range low to high. percentile: "
             "linearly between two percentiles of all pressures (pressure.percentile). rank: by the "
-            "rank among all pressures. share: by the share of the area of all bubbles in which the "
-            "pressure is lower. percentile and rank use the pressures at the end of the warm-up "
-            "(frames.warm_up) or, if pressures are smoothed or flattened, those of the frame",
+            "rank among all pressures. share: by the total area of the bubbles of lower pressure, "
+            "divided by the area of all bubbles. percentile and rank use the pressures at the end "
+            "of the warm-up (frames.warm_up) or, if pressures are smoothed or flattened, those of "
+            "the frame",
             &Options::scaling),
         key("percentile",
             Reals{0.0, 49.0},
@@ -186,8 +189,9 @@ Keys<PressureOptions> pressure_keys() {
             .in("rounds"),
         key("flattening",
             Integers{0, 1000},
-            "additional rounds of averaging that give a wider average, which is subtracted so that "
-            "the corridors of a labyrinth are about equally wide; 0 subtracts nothing",
+            "rounds of averaging after those of smoothing; they give a wider average, which is "
+            "subtracted so that the corridors of a labyrinth are about equally wide; 0 subtracts "
+            "nothing",
             &Options::flattening)
             .in("rounds"),
         key("exaggeration",

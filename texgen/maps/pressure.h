@@ -33,8 +33,8 @@ enum class PressureScaling {
     Range,       // from PressureOptions::low to PressureOptions::high
     Percentile,  // from a low to a high percentile of the pressures
     Rank,        // the rank among the pressures, which spreads the bubbles evenly over all tones
-    Share,       // the fraction of the area of the frame's bubbles in which the pressure is lower,
-                 // which spreads the area evenly over all tones
+    Share,       // the total area of the bubbles of lower pressure, divided by the area of all
+                 // bubbles of the frame, which spreads the area evenly over all tones
 };
 
 /// The options of the map.
@@ -45,7 +45,8 @@ struct PressureOptions {
     double high = 0.5;                          // pressure of tone 1, for Range
     double percentile = 2.0;  // for Percentile: percentage of bubbles beyond each end of the scale
     int smoothing = 0;        // rounds of averaging with neighbors (average_with_neighbors)
-    // Additional rounds that give a wider average, which is subtracted; 0 subtracts nothing.
+    // Rounds of averaging after those of `smoothing`. The wider average that they give is
+    // subtracted from the smoothed pressures. With 0 rounds, nothing is subtracted.
     int flattening = 0;
     double exaggeration = 1.0;      // factor on the difference from the middle tone, 0.5
     std::string colormap = "none";  // "none" draws the tones as numbers

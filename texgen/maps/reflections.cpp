@@ -14,7 +14,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kSharpest = 0.01;     // smallest softness of an edge; it looks sharp
+constexpr double kSharpest = 0.01;     // smallest softness; an edge of this softness looks sharp
 constexpr double kSecondWindow = 0.4;  // brightness of a window relative to the one before it
 
 }  // namespace

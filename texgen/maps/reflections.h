@@ -14,10 +14,10 @@
 
 namespace foam::texgen {
 
-/// The options of the reflections in the map lit. The surface reflects up to two windows like a
-/// mirror, and a sky that is brightest just above the horizon. The first window is in the direction
-/// of the light. The second window has the same elevation and the opposite azimuth, and is fainter,
-/// like the reflection from the back of a bubble.
+/// The options of the reflections in the map `lit`. Like a mirror, the surface reflects up to two
+/// windows, and a sky that is brightest just above the horizon. The first window is in the
+/// direction of the light. The second window has the same elevation and the opposite azimuth, and
+/// is fainter, like the reflection from the back of a bubble.
 struct ReflectionOptions {
     int windows = 0;
     double window_size = 30.0;       // width and height of a window, degrees
@@ -36,7 +36,7 @@ using Direction = Eigen::Vector3d;
 /// Returns the direction with the given azimuth and elevation in degrees (LightOptions).
 Direction direction_of(double azimuth, double elevation);
 
-/// A bright square window that the surface reflects, in a given direction.
+/// A bright square window in a given direction. The surface reflects it.
 class Window {
   public:
     Window() = default;

@@ -11,7 +11,7 @@ namespace foam::texgen {
 namespace {
 
 // The grain (a fine texture of noise, grain.h) has its full height where the smooth distance from
-// films is at least this, in diameters of the mean bubble.
+// films (DistanceField::smooth) is at least this number of diameters of the mean bubble.
 constexpr double kGrainFade = 0.12;
 
 }  // namespace
@@ -38,7 +38,8 @@ Relief::Relief(FrameLayers& layers, const ReliefSource& source, double reach)
         radii_ = radii_by_cell_id(layers, 0.0);
     }
     if (source.relief.grain > 0.0) {
-        // On flat ground, the grain only rises, so that no height is negative.
+        // With ridges and wet films, the bubbles between the films are flat and have the height 0.
+        // With the mean kGrainBound the grain is never negative, so that no height is negative.
         const double mean = source.relief.profile == ReliefProfile::Dome ? 0.0 : kGrainBound;
         grain_ = draw_grain(layers, source.relief.grain_size, GrainUse::Relief, mean);
     }

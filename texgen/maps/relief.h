@@ -65,8 +65,8 @@ class Relief {
     void for_all_pixels(const Kernel& kernel) const;
 
     /// Return the smooth distance in pixels, and its gradient (DistanceField::smooth_gradient), at
-    /// all pixels. In a relief of walls, the distance to the nearest wall takes its place. This
-    /// distance is infinite beyond the reach.
+    /// all pixels. In a relief of walls, return the distance to the nearest wall, which is infinite
+    /// beyond the reach, and the gradient of this distance.
     const Image<float>& distance() const { return *smooth_; }
     const Image<float>& gradient() const { return *gradient_; }
     const ReliefSection& section() const { return section_; }

@@ -13,11 +13,11 @@ namespace foam::texgen {
 /// The films from which the relief rises.
 enum class ReliefFilms {
     All,
-    Walls,  // the walls of the maze (MazeOptions); not for domes
+    Walls,  // the walls of the maze (MazeOptions); not allowed with ReliefProfile::Dome
 };
 
-/// The options of the relief that the maps height, normal, occlusion, curvature, lit and caustics
-/// show.
+/// The options of the relief, the surface that the maps `height`, `normal`, `occlusion`,
+/// `curvature`, `lit` and `caustics` show.
 struct ReliefOptions {
     ReliefProfile profile = ReliefProfile::Dome;
     ReliefFilms films = ReliefFilms::All;
@@ -26,7 +26,7 @@ struct ReliefOptions {
                             // borders; in diameters of the mean bubble; not used by domes
     double strength = 1.0;  // factor on heights
     // Height of the grain (grain.h) in diameters of the mean bubble, before the factor `strength`;
-    // 0 draws no grain. A relief of walls has no grain.
+    // 0 draws no grain. With ReliefFilms::Walls there is no grain.
     double grain = 0.0;
     // The size of the largest features of the grain, in diameters of a mean bubble of the seeded
     // foam.

@@ -24,11 +24,12 @@ class ReliefSampler {
                   const SkyLookup& sky,
                   const PixelNeighbors& neighbors);
 
-    /// Chooses pixels, by their indices (PixelNeighbors).
+    /// Chooses the pixels at which `write` computes the relief. `pixels` are their indices
+    /// (PixelNeighbors).
     void choose(std::span<const std::uint32_t> pixels);
-    /// Writes the relief at the same point of each chosen pixel. `offset` is the position of the
-    /// point relative to the center of the pixel, in pixels. Precondition: the spans of `to` have
-    /// as many elements as there are chosen pixels.
+    /// Writes the relief at one point of each chosen pixel. `offset`, the same for all pixels, is
+    /// the position of the point relative to the center of its pixel, in pixels. Precondition: the
+    /// spans of `to` have as many elements as there are chosen pixels.
     void write(const Vec2& offset, const ReliefPoints<float>& to) const;
 
   private:

@@ -54,9 +54,9 @@ struct RidgeSection {
     double smooth(double distance) const { return distance; }
 };
 
-/// A fillet is a quarter of a circle of radius 1 that is tangent to the ground at x = 1. The two
-/// fillets on both sides of a film would meet in an infinitely steep edge. Up to the distance
-/// kCrest from the film, a parabola replaces them.
+/// A fillet is a quarter of a circle of radius 1 that is tangent to the ground at the distance
+/// x = 1 from the film. The two fillets on both sides of a film would meet in an infinitely steep
+/// edge. Up to the distance kCrest from the film, a parabola replaces them.
 struct WetSection {
     static constexpr double kCrest = 0.1;
 

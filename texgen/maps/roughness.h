@@ -17,9 +17,9 @@ inline constexpr MapTraits kRoughnessMap = {
 
 struct RoughnessOptions {
     double cell = 0.15;  // roughness of bubbles, which are smooth and wet
-    double film = 0.45;  // roughness of films; the options of albedo give their width and shape
-    // The roughness of bubbles is from cell - variation / 2 to cell + variation / 2, clamped to
-    // [0, 1].
+    double film = 0.45;  // roughness of films; AlbedoOptions has the width and the shape of films
+    // The roughness of bubbles is from `cell` - `variation` / 2 to `cell` + `variation` / 2,
+    // clamped to [0, 1].
     double variation = 0.1;
 };
 

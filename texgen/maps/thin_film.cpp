@@ -66,9 +66,10 @@ std::vector<LinearRgb> colors_of_thicknesses(double exposure) {
 
 // The soap films that span the bubbles, indexed by the ids of the distance field.
 struct Films {
-    std::vector<double> thickness;  // nanometers, in the middle; 0 around a patch
-    std::vector<double> radius;     // of a circle with the bubble's area, pixels; 1 around a patch
-    std::vector<double> phase;      // of the swirls, radians
+    std::vector<double> thickness;  // thickness in the middle, nanometers; 0 around a patch
+    // The radius of a circle with the bubble's area, in pixels; 1 around a patch.
+    std::vector<double> radius;
+    std::vector<double> phase;  // the phase of the swirls (swirl_at), radians; 0 around a patch
 };
 
 Films films_of(FrameLayers& layers, const ThinFilmOptions& options) {
@@ -96,7 +97,8 @@ Films films_of(FrameLayers& layers, const ThinFilmOptions& options) {
 // waves wind around it. (x, y) is the place in the bubble. `phase` turns the pattern and shifts the
 // waves, so that bubbles differ.
 double swirl_at(double x, double y, double phase) {
-    constexpr double kTwist = 2.2;  // angle between the middle and the rim, radians
+    // The angle by which the pattern at the rim is turned relative to the middle, in radians.
+    constexpr double kTwist = 2.2;
     const auto [sine, cosine] = ieee::sincos_of_moderate(phase + kTwist * (x * x + y * y));
     const double at_x = cosine * x - sine * y;
     const double at_y = sine * x + cosine * y;

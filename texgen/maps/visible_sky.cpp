@@ -53,7 +53,7 @@ double visible(std::span<const double> heights, int current, double slope) {
         return steepness;
     };
     constexpr double kRight = 0.5 * std::numbers::pi;
-    const double tilt = ieee::atan(slope);  // tilt of the normal to the left
+    const double tilt = ieee::atan(slope);  // how far the normal tilts to the left
     const double left = kRight - ieee::atan(steepest(-1)) - tilt;
     const double right = kRight - ieee::atan(steepest(1)) + tilt;
     return 0.5 * (ieee::sin(left) + ieee::sin(right));

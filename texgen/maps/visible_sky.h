@@ -10,25 +10,26 @@
 
 namespace foam::texgen {
 
-/// A lookup in the table of a VisibleSky, which must outlive it.
+/// A lookup in the table of a VisibleSky. The VisibleSky must outlive the lookup.
 struct SkyLookup {
     const double* table;
     int last;  // index of the last entry
 
-    /// Returns the entry of the table for a distance from the film, in the section's unit: the
-    /// visible fraction of the sky, raised to the exponent of the VisibleSky. The distance may be
-    /// infinite; then the result is 1. Finite distances above ReliefSection::reach count as this
-    /// reach. Loops that call this function can be vectorized. Precondition: the distance is not
-    /// negative.
+    /// Returns the entry of the table for a distance from the film, in the unit of length of the
+    /// ReliefSection: the visible fraction of the sky, raised to the exponent of the VisibleSky.
+    /// The distance may be infinite; then the result is 1. Finite distances above
+    /// ReliefSection::reach count as this reach. Loops that call this function can be vectorized.
+    /// Precondition: the distance is not negative.
     double at(double distance) const {
         const double fraction = looked_up(table, last, distance * kSteps);
         return distance < std::numeric_limits<double>::infinity() ? fraction : 1.0;
     }
 
-    static constexpr int kSteps = 128;  // entries per unit of a section
+    static constexpr int kSteps = 128;  // entries per unit of length of the ReliefSection
 };
 
-/// The fraction of a uniform sky that is visible from the points of a section.
+/// A table of the fraction of a uniform sky that is visible from the points of a cross-section of
+/// the relief (ReliefSection), by their distance from the film.
 class VisibleSky {
   public:
     /// The heights of the section are multiplied by `strength`. The visible fraction is raised to

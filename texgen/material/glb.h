@@ -8,10 +8,11 @@
 
 namespace foam::texgen {
 
-/// Returns a scene of glTF 2.0 in one binary file (.glb): a plane in the plane of x and y, which
-/// faces z, with the textures of the first frame as PNGs. If the images tile, the plane shows 2 x 2
-/// tiles. glTF has no animated textures. Colors of the map lit contain light already, so viewers
-/// show them without any light (extension KHR_materials_unlit).
+/// Returns a scene of glTF 2.0 in one binary file (.glb): a rectangle in the plane z = 0, which
+/// faces +z. Its textures are PNGs of the first frame only, because glTF has no animated textures.
+/// If the images tile, the rectangle shows 2 x 2 tiles. If its colors are those of the map `lit`,
+/// they contain light already; the extension KHR_materials_unlit then makes viewers show them as
+/// they are, without lighting them again.
 Bytes glb(const SceneMaterial& material, const PreviewTextures& textures);
 
 }  // namespace foam::texgen

@@ -9,8 +9,8 @@
 namespace foam::texgen {
 
 /// Converts a name to an identifier of OpenUSD and MaterialX, which consists of ASCII letters,
-/// digits and '_', and does not begin with a digit. Every other byte becomes '_'. A leading digit
-/// gets a '_' before it, and an empty name becomes "_".
+/// digits and '_', and does not begin with a digit. Each byte that is not one of these characters
+/// becomes '_'. A leading digit gets a '_' before it, and an empty name becomes "_".
 std::string identifier(std::string_view name);
 
 /// Identifiers that differ from each other.

@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-// A node of the graph: its name and its type.
+// A node of the MaterialX node graph: its name and the type of its output.
 struct Node {
     std::string name;
     std::string type;
@@ -23,13 +23,13 @@ std::string numbers(double x, double y, double z) {
     return fmt::format("{}, {}, {}", x, y, z);
 }
 
-// Returns the color space of the colors of an image, as MaterialX names it.
+// Returns MaterialX's name of the color space of an image.
 const char* color_space_of(const SceneImage& image) {
     const std::string& space = image.samples().color_space;
     return space == "sRGB" ? "srgb_texture" : space == "ACEScg" ? "acescg" : "lin_rec709";
 }
 
-// Returns the type of the samples of an image, as MaterialX names it, such as "color3".
+// Returns MaterialX's name of the type of a pixel of an image, such as "color3".
 std::string type_of(const SceneImage& image) {
     const std::size_t channels = image.channels.size();
     return channels == 1 ? "float"
@@ -55,8 +55,8 @@ class MaterialXWriter {
         if (material_.frames.size() > 1) {
             xml_.comment(fmt::format(
                 "The images are those of frame {} of {} frames. Programs that know the frame "
-                "tokens of MaterialX play all frames if {{0Nframe}} takes the place of the N "
-                "digits of the frame number in the names of the files.",
+                "tokens of MaterialX play all frames if the N digits of the frame number in the "
+                "names of the files are replaced by {{0Nframe}}, such as {{04frame}} for 4 digits.",
                 material_.frames.front(),
                 material_.frames.size()));
         }
@@ -71,8 +71,8 @@ class MaterialXWriter {
                      {{"name", std::string(name)}, {"type", node.type}, {"nodename", node.name}});
     }
 
-    // Begins a node of the graph, whose inputs follow. If another node has the name, a number is
-    // appended to it.
+    // Begins a node of the graph; the caller writes its inputs and ends it. If another node already
+    // has this name, a number is appended to the name.
     Node begin(std::string_view category, std::string_view name, std::string_view type) {
         Node node{names_.unique(name), std::string(type)};
         xml_.begin(category, {{"name", node.name}, {"type", node.type}});
@@ -126,8 +126,8 @@ class MaterialXWriter {
                    : color;
     }
 
-    // Divides premultiplied colors by their opacity. The node unpremult is not used, because
-    // MaterialX's own GLSL divides by 0 in it where the opacity is 0.
+    // Divides premultiplied colors by their opacity. The node unpremult is not used, because its
+    // implementation in the GLSL of MaterialX divides by 0 where the opacity is 0.
     Node divided(const Node& color, const Node& opacity) {
         const Node divisor =
             computed("max", opacity.name + "_positive", opacity, "in2", "0.000001");
@@ -184,7 +184,7 @@ class MaterialXWriter {
     }
 
     // Connects an input of the surface to a node of the graph. kHeight is not an input of the
-    // surface, but of the displacement.
+    // surface: it stands for the input of the displacement.
     void use(std::string_view surface_input, const Node& node) {
         outputs_.push_back({std::string(surface_input), node});
     }
@@ -229,7 +229,7 @@ class MaterialXWriter {
 
     void write_surface() {
         xml_.begin("standard_surface", {{"name", kSurface}, {"type", "surfaceshader"}});
-        if (material_.lit) {  // the colors contain light already, so the surface reflects nothing
+        if (material_.lit) {  // the colors of the map `lit` contain all reflected light
             input("base", "float", "0");
             input("specular", "float", "0");
         } else if (!material_.base_color) {
@@ -269,9 +269,11 @@ class MaterialXWriter {
 
     const SceneMaterial& material_;
     XmlWriter xml_;
-    Identifiers names_;                                  // of the nodes of the graph
-    std::vector<Node> images_;                           // the nodes of the images of the material
-    std::vector<std::pair<std::string, Node>> outputs_;  // of the graph, by input of the surface
+    Identifiers names_;         // the names of the nodes of the graph
+    std::vector<Node> images_;  // the nodes of the images of the material
+    // The outputs of the graph: their names, and the nodes that compute them. Each output has the
+    // name of the input of the surface to which it belongs, or the name kHeight.
+    std::vector<std::pair<std::string, Node>> outputs_;
 };
 
 }  // namespace

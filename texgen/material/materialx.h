@@ -12,7 +12,7 @@ namespace foam::texgen {
 /// tile. The images are those of the first frame, because few programs replace the tokens of
 /// MaterialX for frame numbers. Occlusion scales the diffuse reflection, because a standard_surface
 /// has no other input for it. Paths of images are relative to the folder of the manifest, where the
-/// document belongs. Precondition: the images are PNG or EXR files, each with one image.
+/// document belongs. Precondition: the images are in PNG or EXR files, one image per file.
 std::string materialx_text(const SceneMaterial& material);
 
 }  // namespace foam::texgen

@@ -11,10 +11,10 @@
 namespace foam::texgen {
 
 /// The textures of a material of glTF, made of the images of the first frame. All have 8 bits per
-/// sample. If the colors are those of the map lit, there are no other textures.
+/// sample. If the colors are those of the map `lit`, there are no other textures.
 struct PreviewTextures {
-    // Colors as sRGB: the base color or, if there is none, the map lit. A fourth channel holds the
-    // opacity if the material has one. A material that has an opacity but no colors is white.
+    // Colors as sRGB: the base color or, if there is none, the map `lit`. A fourth channel holds
+    // the opacity if the material has one. A material that has an opacity but no colors is white.
     std::optional<Image<std::uint8_t>> color;
     std::optional<Image<std::uint8_t>> emission;  // as sRGB
     std::optional<Image<std::uint8_t>> normal;    // y is up

@@ -33,8 +33,9 @@ std::string_view table_of(std::string_view key) {
     return key.substr(0, key.find_first_of(".["));
 }
 
-// Moves the description from the assignments to the profile. Rejects keys that change the foam, and
-// unknown keys of the table [profile].
+// Returns the profile that a TOML text describes. The key profile.description becomes the
+// description, and the keys of all other tables become assignments. Rejects keys that change the
+// foam, and unknown keys of the table [profile].
 Profile parse_profile(std::string_view toml, std::string name, const std::string& source) {
     Profile profile{.name = std::move(name), .description = {}, .assignments = {}};
     for (Assignment& assignment : read_assignments(toml, source)) {
@@ -46,7 +47,7 @@ Profile parse_profile(std::string_view toml, std::string name, const std::string
             }
             profile.description = *text;
         } else if (table == kTable && assignment.key != kTable) {
-            reject(assignment, "unknown key; the table [profile] has only the key description");
+            reject(assignment, "unknown key; the only key of the table [profile] is 'description'");
         } else if (table != kTable && table_affects_simulation(table)) {
             reject(
                 assignment,
@@ -84,8 +85,9 @@ std::string with_word(std::string text, std::string_view word, std::string_view 
     return text;
 }
 
-// Replaces the map albedo where an item of image.maps, output.pack ("NAME=R,G,B") or output.names
-// ("MAP=WORD") names a map.
+// Replaces the name of the map albedo by `base` in an item of a list, but only where the item names
+// a map: everywhere in image.maps, after the "=" in output.pack ("NAME=R,G,B"), and before the "="
+// in output.names ("MAP=WORD").
 std::string with_base_color(const std::string& key,
                             const std::string& item,
                             const std::string& base) {

@@ -41,23 +41,25 @@ Profile load_profile(const std::string& name_or_path);
 /// Returns the assignments of a profile for a preset. They are those of the profile, with two
 /// changes:
 ///
-/// - Where image.maps, output.pack and output.names of the profile name the map albedo, the
-///   assignments name the map that has the colors of the preset (base_color_map). Names of packings
-///   and words of file names stay the same.
+/// - In the profile's values of image.maps, output.pack and output.names, the map albedo is
+///   replaced by the map that has the colors of the preset (base_color_map). Only names of maps are
+///   replaced: the names of packed images (output.pack) and the words for maps in file names
+///   (output.names) stay the same.
 /// - The map emission is left out of image.maps if nothing in the preset glows (lit.glow is 0).
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
 
 /// Returns the assignments of the profile with the given name or path for a preset. `later` are the
-/// assignments that will override them. The result is computed for the preset after the later
-/// assignments, except that base_color_map uses image.maps as it is before them. Throws the
-/// exceptions of load_profile, and PresetError if one of the later assignments is not allowed.
+/// assignments that will override them. The result is that of assignments_for for a copy of the
+/// preset in which the later assignments have been made, but image.maps, which base_color_map
+/// reads, has kept its value. Throws the exceptions of load_profile, and PresetError if one of the
+/// later assignments is not allowed.
 std::vector<Assignment> profile_assignments(const std::string& profile,
                                             const Preset& preset,
                                             std::span<const Assignment> later);
 
-/// Returns the name of the map that has the colors of a preset without light: the first map of
-/// colors in image.maps, except emission and id_color. The map lit stands for the map whose colors
-/// it shows. Returns "albedo" if there is no such map.
+/// Returns the name of the map that has the unlit colors of a preset. This is the first map of
+/// colors in image.maps, apart from emission and id_color. If that map is `lit`, it is the map
+/// whose colors `lit` shows. If image.maps has no map of colors, it is "albedo".
 std::string base_color_map(const Preset& preset);
 
 }  // namespace foam::texgen

@@ -11,9 +11,9 @@ namespace foam::texgen {
 
 /// Checks that the scene files of output.scene can be written, before a bake begins. Throws
 /// std::invalid_argument if no image of the preset is part of a material, if the files of the bake
-/// are vector files, or if a format cannot refer to them: OpenUSD and MaterialX need PNG files, or
-/// EXR files with one map each, and OpenUSD needs straight colors with the primaries of sRGB. A
-/// preview of glTF contains its images, so it is possible with all image files.
+/// are vector files, or if a scene format cannot refer to the images of the bake: OpenUSD and
+/// MaterialX need PNG files, or EXR files with one map each, and OpenUSD needs straight colors with
+/// the primaries of sRGB. A scene of glTF contains its images, so all image formats are possible.
 void check_scenes(const Preset& preset);
 
 /// Writes the scene files of output.scene for a preset, whose bake has just ended, into the folder

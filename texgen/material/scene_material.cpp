@@ -17,7 +17,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kSameDisplacement = 1e-9;  // largest relative difference of equal displacements
+constexpr double kSameDisplacement = 1e-9;  // largest relative difference that counts as equal
 constexpr std::size_t kAlpha = 3;           // index of the opacity in an image of colors
 
 std::vector<std::string> words_in(const std::string& text) {
@@ -72,7 +72,8 @@ class MaterialBuilder {
         return SceneChannel{index, source->channel};
     }
 
-    // Sets the scale and the bias of the normals: x, y and z are from -1 to 1, and y is up.
+    // Sets the scale and the bias of the image of normals, so that they convert its samples to
+    // normals with y up, whose x, y and z are from -1 to 1.
     void scale_normals() {
         SceneImage& image = material.images[*material.normal];
         const bool has_codes = image.has_codes();
@@ -117,8 +118,8 @@ class MaterialBuilder {
 
     const BakedSet& set_;
     const std::filesystem::path& folder_;
-    std::vector<std::string> names_;                   // of the drawn images
-    std::vector<std::optional<std::size_t>> indices_;  // of the drawn images in material.images
+    std::vector<std::string> names_;                   // the names of the drawn images
+    std::vector<std::optional<std::size_t>> indices_;  // their indices in material.images
     Identifiers ids_;
 };
 
@@ -175,7 +176,7 @@ SceneMaterial scene_material(const Preset& preset,
     if (color && material.images[*color].samples().alpha != "none") {
         material.opacity = SceneChannel{*color, kAlpha};
     } else if (!material.tiles) {
-        material.opacity = builder.channel(sources.opacity);  // it is 1 everywhere on a torus
+        material.opacity = builder.channel(sources.opacity);  // images that tile are opaque
     }
     if (material.normal) {
         builder.scale_normals();

@@ -45,8 +45,8 @@ struct SceneChannel {
 struct SceneMaterial {
     std::string id;                     // the name of the preset as an identifier
     std::string preset;                 // the name of the preset
-    std::string description;            // of the preset
-    double plane_height = kPlaneWidth;  // of an image, meters
+    std::string description;            // the description of the preset
+    double plane_height = kPlaneWidth;  // the height of an image in a scene, meters
     bool tiles = true;                  // true if the images of all frames tile
     int frames_per_second = 24;
     std::vector<int> frames;  // the frames of which all images exist, in increasing order

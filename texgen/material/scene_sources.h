@@ -9,11 +9,12 @@
 
 namespace foam::texgen {
 
-/// A channel of one of the images of a preset that holds a number of the material.
+/// A channel of an image of a preset. The channel holds one property of the material, such as the
+/// roughness.
 struct SceneSource {
     std::size_t image = 0;    // index in drawn_images(preset)
     std::size_t channel = 0;  // index of the channel in this image
-    bool inverted = false;    // true if the channel holds 1 minus the number
+    bool inverted = false;    // true if the channel holds 1 minus the property
 
     friend bool operator==(const SceneSource&, const SceneSource&) = default;
 };
@@ -21,12 +22,13 @@ struct SceneSource {
 /// The images of a preset (drawn_images) that make its material in a scene file. Images are given
 /// by their indices.
 struct SceneSources {
-    // The colors without light: the map base_color_map, or a packing of its channels R, G and B.
+    // Colors that do not contain light: the map base_color_map(preset), or a packing of its
+    // channels R, G and B.
     std::optional<std::size_t> base_color;
-    // The map lit, or a packing of its channels R, G and B, if there is no base color. Its colors
-    // contain light already, so the material shows them as they are.
+    // If there is no base color: the map `lit`, or a packing of its channels R, G and B. Its colors
+    // contain light already, so the material adds no light to them.
     std::optional<std::size_t> lit;
-    // The map emission, or a packing of its channels R, G and B, if `lit` is not set.
+    // If `lit` is not set: the map `emission`, or a packing of its channels R, G and B.
     std::optional<std::size_t> emission;
     // Normals, as a map and not packed. A map whose y is up is preferred.
     std::optional<std::size_t> normal;

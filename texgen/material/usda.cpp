@@ -31,7 +31,8 @@ std::string asset(const std::string& path) {
     return fmt::format("{0}./{1}{0}", quotes, path);
 }
 
-// Returns a tuple of four numbers. The number of `channel`, if given, is multiplied by `factor`.
+// Returns a tuple of four numbers. If `channel` is given, the number with this index is multiplied
+// by `factor`.
 std::string tuple(std::array<double, 4> numbers,
                   std::optional<std::size_t> channel,
                   double factor) {
@@ -95,8 +96,8 @@ class UsdaWriter {
         text_ += ")\n";
     }
 
-    // A mesh with the subdivision scheme "bilinear" stays flat when a renderer subdivides it, which
-    // displacement requires.
+    // For displacement, a renderer must subdivide the mesh. With the subdivision scheme "bilinear",
+    // the subdivided mesh stays flat.
     void write_plane() {
         const double x = kPlaneWidth / 2.0;
         const double y = material_.plane_height / 2.0;

@@ -11,7 +11,7 @@
 namespace foam::texgen {
 
 /// Writes an XML document. Values of attributes are escaped; control characters in them that XML
-/// does not allow are replaced by '?'. Names and comments are written as they are.
+/// does not allow are replaced by '?'. Names and comments are not escaped.
 class XmlWriter {
   public:
     using Attributes = std::vector<std::pair<std::string_view, std::string>>;

@@ -11,11 +11,12 @@
 #include <stdexcept>
 #include <utility>
 
-// The faces of the solid are the walls from above, the floors (the plate without the walls) from
-// above, and both together from below. The tessellator is called for walls and for floors. The
-// border of the floors is computed from the edges of the triangles of the walls, so that triangles
-// of walls and floors share all edges and points. The sides are the edges of the plate and of the
-// border of the walls, extruded.
+// The solid has horizontal faces: the tops of the walls, the floors (the top of the plate between
+// the walls), and the bottom, which consists of the triangles of walls and floors. Without a plate
+// there are no floors. The tessellator is called for the walls and for the floors, and once for the
+// plate, to find the border of the union of its rings. The border of the floors is computed from
+// the edges of the triangles of the walls, so that triangles of walls and floors share all edges
+// and points. The sides are the edges of the plate and of the border of the walls, extruded.
 
 namespace foam::texgen {
 
@@ -51,8 +52,8 @@ std::vector<Edge> edges_of(std::span<const Ring> rings, PointTable& points) {
     return without_opposites(std::move(edges));
 }
 
-// Divides the edges of a plate at the points of walls on them. Where walls end at the border of the
-// plate, this border then consists of edges of walls and edges between walls.
+// Divides each edge of a plate at the points of walls that are on this edge. Where walls end at the
+// border of the plate, this border then consists of edges of walls and edges between walls.
 std::vector<Edge> divided(std::span<const Edge> edges,
                           std::span<const Edge> walls,
                           const PointTable& points) {
@@ -107,8 +108,8 @@ class Levels {
     Mesh take() { return std::move(mesh_); }
 
   private:
-    // The points of the mesh at one height. A call returns the index in the mesh of a point of the
-    // plane at this height; the first call with a point adds it to the mesh.
+    // The points of the mesh at one height. The first call with a point of the plane adds the point
+    // at this height to the mesh. Every call returns the index of the added point.
     class Level {
       public:
         Level(Levels& owner, double height)
@@ -196,7 +197,7 @@ Mesh extruded(const Extrusion& extrusion) {
     const std::vector<Edge> around_walls = edges_of(extrusion.walls, points);
     const Region walls = region_of(around_walls, points);
     const bool has_plate = extrusion.base_height > 0.0;
-    // The union of the rings of the plate.
+    // The border of the union of the rings of the plate.
     const std::vector<Edge> plate =
         has_plate ? region_of(edges_of(extrusion.plate, points), points).border
                   : std::vector<Edge>();

@@ -17,13 +17,15 @@ struct Extrusion {
     // True if walls end on the border of the plate. Every edge of the plate is then compared with
     // every edge of the walls, so the plate should have few corners.
     bool reaches_border = false;
-    double base_height = 0.0;  // of the plate, from z = 0; 0 if there is no plate
-    double wall_height = 0.0;  // above the plate, or above z = 0 if there is no plate
+    double base_height = 0.0;  // the height of the plate, from z = 0; 0 if there is no plate
+    // The height of the walls above the plate, or above z = 0 if there is no plate.
+    double wall_height = 0.0;
 };
 
-/// The number of triangles of an extrusion is at most this number times the number of corners of
-/// its walls, apart from the plate. Each corner belongs to two triangles of a side, and to about
-/// one triangle of each face: of walls and floors, from above and from below.
+/// An extrusion has at most this number of triangles per corner of its walls. Triangles at the
+/// corners of the plate are not counted. Each corner of the walls belongs to two triangles of a
+/// side, and to about one triangle of each of four faces: the walls and the floors, from above and
+/// from below.
 inline constexpr std::size_t kTrianglesPerCorner = 6;
 
 /// Returns the solid as one mesh. Horizontal coordinates are rounded to PrintGrid. Throws

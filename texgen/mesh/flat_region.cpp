@@ -18,7 +18,7 @@
 namespace foam::texgen {
 
 PrintGrid::PrintGrid(double extent) : step_(1.0) {
-    // Single precision has 24 significant bits.
+    // Single precision has 24 significant bits, so that it represents this many steps exactly.
     constexpr double kSteps = 1 << 22;
     while (step_ * kSteps < extent) {
         step_ *= 2.0;
@@ -108,8 +108,8 @@ void visit_loops(std::span<const Edge> edges, const Visit& visit, const End& end
     }
 }
 
-// Receives the triangles of GLU. An exception must not pass through GLU, which is written in C, so
-// the first one is kept. (If on_combine throws, GLU then calls on_error.)
+// Receives the triangles from the tessellator of GLU. An exception must not pass through GLU, which
+// is written in C, so the first exception is kept. (If on_combine throws, GLU then calls on_error.)
 class Tessellation {
   public:
     explicit Tessellation(PointTable& points) : points_(points) {}
@@ -118,8 +118,9 @@ class Tessellation {
         corners_[count_++] = point;
         if (count_ == corners_.size()) {
             const auto& [a, b, c] = corners_;
-            // Crossings can be rounded to the same point as a corner of the triangle. The triangle
-            // is then an edge, which its neighbors share.
+            // The point where two edges cross is rounded to the grid, where it can coincide with
+            // another corner of the triangle. The triangle is then only an edge, which its
+            // neighbors share.
             if (a != b && b != c && c != a) {
                 triangles.push_back(corners_);
             }
@@ -146,8 +147,8 @@ class Tessellation {
     std::size_t count_ = 0;
 };
 
-// GLU passes on pointers, which are here indices plus 1: a null pointer that on_combine returned
-// would mean that it has no point.
+// GLU passes on pointers, which are not dereferenced. Here, a pointer is an index plus 1. The 1 is
+// added because a null pointer from on_combine would mean that on_combine has made no point.
 void* as_pointer(std::uint32_t index) {
     return reinterpret_cast<void*>(  // NOLINT(performance-no-int-to-ptr): never dereferenced
         std::uintptr_t{index} + 1);

@@ -49,17 +49,18 @@ class PointTable {
     std::unordered_map<std::uint64_t, std::uint32_t> indices_;
 };
 
-/// Returns the edges of a ring on the grid. Edges between equal points are left out.
+/// Adds the corners of a ring to `points`, which moves them to its grid, and returns the edges
+/// between the moved corners. Edges between equal points are left out.
 std::vector<Edge> edges_of(const Ring& ring, PointTable& points);
 
 /// Returns the edges in ascending order, without pairs of opposite edges.
 std::vector<Edge> without_opposites(std::vector<Edge> edges);
 
 /// Returns counter-clockwise triangles of the region in which the winding number of the edges is
-/// positive. The tessellator of GLU, which is a sweep, adds a point where edges cross; all other
-/// points of the triangles are points of the edges. The corners of a triangle are different points,
-/// but they can be on one line. Precondition: the edges are in ascending order, and at each point,
-/// as many edges end as begin. Throws std::bad_alloc if the machine has too little memory.
+/// positive. The tessellator of GLU, a sweep-line algorithm, adds a point where edges cross; all
+/// other points of the triangles are points of the edges. The corners of a triangle are different
+/// points, but they can be on one line. Precondition: the edges are in ascending order, and at each
+/// point, as many edges end as begin. Throws std::bad_alloc if the machine has too little memory.
 std::vector<Triangle> triangles_of(std::span<const Edge> edges, PointTable& points);
 
 }  // namespace foam::texgen

@@ -17,7 +17,8 @@ namespace foam::texgen {
 /// refers.
 class GlbBuilder {
   public:
-    /// The parts of the file that have no function below are added to the JSON directly.
+    /// The content of the JSON text. If this class has no function that adds a part, the caller
+    /// adds the part to this member.
     Json json;
 
     /// Begins a file with one node that shows mesh 0.
@@ -27,7 +28,8 @@ class GlbBuilder {
     std::size_t add_bytes(std::span<const std::byte> content);
 
     /// Adds vectors of 2, 3 or 4 components as an attribute of vertices. `limits` may have the
-    /// members "min" and "max", which positions must have. Returns the index of the accessor.
+    /// members "min" and "max"; both are required for positions. Returns the index of the
+    /// accessor.
     std::size_t add_vectors(std::span<const float> numbers, int components, const Json& limits);
 
     /// Adds the corners of triangles as indices of vertices. Returns the index of the accessor.

@@ -14,9 +14,9 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kMeters = 0.001;  // of a millimeter
+constexpr double kMeters = 0.001;  // meters per millimeter
 
-// Turns vectors from z up to y up, and multiplies them.
+// Turns vectors from z up to y up, and multiplies them by a factor.
 std::vector<float> turned(std::span<const Point3> vectors, double factor) {
     std::vector<float> numbers;
     numbers.reserve(3 * vectors.size());
@@ -24,7 +24,7 @@ std::vector<float> turned(std::span<const Point3> vectors, double factor) {
         return static_cast<float>(factor * static_cast<double>(number));
     };
     for (const auto& [x, y, z] : vectors) {
-        // Adding 0 turns -0 into 0.
+        // 0 - y is 0 if y is 0; the plain negative of y would then be -0.
         numbers.insert(numbers.end(), {scaled(x), scaled(z), 0.0F - scaled(y)});
     }
     return numbers;

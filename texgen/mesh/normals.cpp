@@ -15,7 +15,7 @@ namespace {
 
 using Vector3 = std::array<double, 3>;
 
-constexpr double kSmoothCosine = 0.8660254037844386;  // of 30 degrees
+constexpr double kSmoothCosine = 0.8660254037844386;  // the cosine of 30 degrees
 
 Point3 to_float(const Vector3& vector) {
     return {static_cast<float>(vector[0]),

@@ -24,8 +24,9 @@ void append_numbers(std::string& file, std::span<const Number> numbers) {
     file.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
-// A file whose header begins with "solid" is taken for the text format. The header ends with a zero
-// byte, because programs such as admesh print everything up to the first one.
+// Returns the header of the file. Programs take an STL file for the text format if it begins with
+// "solid", so this header begins with another word. It ends with a zero byte, because programs such
+// as admesh print everything up to the first one.
 std::string header_of(std::string_view title) {
     std::string header = "foamtex mesh in millimeters: ";
     header += title;

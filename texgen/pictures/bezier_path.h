@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// A cubic Bézier curve from a start, which is the end of the curve before it. A straight line has
-/// its control points on the line.
+/// A cubic Bézier curve. It starts at the end of the preceding curve or, if it is the first curve,
+/// at the start of the subpath. A straight line has its control points on the line.
 struct CubicCurve {
     Vec2 control_1;
     Vec2 control_2;
@@ -36,18 +36,21 @@ struct Subpath {
 
 using BezierPath = std::vector<Subpath>;
 
-/// The elliptical arc of an SVG path, without its start.
+/// An elliptical arc, described as in an SVG path. It starts at the end of the subpath to which it
+/// is appended (add_arc).
 struct EllipticalArc {
     Vec2 radii;
-    double rotation = 0.0;     // of the first radius, in radians
-    bool is_large = false;     // more than half of the ellipse
-    bool is_positive = false;  // by increasing angles, from the x axis to the y axis
+    double rotation = 0.0;  // of the first radius, in radians
+    bool is_large = false;  // true if the arc is more than half of the ellipse
+    // True if angles increase along the arc. Angles increase from the x axis to the y axis.
+    bool is_positive = false;
     Vec2 end;
 };
 
 /// Appends an elliptical arc as one to four curves (implementation notes of SVG 1.1, F.6). The
-/// curves deviate from the arc by at most 0.03 % of the radius. Radii that are too small are
-/// enlarged; an arc with a radius of 0 is a line.
+/// curves deviate from the arc by at most 0.03 % of the larger radius. If the radii are too small
+/// for an ellipse through the start and the end, both are multiplied by the same factor. An arc
+/// with a radius of 0 is a line.
 void add_arc(Subpath& path, const EllipticalArc& arc);
 
 /// An affine map: (x, y) becomes (a x + c y + e, b x + d y + f).
@@ -64,8 +67,9 @@ struct AffineMap {
 /// Returns the image of the path under a map.
 BezierPath mapped(BezierPath path, const AffineMap& map);
 
-/// Returns the corners of a polygon along a closed path. Each curve is divided into at most 64
-/// pieces, so that the polygon deviates from it by at most `tolerance` if that number suffices.
+/// Returns the corners of a polygon along a closed path. Each curve is divided into so many pieces
+/// that the polygon deviates from the curve by at most `tolerance`. A curve that needs more than 64
+/// pieces is divided into 64, and the deviation may be larger.
 std::vector<Vec2> flattened(const Subpath& path, double tolerance);
 
 }  // namespace foam::texgen

@@ -8,10 +8,12 @@
 #include <cstdint>
 #include <limits>
 
-// The grid has a border of zeros, so that no ring leaves it. A contour crosses a side of a square
-// where one end of the side is inside of the region and the other end is outside. Each square links
-// its crossings in pairs: the link leads from a side where a counter-clockwise traversal of the
-// square leaves the region to a side where the traversal enters it. The links form the rings.
+// The region is where the numbers of the grid are at least the level. The grid has a border of
+// zeros, so that each contour is a closed ring. Four neighboring points of the grid are the corners
+// of a square. A contour crosses a side of a square where one end of the side is inside of the
+// region and the other end is outside. Each square links its crossings in pairs: the link leads
+// from a side where a counter-clockwise traversal of the square leaves the region to a side where
+// the traversal enters it. The links form the rings.
 
 namespace foam::texgen {
 
@@ -56,7 +58,8 @@ class ContourTracer {
         return is_inside ? static_cast<double>(grid_.pixel(x, y)[0]) : 0.0;
     }
 
-    // Return the side from a point to the next point on its right, and to the next point above it.
+    // side_right returns the side from a point to its right neighbor, side_above the side to its
+    // upper neighbor.
     SideId side_right(int x, int y) const {
         return 2 * (static_cast<SideId>(y + 1) * columns_ + static_cast<SideId>(x + 1));
     }
@@ -76,7 +79,8 @@ class ContourTracer {
             if (!is_inside(k) || is_inside(k + 1)) {
                 continue;
             }
-            // The next side where the traversal enters (the previous one if corners are separate).
+            // The next side where the traversal enters, or the previous one if opposite corners are
+            // not connected.
             std::size_t entry = k;
             do {
                 entry = (entry + (is_connected ? 1 : kCorners - 1)) % kCorners;
@@ -97,7 +101,7 @@ class ContourTracer {
         return is_horizontal ? Vec2(x + t, y) : Vec2(x, y + t);
     }
 
-    // Returns the ring through a side, and removes its links.
+    // Returns the ring that crosses the side `start`, and removes the links of the ring.
     std::vector<Vec2> take_ring(SideId start) {
         std::vector<Vec2> ring;
         for (SideId side = start; next_[side] != kNoSide;) {
@@ -111,7 +115,7 @@ class ContourTracer {
 
     const Image<float>& grid_;
     double level_;
-    SideId columns_;            // points of a row, with the border
+    SideId columns_;            // number of points in a row, with the border
     std::vector<SideId> next_;  // per side: the next crossing of the ring, or kNoSide
 };
 

@@ -27,10 +27,12 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::array<std::string_view, 4> kBuiltIn{"even", "gradient", "radial", "noise"};
-constexpr int kMostPictureCells = 1024;  // of a picture, along its longer side
-constexpr int kEdgeCells = 256;          // for the comparison of opposite edges
-constexpr int kBuiltInCells = 512;       // of a density that is built in, along the longer side
-constexpr int kOctaves = 3;              // of the noise
+// The largest number of cells of a picture along its longer side: for seeding, and for the
+// comparison of opposite edges.
+constexpr int kMostPictureCells = 1024;
+constexpr int kEdgeCells = 256;
+constexpr int kBuiltInCells = 512;  // cells along the longer side of a density that is built in
+constexpr int kOctaves = 3;         // number of octaves of the noise
 // A picture may be stretched by this factor in one direction without a remark.
 constexpr double kUnnoticedStretch = 1.02;
 
@@ -72,8 +74,8 @@ struct DensitySources {
     }
 };
 
-// A function of the place that returns the darkness. Coordinates are from 0 to 1 across the
-// rectangle.
+// A function that returns the darkness at a point of the rectangle of the foam (DensityDomain).
+// Both coordinates run from 0 to 1 across the rectangle.
 using Tone = std::function<double(double x, double y)>;
 
 // Returns (1 - cos(2 pi x)) / 2, which is 0 at both edges and 1 in the middle.
@@ -129,8 +131,8 @@ class LatticeNoise {
     int rows_;
 };
 
-// Returns the sum of kOctaves of noise. Each further octave has features of half the size and half
-// the height.
+// Returns the sum of several octaves of noise (kOctaves). The features of each further octave have
+// half the size and half the height of those of the octave before.
 Tone noise(const DensityOptions& options, double aspect) {
     Random random(static_cast<std::uint64_t>(options.noise_seed));
     const double wider = std::max(aspect, 1.0);
@@ -200,10 +202,11 @@ Keys<DensityOptions> density_keys() {
     return {
         key("density",
             DensitySources{},
-            "where the seeded bubbles are small: where a picture is dark; gradient: in the middle "
-            "of the height of a torus, at the bottom of a patch; radial: in the middle; noise: in "
-            "random places; even: they have the same mean size everywhere. With other values than "
-            "even, area_ratio is the ratio of areas at one place",
+            "where the seeded bubbles are small; path of a picture: where the picture is dark; "
+            "gradient: in the middle of the height of a torus, at the bottom of a patch; radial: "
+            "in the middle; noise: in random places; even: nowhere, because the mean size is the "
+            "same everywhere. With other values than even, area_ratio is the ratio of areas at one "
+            "place",
             &Options::source)
             .with_files(is_picture_name),
         key("density_ratio",

@@ -21,9 +21,9 @@ struct DensitySource {
 
 /// The treatment of the edges of a picture on a torus, where each edge meets the opposite one.
 enum class PictureEdges {
-    Keep,    // the picture as it is
-    Mirror,  // the picture, and mirror images of it beside and above it, each of half the width
-             // and height
+    Keep,    // the picture is not changed
+    Mirror,  // the picture and three mirror images of it; each of the four covers a quarter of the
+             // torus
     Blend,   // opposite edges are adjusted to their mean; the adjustment fades out inward
 };
 
@@ -34,7 +34,7 @@ struct DensityOptions {
     double ratio = 30.0;       // largest divided by smallest bubble area
     bool is_inverted = false;  // false: bubbles are small where it is dark; true: where it is light
     PictureEdges edges = PictureEdges::Keep;
-    double noise_scale = 3.0;  // features of the noise along the shorter side
+    double noise_scale = 3.0;  // number of features of the noise along the foam's shorter side
     std::int64_t noise_seed = 1;
 };
 
@@ -47,16 +47,16 @@ struct DensityDomain {
 };
 
 /// Returns the field of bubble areas of a density, or nullopt if the source is "even". The darkness
-/// of a picture is 1 - luminance_of the color on white. The darkness of every place is first
-/// stretched to the range from 0 to 1. The area a then follows from 1 / sqrt(a), which is linear in
-/// the darkness: a is 1 at the darkest place and `options.ratio` at the lightest one, or the
-/// reverse if `options.is_inverted` is true. Lines of a constant width along the films cover a part
-/// of each place that is proportional to 1 / sqrt(a), so that a foam of dark films on a light
-/// ground has the tones of the picture.
+/// of a picture is 1 minus the luminance (luminance_of) of its colors on white. The darkness of the
+/// whole rectangle is first stretched to the range from 0 to 1. The area a then follows from
+/// 1 / sqrt(a), which is linear in the darkness: a is 1 at the darkest place and `options.ratio` at
+/// the lightest one, or the reverse if `options.is_inverted` is true. If films have a constant
+/// width, the fraction of each place that they cover is proportional to 1 / sqrt(a), so that a foam
+/// of dark films on a light ground has the tones of the picture.
 std::optional<AreaField> area_field_of(const DensityOptions& options, const DensityDomain& domain);
 
 /// Returns remarks on the picture of a density: that it is stretched by more than 2 % in one
-/// direction, or that it does not tile, on a torus with PictureEdges::Keep.
+/// direction relative to the other, and, on a torus with PictureEdges::Keep, that it does not tile.
 std::vector<std::string> density_remarks(const DensityOptions& options,
                                          const DensityDomain& domain);
 

@@ -8,8 +8,9 @@
 #include <tuple>
 #include <utility>
 
-// Along each row of samples, the winding numbers of each shape give the spans that it covers. The
-// union of the spans of all shapes is added to the pixels of the row.
+// Each row of pixels is crossed by kRowsOfPixel horizontal lines, which are called rows of samples.
+// Along each row of samples, the winding numbers of each shape give the spans that the shape
+// covers. The union of the spans of all shapes is added to the pixels of the row.
 
 namespace foam::texgen {
 

@@ -26,17 +26,18 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::string_view kSvgSuffix = ".svg";
-// The largest number of pixels along a side of the picture of a drawing. The picture of a very long
-// drawing has fewer pixels than `grid_points` of outlines_of_svg.
+// A drawing (SVG) is drawn as a picture of about `grid_points` pixels (outlines_of_svg). This is
+// the largest number of pixels along a side of the picture, without kMargin. Because of this limit,
+// the picture of a very long drawing has fewer pixels than `grid_points`.
 constexpr double kMaxSide = 16384.0;
 constexpr double kMargin = 1.0;  // around the drawing, in pixels
 // The largest deviation of polygons from curves, in pixels.
 constexpr double kFlatness = 0.1;
-// The largest total height of all sides of the polygons of a drawing, in pixels. It bounds the time
-// that drawing takes: a few seconds.
+// The largest total height of all sides of the polygons of a drawing, in pixels. It limits the time
+// of fill_coverage to a few seconds.
 constexpr double kMaxHeight = 1e7;
-// Coordinates whose magnitude is above this number are rejected, because their differences may be
-// rounded to nothing.
+// Coordinates whose magnitude is not below this number are rejected, because their differences may
+// be rounded to nothing.
 constexpr double kLargestCoordinate = 1e12;
 
 // The bounding box of the control points of all shapes.
@@ -163,8 +164,8 @@ FileOutline read_outline_file(const std::string& path) {
     FileOutline outline = outline_in(path);
     if (outline.parts.empty()) {
         throw InputError(
-            fmt::format("cannot use '{}' as an outline: no part of it is opaque or, if nothing is "
-                        "transparent, darker than half lightness",
+            fmt::format("cannot use '{}' as an outline: it must have an opaque part or, if nothing "
+                        "is transparent, a part that is darker than half lightness",
                         path));
     }
     return outline;

@@ -59,7 +59,7 @@ class ColorSum {
     double weight_ = 0.0;
 };
 
-// Returns the bin of a color; `codes` are the sRGB codes of light.
+// Returns the bin of the color of a pixel. `codes` is the table srgb_codes_of_light().
 std::size_t bin_of(std::span<const std::uint16_t> pixel, std::span<const std::uint8_t> codes) {
     std::size_t bin = 0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -18,7 +18,8 @@ namespace foam::texgen {
 struct PictureFile {
     std::string path{};                              // empty if no picture is named
     std::shared_ptr<const SourcePicture> picture{};  // null if no picture is named
-    std::string hash{};  // pixel_hash of the picture with the primaries of sRGB
+    // pixel_hash of the picture after its colors have been converted to the primaries of sRGB
+    std::string hash{};
 
     bool is_set() const { return picture != nullptr; }
 };

@@ -24,7 +24,7 @@ bool has_transparent_part(const SourcePicture& picture) {
     return false;
 }
 
-// Returns the number of pixels along the side of the squares that are averaged.
+// Returns the side, in pixels, of the squares of pixels whose means are the numbers of the grid.
 int block_size(const SourcePicture& picture) {
     const double pixels = static_cast<double>(picture.width()) * picture.height();
     return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kOutlineGridPoints))));

@@ -58,8 +58,8 @@ LightChannels light_channels(const Picture& picture, const std::filesystem::path
                     path.string()));
 }
 
-// Returns the samples of light of all codes of a type: a table, because a picture has many pixels
-// and few codes.
+// Returns a table that gives, for each code of a sample type, the sample of its linear light. With
+// the table, each code is converted only once, although many pixels may have it.
 std::vector<std::uint16_t> light_of_codes(SampleType type) {
     std::vector<std::uint16_t> samples(type == SampleType::Uint8 ? 256 : 65536);
     const double last = static_cast<double>(samples.size() - 1);
@@ -93,7 +93,8 @@ class RowReader {
         }
     }
 
-    // Writes the light of a row to a channel of `pixels`, whose opacities are known.
+    // Writes the light of a row to channel `to` of `pixels`. Precondition: read_opacity has written
+    // the opacities of the row.
     void read_light(const PictureChannel& channel,
                     int row,
                     std::size_t to,

@@ -91,7 +91,7 @@ class PathReader {
 
     void curve() {
         const Vec2 from = at();
-        // S and T continue the direction of a curve of the same kind before them.
+        // S continues the direction of a preceding C or S, and T that of a preceding Q or T.
         const Vec2 mirrored = 2.0 * from - control_;
         switch (upper(command_)) {
             case 'C': {
@@ -174,8 +174,8 @@ class PathReader {
     SvgText text_;
     BezierPath path_;
     char command_ = '\0';
-    char before_ = '\0';      // the command before, as a capital letter
-    Vec2 control_{0.0, 0.0};  // the last control point of the curve before
+    char before_ = '\0';      // the preceding command, as a capital letter
+    Vec2 control_{0.0, 0.0};  // the last control point of the preceding curve
     bool is_closed_ = false;  // true after Z
 };
 

@@ -13,8 +13,8 @@ namespace foam::texgen {
 /// gives the position, but not the file.
 BezierPath parse_svg_path(std::string_view data);
 
-/// Returns the map of an attribute `transform`. Throws InputError if the text is not a list of
-/// transforms; the message does not name the file.
+/// Returns the affine map that an attribute `transform` describes. Throws InputError if the text is
+/// not a list of transforms; the message does not name the file.
 AffineMap parse_svg_transform(std::string_view attribute);
 
 /// Returns a polygon from an attribute `points`. Throws InputError if the text is not a list of

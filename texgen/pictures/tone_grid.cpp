@@ -10,15 +10,17 @@ namespace foam::texgen {
 
 namespace {
 
-// Edges count as visible if the mean difference of their tones, and its ratio to the mean
-// difference of adjacent tones, are above these numbers.
+// Two opposite edges of a grid count as visible if the mean difference between the tones of the one
+// and of the other edge is above kVisibleStep, and above kVisibleRatio times the mean difference
+// between adjacent tones.
 constexpr double kVisibleStep = 0.02;
 constexpr double kVisibleRatio = 3.0;
-// The part of a grid over which an adjustment of its edges fades out.
+// The fraction of the width or height of a grid over which the change that blend_edges makes at an
+// edge fades out.
 constexpr double kBlendedPart = 0.125;
 
-// Returns the first pixel of a cell of a grid; the first pixel of the cell after the last one is
-// the number of pixels.
+// Divides a row or a column of `pixels` pixels into `cells` cells. Returns the index of the first
+// pixel of a cell. If `cell` equals `cells`, returns `pixels`.
 int first_pixel(int cell, int cells, int pixels) {
     return static_cast<int>(static_cast<std::int64_t>(cell) * pixels / cells);
 }
@@ -41,11 +43,10 @@ void blend_ends(const Line& line, int length) {
     }
 }
 
-// The differences of the tones of a grid in one direction.
+// The differences between the tones of a grid along all of its rows, or along all of its columns.
 struct Differences {
-    double ends = 0.0;      // sum of the differences of opposite edges
-    double adjacent = 0.0;  // sum of the differences of adjacent tones, divided by their number per
-                            // line
+    double ends = 0.0;      // sum over the lines of the difference between the two ends of the line
+    double adjacent = 0.0;  // sum over the lines of the mean difference between adjacent tones
     int lines = 0;
 
     void add_line(const std::function<double(int)>& line, int length) {

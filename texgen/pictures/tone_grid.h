@@ -10,15 +10,17 @@ namespace foam::texgen {
 /// Tones from 0 (light) to 1 (dark), with one channel.
 using ToneGrid = Image<double>;
 
-/// Returns the darkness of a picture: 1 - luminance_of its colors on white. The grid has a cell for
-/// each pixel. If the picture has more than `most_cells` columns or rows, the grid has only this
-/// many cells along its longer side, and a cell has the mean darkness of its pixels.
+/// Returns the darkness of a picture: 1 minus the luminance (luminance_of) of its colors on white.
+/// The grid has a cell for each pixel. If the picture has more than `most_cells` columns or rows,
+/// the grid has only this many cells along its longer side, and a cell has the mean darkness of its
+/// pixels.
 ToneGrid darkness_of(const SourcePicture& picture, int most_cells);
 
-/// Stretches the tones to the range from 0 to 1. Equal tones become 0.
+/// Stretches the tones to the range from 0 to 1. If all tones are equal, they become 0.
 void stretch_tones(ToneGrid& grid);
 
-/// Returns the grid with mirror images of it beside, above, and beside and above it.
+/// Returns a grid of twice the width and height: the given grid, with mirror images of it to the
+/// right, above, and above on the right.
 ToneGrid mirrored(const ToneGrid& grid);
 
 /// Adjusts the tones at each edge and at the opposite one to their mean. The adjustment fades out

@@ -53,7 +53,7 @@ struct SignedRing {
     double area;
 };
 
-// Returns the rings of a region without specks, by decreasing magnitude of their areas.
+// Returns the rings of a region, except specks, by decreasing magnitude of their areas.
 std::vector<SignedRing> large_rings(const std::vector<std::vector<Vec2>>& all) {
     std::vector<SignedRing> rings;
     double total = 0.0;

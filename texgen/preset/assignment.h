@@ -34,8 +34,8 @@ struct Assignment {
 std::vector<Assignment> read_assignments(std::string_view toml, const std::string& source);
 
 /// Returns the index of the last character of the TOML string that begins with the quote at index
-/// `begin`: of its last quote, or if the string is not closed, of the last character of the line
-/// or, after three opening quotes, of the text.
+/// `begin`. This is the last closing quote of the string. A string that is not closed ends with the
+/// last character of the line or, if it begins with three quotes, of the text.
 std::size_t end_of_string(std::string_view toml, std::size_t begin);
 
 /// Parses a value from the command line. A text that is not a TOML value becomes a string, so that

@@ -26,8 +26,8 @@ std::string value_of(std::string_view path, const Preset& preset) {
 }
 
 // Returns an unmet condition because of which a key has no effect, or nullptr if all conditions are
-// met. If the key is used with certain values of another key, and this other key has no effect
-// itself, returns the unmet condition of the other key.
+// met. The condition KeyInfo::use is about the value of another key. If this other key has no
+// effect itself, returns the unmet condition of the other key.
 const Condition* unmet(const KeyInfo& key, const Preset& preset) {
     if (key.condition && !is_met(*key.condition, preset)) {
         return &*key.condition;
@@ -48,8 +48,8 @@ std::string present_value(std::string_view path, const Preset& preset) {
 
 // Returns the values of other keys because of which dynamics.kappa has no effect, or an empty text
 // if the key has an effect. Gas diffuses during the warm-up and, unless a loop returns the foam to
-// its first state, in the time steps. A constant of 0 is not reported, because it agrees with the
-// absence of diffusion.
+// its first state, in the time steps. If dynamics.kappa is 0, the result is empty, too, because the
+// user then expects no diffusion.
 std::string cause_of_no_diffusion(const Preset& preset) {
     if (preset.frames.warm_up > 0.0 || preset.coarsening.kappa == 0.0) {
         return {};
@@ -72,7 +72,7 @@ std::string cause_of_no_effect(const KeyInfo& key, const Preset& preset) {
         return cause_of_no_diffusion(preset);
     }
     if (key.path == "vector.wrap" && preset.shape.kind == FoamKind::Patch) {
-        return present_value("foam.domain", preset);  // a patch is not cut
+        return present_value("foam.domain", preset);  // only a tile of a torus can be cut
     }
     const Condition* const condition = unmet(key, preset);
     return condition != nullptr ? present_value(condition->key, preset) : "";

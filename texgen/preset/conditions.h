@@ -20,7 +20,7 @@ bool is_met(const Condition& condition, const Preset& preset);
 /// have been stored in the preset.
 std::vector<std::string> unused_keys(const Preset& preset, std::span<const Assignment> assignments);
 
-/// Returns the lines about the conditions of a key that `foamtex presets keys` prints; empty if the
+/// Returns the lines that `foamtex presets keys` prints about the conditions of a key; empty if the
 /// key has no conditions.
 std::string describe_conditions(const KeyInfo& key);
 

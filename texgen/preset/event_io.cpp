@@ -72,7 +72,7 @@ const Assignment* last_of(std::span<const Assignment> assignments,
     return nullptr;
 }
 
-// The keys of other tables on which the allowed values of events depend.
+// The allowed values of events also depend on these keys of other tables.
 constexpr std::array<std::string_view, 7> kKeysThatLimitEvents{"foam.domain",
                                                                "foam.bubbles",
                                                                "image.size",

@@ -41,8 +41,9 @@ std::vector<foam::Outline> unstretched_outline(const FoamShape& shape) {
     return {outline_from_wkt(shape.outline)};
 }
 
-// Sets the outline of a shape to a value of the key foam.outline. Throws std::invalid_argument,
-// InputError or OutOfMemory if the text describes no outline.
+// Sets the outline of a shape to a value of the key foam.outline. Throws std::invalid_argument or
+// InputError if the text describes no outline, and OutOfMemory if the file that it names needs more
+// memory than is available.
 void set_outline(const std::string& text, FoamShape& shape) {
     FoamShape changed{.kind = shape.kind, .outline = text, .outline_aspect = 1.0};
     if (is_outline_name(text)) {
@@ -53,8 +54,8 @@ void set_outline(const std::string& text, FoamShape& shape) {
     shape = std::move(changed);
 }
 
-// Sets the outline of a shape to a text and returns an empty string. If the text describes no
-// outline, returns the reason instead and does not change the shape.
+// Sets the outline of a shape as set_outline does, and returns an empty string. If set_outline
+// throws, returns the message of its exception instead and does not change the shape.
 std::string fault_of(const std::string& text, FoamShape& shape) {
     try {
         set_outline(text, shape);
@@ -68,8 +69,9 @@ std::string fault_of(const std::string& text, FoamShape& shape) {
     }
 }
 
-// The kind of values of foam.outline: "disc", "rectangle", a polygon as WKT, or a file. A value is
-// stored in the whole shape, because it sets two members: `outline` and `file_outline`.
+// The kind of values of foam.outline: "disc", "rectangle", a polygon as WKT, or a file. `read` and
+// `write` take the whole shape instead of one member, because a value sets two members: `outline`
+// and `file_outline`.
 struct Outlines {
     std::string allowed() const {
         return fmt::format(
@@ -119,9 +121,9 @@ Keys<FoamShape> shape_keys() {
             make_key<FoamShape>(
                 "outline",
                 Outlines{},
-                "initial outline of a patch, scaled to an area of one per bubble: a shape, the "
-                "filled shapes of an SVG, or the opaque or dark part of a picture; in equilibrium "
-                "the patch has another shape",
+                "initial outline of a patch, scaled to an area of one per bubble: a disc, a "
+                "rectangle, a polygon, the filled shapes of an SVG, or the opaque or dark part of "
+                "a picture; in equilibrium the patch has another outline",
                 [](auto& shape) -> auto& { return shape; })
                 .with_files(is_outline_name)
                 .only_for("foam.domain", {"patch"}),

@@ -12,7 +12,7 @@
 
 namespace foam::texgen {
 
-/// The kinds of foams: a foam on a torus, whose images tile, or a patch, a foam in the plane with a
+/// The kinds of foams. The images of a foam on a torus tile. A patch is a foam in the plane with a
 /// free surface.
 enum class FoamKind { Torus, Patch };
 

@@ -104,7 +104,7 @@ KeyValues parse_key_values(std::string_view text) {
 }
 
 Value number_value(double number) {
-    constexpr double kAllWhole = 1e11;  // from here on, twelve digits are a whole number
+    constexpr double kAllWhole = 1e11;  // from 1e11 on, numbers of twelve digits are whole
     constexpr double kLargestExact = 0x1p53;
     const double magnitude = std::abs(number);
     if (magnitude >= kAllWhole && magnitude < kLargestExact) {

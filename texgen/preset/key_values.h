@@ -16,12 +16,12 @@ namespace foam::texgen {
 struct NumberRange {
     double low = 0.0;
     double high = 0.0;
-    std::optional<int> count{};  // the range stands for this many evenly spaced numbers
+    std::optional<int> count{};  // if set, the range stands for this many evenly spaced numbers
 };
 
 /// A key and the values that it may take: an argument of `--sweep`, or an item of preset.vary.
 struct KeyValues {
-    std::string key;                                       // "foam.lloyd"
+    std::string key;                                       // path, such as "foam.lloyd"
     std::vector<std::variant<Value, NumberRange>> values;  // at least one
 };
 
@@ -36,9 +36,9 @@ inline constexpr int kMostValues = 400;
 KeyValues parse_key_values(std::string_view text);
 
 /// Returns a number as a value. The number is rounded to twelve significant digits, which hides
-/// rounding errors as in 0.30000000000000004. A number of more than twelve digits before the point
-/// is rounded to a whole number instead. The value is an integer if the rounded number is whole and
-/// its magnitude is below 2^53, and a real otherwise.
+/// rounding errors as in 0.30000000000000004. If the number has more than twelve digits before the
+/// point and its magnitude is below 2^53, it is rounded to a whole number instead. The value is an
+/// integer if the rounded number is whole and its magnitude is below 2^53, and a real otherwise.
 Value number_value(double number);
 
 /// Returns the evenly spaced numbers of a range with a count, from `low` to `high`.

@@ -102,8 +102,8 @@ Keys<LoopOptions> loop_keys() {
             .only_for("foam.domain", {"torus"}),
         key("eddies",
             Integers{1, 16},
-            "number of eddies of the current along the shorter side of the image; the current "
-            "moves bubbles by about loop.current / 6 of the size of an eddy",
+            "number of eddies of the current, counted along the shorter side of the image; the "
+            "current moves bubbles by about loop.current / 6 of the size of an eddy",
             &LoopOptions::eddies)
             .in("eddies")
             .only_for("foam.domain", {"torus"})

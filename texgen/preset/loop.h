@@ -12,7 +12,8 @@ namespace foam::texgen {
 enum class LoopKind {
     None,      // no loop: the last frame does not lead back to the first
     Breathe,   // the area of every bubble oscillates, with a phase of its own (E9)
-    Shear,     // the torus is sheared to and fro; images do not show the shear, so they tile
+    Shear,     // the torus is sheared to and fro; before the foam is drawn, it is sheared back, so
+               // that images tile
     Boil,      // some bubbles shrink, vanish and are born again, each once in the loop (E9)
     Drift,     // the foam does not change, but moves as a whole
     Flow,      // bubbles vanish, as many new ones appear, and the end fades into the beginning
@@ -37,12 +38,12 @@ struct LoopOptions {
     // The root mean square of the strain from a current, which moves the drawn bubbles around and
     // back to their start in every loop.
     double current = 0.0;
-    int eddies = 1;  // number of eddies of the current along the shorter side of the image
+    int eddies = 1;  // number of eddies of the current, counted along the shorter side of the image
     /// Breathe, Shear and Boil: the largest number of cycles that are simulated before frame 1.
     /// Cycles are simulated until the foam at the end of a cycle agrees with the foam at its start.
     int cycles = 100;
-    /// Flow: the fraction of the frames, at the end of the loop, that fade into the states of the
-    /// foam one loop earlier. These states are simulated before frame 1.
+    /// Flow: the fraction of the frames, at the end of the loop, that are cross-fades. They fade
+    /// into the states of the foam that are one loop earlier, which are simulated before frame 1.
     double fade = 1.0;
     /// Flow: regions of the image begin to fade one after the other. The last region begins to fade
     /// after this fraction of the fade.

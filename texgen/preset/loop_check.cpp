@@ -40,9 +40,11 @@ void check_drift(const Preset& preset, std::span<const Assignment> assignments) 
     const LoopOptions& loop = preset.loop;
     const bool drifts = loop.drift != std::array{0, 0};
     if (loop.kind == LoopKind::Drift && !drifts) {
-        reject_last(assignments,
-                    {"loop.kind", "loop.drift"},
-                    "the loop \"drift\" needs loop.drift, such as [0, 1] for one image up");
+        reject_last(
+            assignments,
+            {"loop.kind", "loop.drift"},
+            "the loop \"drift\" needs loop.drift; [0, 1], for example, moves the foam up by the "
+            "height of one image");
     }
     if (drifts && !loop.returns_to_start() && !loop.is_cross_faded()) {
         reject_last(
@@ -122,16 +124,17 @@ void check_boil(const Preset& preset, std::span<const Assignment> assignments) {
     if (preset.loop.cycles < 2) {
         reject_last(assignments,
                     {"loop.cycles", "loop.kind"},
-                    "the loop \"boil\" needs loop.cycles of at least 2, because it is closed once "
-                    "two cycles in a row are the same");
+                    "the loop \"boil\" needs loop.cycles of at least 2, because it is closed only "
+                    "when two cycles in a row return to their start");
     }
     if (preset.frames.count < kMinBoilFrames) {
         reject_last(
             assignments,
             {"frames.count", "loop.kind"},
-            fmt::format("the loop \"boil\" needs frames.count of at least {}, because bubbles are "
-                        "absent for a tenth of the loop",
-                        kMinBoilFrames));
+            fmt::format(
+                "the loop \"boil\" needs frames.count of at least {}: each boiling bubble is "
+                "absent for a tenth of the loop, which must be at least one frame",
+                kMinBoilFrames));
     }
 }
 

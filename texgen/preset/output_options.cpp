@@ -23,9 +23,9 @@ Keys<OutputOptions> name_keys() {
         key("pack",
             ParsedTexts<parse_packing>{"a list of packings NAME=R,G,B or NAME=R,G,B,A, such as "
                                        "\"ORM=occlusion,roughness,metallic\""},
-            "packed images, drawn besides image.maps: each channel is a map such as roughness, "
-            "1-roughness, a channel such as normal.X, or a constant from 0 to 1; NAME:16= "
-            "gives 16 bits per sample",
+            "packed images, drawn besides image.maps: each channel is a map (roughness), 1 minus a "
+            "map (1-roughness), a channel of a map (normal.X), or a constant from 0 to 1; "
+            "NAME:16= gives 16 bits per sample",
             &OutputOptions::pack),
         key("names",
             ParsedTexts<parse_named_map>{"a list of words for maps, such as \"albedo=BaseColor\""},
@@ -43,8 +43,9 @@ Keys<OutputOptions> file_keys() {
                 Text{},
                 "file names: {preset}, {map}, {seed}, {size} and keys such as {foam.bubbles} are "
                 "replaced, #### is the frame number, and the suffix decides the format; an EXR "
-                "without {map} has all maps as layers; .svg, .dxf and .pdf are drawings (table "
-                "vector), .stl and .glb meshes (table mesh), .csv and .json tables of the foam",
+                "without {map} has all maps as layers; .svg, .dxf and .pdf are drawings (keys "
+                "vector.*), .stl and .glb are meshes (keys mesh.*), .csv and .json are tables of "
+                "the foam",
                 &OutputOptions::pattern),
             key("texts",
                 kTexts,
@@ -57,8 +58,8 @@ Keys<OutputOptions> file_keys() {
                 .in("frames per second"),
             key("png_compression",
                 kCompressions,
-                "compression of PNG files; small takes ten times as long and makes files a tenth "
-                "smaller",
+                "compression of PNG files; with small, files are a tenth smaller than with fast, "
+                "but compression takes ten times as long",
                 &OutputOptions::png_compression)
                 .used_with("output.pattern", {"*.png"})};
 }
@@ -104,7 +105,7 @@ Keys<OutputOptions> exr_keys() {
                 .used_with("output.pattern", {"*.exr"})};
 }
 
-// The paths of sheets, which have {map} in their file name.
+// The kind of values of output.sheet_pattern: paths of files whose names contain {map}.
 struct SheetPatterns {
     std::string allowed() const {
         return "a path without suffix whose file name contains {map}, such as "
@@ -129,13 +130,14 @@ Keys<OutputOptions> sheet_keys() {
                                                 {"ktx2", SheetKind::Ktx2}}}};
     return {key("sheets",
                 kKinds,
-                "what bake and render join their frames to: sheets in rows (grid), sheets of one "
-                "column (strip), or array textures (dds, ktx2)",
+                "files to which the commands bake and render join their frames: sheets with the "
+                "frames in rows (grid) or in one column (strip), or array textures (dds, ktx2)",
                 &OutputOptions::sheets),
             key("sheet_pattern",
                 SheetPatterns{},
-                "paths of these sheets, without suffix, with the placeholders of output.pattern; "
-                "the option --out also moves sheets in out/ into its folder",
+                "paths of the sheets of output.sheets, without suffix, with the placeholders of "
+                "output.pattern; if a path begins with out/, the option --out replaces out/ by the "
+                "folder of the images",
                 &OutputOptions::sheet_pattern)
                 .unused_with("output.sheets", {"none"})};
 }
@@ -144,8 +146,8 @@ constexpr std::array<std::string_view, 3> kSceneFormats = {"usda", "mtlx", "gltf
 
 constexpr std::array<std::string_view, 3> kMeasurements = {"bubbles", "events", "shear_modulus"};
 
-// Lists of words, each at most once. The list may be empty. A single word may be written without
-// brackets.
+// The kind of values that are lists of words, in which no word occurs twice. The list may be empty.
+// A single word may be written without brackets.
 struct WordListsOrNone {
     WordLists words_or_none;
 
@@ -194,8 +196,8 @@ Keys<OutputOptions> texture_keys() {
     return {key("block_compression",
                 kBlocks,
                 "block compression of DDS and KTX2 files: auto compresses images of 8 bits, except "
-                "ids, with a small loss, if width and height are multiples of 4; none stores all "
-                "samples exactly",
+                "ids, with a small loss, if width and height are multiples of 4; with none, all "
+                "samples are stored exactly",
                 &OutputOptions::block_compression)
                 .used_with("output.pattern", {"*.dds", "*.ktx2"}),
             key("mip_levels",

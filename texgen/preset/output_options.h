@@ -52,7 +52,8 @@ struct OutputOptions {
     std::vector<std::string> pack = {};   // packed images (parse_packing in maps/packing.h)
     std::vector<std::string> names = {};  // words for maps in file names (parse_named_map)
     SheetKind sheets = SheetKind::None;
-    // The paths of sheets without a suffix. {map}, {preset} and so on are replaced as in `pattern`.
+    // The path of each sheet, without its suffix. {map}, {preset} and so on are replaced as in
+    // `pattern`.
     std::string sheet_pattern = "out/{preset}_sheet_{map}";
     std::vector<std::string> scene = {};  // the scene files to write; words of scene_formats()
     // The measurements of each frame that manifest.json also contains: "bubbles", "events" and
@@ -66,8 +67,9 @@ struct OutputOptions {
     int exr_level = 2;
     SampleType exr_numbers = SampleType::Float;  // Float or Half; colors are always Half
     ExrLayout exr_layout = ExrLayout::Rows;
-    Primaries primaries = Primaries::Srgb;  // of the colors in EXR files
-    // These two apply to frames in DDS and KTX2 files, but not to array textures (SheetKind).
+    Primaries primaries = Primaries::Srgb;  // the primaries of colors in EXR files
+    // The next two members apply to frames in DDS and KTX2 files, but not to array textures
+    // (SheetKind).
     BlockCompression block_compression = BlockCompression::Auto;
     bool mip_levels = true;
 };

@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns true if a key is in the table that has the name of another key.
+// Returns true if a key is in a table, as albedo.colors.from is in the table albedo.colors.
 bool is_within(std::string_view key, std::string_view table) {
     return key.size() > table.size() && key.starts_with(table) && key[table.size()] == '.';
 }
@@ -23,7 +23,7 @@ bool is_within(std::string_view key, std::string_view table) {
 std::string extending_preset(std::string_view base, std::span<const Assignment> assignments) {
     std::map<std::string, Value> values;
     for (const Assignment& one : assignments) {
-        // A value and a table of one name, such as albedo.colors, replace each other.
+        // A value and a table of the same name, such as albedo.colors, replace each other.
         std::erase_if(values, [&](const auto& earlier) {
             return is_within(earlier.first, one.key) || is_within(one.key, earlier.first);
         });

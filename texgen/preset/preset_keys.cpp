@@ -30,7 +30,8 @@ Keys<SeedingOptions> seeding_keys() {
     return {
         key("bubbles",
             Integers{4, 1'000'000},
-            "number of bubbles of the seeded foam, whose mean area is 1; approximate for a patch",
+            "number of bubbles of the seeded foam (approximate for a patch); the mean bubble area "
+            "is 1",
             &Options::bubbles)
             .in("bubbles"),
         key("seed",
@@ -75,8 +76,9 @@ Keys<SolverOptions> solver_keys() {
 Keys<CoarseningOptions> coarsening_keys() {
     return {key("kappa",
                 Reals{0.0, 1000.0},
-                "diffusion constant: dA/dt = (2 pi / 3) surface_tension kappa (sides - 6); in the "
-                "loops breathe, shear, boil and drift, gas diffuses only during frames.warm_up",
+                "diffusion constant: dA/dt = (2 pi / 3) surface_tension kappa (sides - 6); in "
+                "loops of the kinds breathe, shear, boil and drift, gas diffuses only during "
+                "frames.warm_up",
                 &CoarseningOptions::kappa)
                 .in("square foam units per foam time, for a surface tension of 1")};
 }
@@ -96,7 +98,7 @@ Keys<TopologyThresholds> threshold_keys() {
 }
 
 // Parses an item of preset.vary. Throws std::invalid_argument with a message that begins with the
-// item. Whether the key allows the values is checked by check_varied_keys.
+// item. Does not check that the key allows the values; see check_varied_keys.
 KeyValues parse_item(std::string_view text) {
     try {
         return parse_key_values(text);

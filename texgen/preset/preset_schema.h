@@ -23,8 +23,8 @@ Json to_json(const Value& value);
 /// the key has an effect only if the other key has (does not have) one of these values. `x-below`
 /// names another key, whose number must be larger.
 ///
-/// The schema accepts every preset file that the program accepts. It does not express conditions
-/// between several keys, which only the program checks.
+/// The schema accepts every preset file that the program accepts. Validators ignore the
+/// annotations. Therefore only the program checks conditions between several keys.
 std::string preset_schema();
 
 }  // namespace foam::texgen

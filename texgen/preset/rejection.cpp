@@ -53,8 +53,8 @@ void reject_last(std::span<const Assignment> assignments,
 void reject_value(const Assignment& assignment, const KeyInfo& key) {
     const std::string fault = key.fault ? key.fault(assignment.value) : "";
     const std::string suggestion = suggested_word(assignment.value, key);
-    // If a word is suggested, the value is probably a misspelled word. The reason why it is no
-    // other kind of value, such as a polygon, is then left out.
+    // If a word is suggested, the value is probably a misspelled word. The fault, for example the
+    // reason why the value is no valid polygon, is then left out.
     const bool shows_fault = !fault.empty() && suggestion.empty();
     reject(assignment,
            fmt::format("must be {}{}{}{}",

@@ -24,7 +24,8 @@ namespace foam::texgen {
 
 /// Rejects an assignment with a value that `key` does not allow. The reason describes the allowed
 /// values. If the value contains a misspelled word, the reason also suggests the nearest word that
-/// is allowed. If no word is suggested, the reason also contains KeyInfo::fault, if there is one.
+/// is allowed. If no word is suggested, the reason also contains the text that KeyInfo::fault
+/// returns for the value.
 [[noreturn]] void reject_value(const Assignment& assignment, const KeyInfo& key);
 
 /// Rejects an assignment to an unknown key or table. `meant` is the name that was probably meant,

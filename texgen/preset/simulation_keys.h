@@ -20,8 +20,8 @@ bool table_affects_simulation(std::string_view table);
 /// Returns a hash (32 hexadecimal digits) of the version of foamtex and of everything in the preset
 /// that influences the states of a simulation. The hash is written into every file of a cache. A
 /// reader rejects files whose hash differs from the hash in cache.json, so that a cache never mixes
-/// states of different simulations or versions. A cache can be read if another version has written
-/// all of its files.
+/// states of different simulations or versions. A cache that another version has written can be
+/// read, because all of its files have the same hash.
 std::string simulation_hash(const Preset& preset);
 
 /// Throws PresetError if the preset `changed` needs another simulation than the preset `simulated`.

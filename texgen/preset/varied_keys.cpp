@@ -85,7 +85,9 @@ void check_range(const Key<Preset>& key, const KeyValues& varied, const NumberRa
     }
     check_value(key, number_value(range.low));
     check_value(key, number_value(range.high));
-    constexpr int kSamples = 64;  // finds gaps in the allowed numbers, as between 0 and 1
+    // Numbers between two allowed numbers can be forbidden: foam.area_ratio, for example, is 0 or
+    // at least 1. Therefore, numbers throughout the range are checked, too.
+    constexpr int kSamples = 64;
     for (int k = 0; k <= kSamples; ++k) {
         check_value(key, number_at(varied, range, static_cast<double>(k) / kSamples));
     }
@@ -145,7 +147,7 @@ void check_varied_keys(std::span<const Assignment> assignments, const Preset& pr
 Value number_at(const KeyValues& varied, const NumberRange& range, double fraction) {
     const double width = range.high - range.low;
     const bool whole = takes_whole_numbers(*find_key(varied.key), range.low);
-    // Each whole number has the same share of the fractions.
+    // The interval of fractions that gives a whole number is equally long for each whole number.
     const double number =
         whole ? range.low + std::floor(fraction * (width + 1.0)) : range.low + fraction * width;
     const double shown = varied.key == kSeedKey ? number : rounded(number, width, whole);

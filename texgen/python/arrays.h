@@ -26,7 +26,7 @@ pybind11::array view_of(const std::vector<Record>& records, const pybind11::hand
 
 /// Returns an array that owns an image: height x width x channels, with the top row first. The
 /// samples are not copied; since row 0 of an image is the bottom row, the array runs backwards
-/// through its rows.
+/// through the rows of the image.
 template <class Sample>
 pybind11::array array_of(Image<Sample> image) {
     auto* const kept = new Image<Sample>(std::move(image));

@@ -2,8 +2,8 @@
 
 #pragma once
 
-// Every source of the module includes this header, because pybind11 requires the same type casters
-// in all of them.
+// Every source file of the module includes this header, because pybind11 requires the same type
+// casters in all of these files.
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

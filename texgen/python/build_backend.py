@@ -25,7 +25,7 @@ def version():
 
 
 def metadata():
-    """The content of METADATA and of PKG-INFO."""
+    """The content of the file METADATA of a wheel, and of the file PKG-INFO of a source package."""
     facts = project()
     lines = [
         "Metadata-Version: 2.1",

@@ -51,7 +51,8 @@ std::vector<Difference> compare(const std::filesystem::path& a,
         a.string(), b.string(), limits, picture.value_or(std::filesystem::path()).string());
 }
 
-// Returns a copy of an array of height x width x channels, whose top row is first, as an image.
+// Copies an array of the shape (height, width, channels), whose first row is the top row, to an
+// image, and returns the image.
 template <class Sample>
 Image<Sample> image_of(const py::array& given) {
     const auto array = py::array_t<Sample>::ensure(given);
@@ -89,20 +90,23 @@ void write_png_file(const std::filesystem::path& file, const py::array& array) {
 
 void bind_files(py::module_& module) {
     py::class_<Progress>(module, "Progress", "The progress of a bake.")
-        .def_readonly("phase", &Progress::phase, "A word such as \"frames\".")
-        .def_readonly("done", &Progress::done, "Number of units that are done.")
-        .def_readonly("total", &Progress::total, "Number of all units; 0 if unknown.")
-        .def_readonly("frame", &Progress::frame, "The frame that was done last, or 0.")
+        .def_readonly("phase", &Progress::phase, "Name of the phase, such as \"frames\".")
+        .def_readonly("done", &Progress::done, "Number of units of the phase that are done.")
+        .def_readonly("total", &Progress::total, "Number of units of the phase; 0 if unknown.")
+        .def_readonly(
+            "frame", &Progress::frame, "The frame that was done last; 0 if there is none.")
         .def("__str__", [](const Progress& self) {
             return py::str("{} {}/{}").format(self.phase, self.done, self.total);
         });
-    py::class_<Difference>(module, "Difference", "The comparison of two images, or of one layer.")
+    py::class_<Difference>(
+        module, "Difference", "The comparison of two images, or of one layer of two images.")
         .def_readonly("is_within", &Difference::is_within, "True if no limit is exceeded.")
         .def_readonly("same_shape",
                       &Difference::same_shape,
                       "False if size or channels differ; nothing is compared then.")
         .def_readonly("map", &Difference::map, "Name of the map; empty if unknown.")
-        .def_readonly("layer", &Difference::layer, "Name of the layer; empty without layers.")
+        .def_readonly(
+            "layer", &Difference::layer, "Name of the layer; empty if the images have no layers.")
         .def_readonly("largest", &Difference::largest, "Largest difference of two samples.")
         .def_readonly("mean", &Difference::mean, "Mean difference of all samples.")
         .def_readonly("rms", &Difference::rms, "Root mean square of the differences.")
@@ -142,9 +146,10 @@ void bind_files(py::module_& module) {
         },
         "Compares two image files and returns a Difference per layer. `sample` limits the "
         "difference of any sample, `rms` the root mean square of the differences, and `angle` the "
-        "angle between normals, in degrees; without limits, samples may differ by 1e-6. "
+        "angle between normals, in degrees. If none of these three limits is given, samples may "
+        "differ by at most 1e-6. "
         "`allowed_percent` is the percentage of pixels that may exceed `sample` or `angle`. "
-        "`picture` is the file name of a PNG of the differences, which is written if it is given.",
+        "If `picture` is given, a picture of the differences is written to a PNG of this name.",
         py::arg("a"),
         py::arg("b"),
         py::kw_only(),

@@ -47,7 +47,7 @@ SeedOptions seed_options(int bubbles,
             .seed = seed};
 }
 
-// A push as Python gives it: (center, radius, by), where points are pairs.
+// A push as Python gives it: (center, radius, by). `by` is the displacement of the center.
 using Pair = std::array<double, 2>;
 using PushTuple = std::tuple<Pair, double, Pair>;
 
@@ -167,7 +167,8 @@ void bind_actions(FoamClass& foam) {
             [](SharedFoam& self) {
                 return self.use([](const foamtex::Foam& one) { return one.state(); });
             },
-            "The state as JSON, without events. A foam made from it evolves with the same bits.")
+            "The state as JSON, without the events that take_events() would return. from_state() "
+            "restores the foam to the last bit.")
         .def(
             "copy",
             [](SharedFoam& self) {
@@ -181,7 +182,7 @@ void bind_actions(FoamClass& foam) {
                     [&](foamtex::Foam& one) { return one.relax(threads, throw_if_interrupted); }));
             },
             "Brings the foam to equilibrium at its target areas, to errors below 1e-9. Raises "
-            "EquilibriumError if it finds none. After this error or Ctrl-C, the foam is unchanged.",
+            "EquilibriumError if this fails. After this error or Ctrl-C, the foam is unchanged.",
             py::kw_only(),
             py::arg("threads") = 0)
         .def(
@@ -197,11 +198,11 @@ void bind_actions(FoamClass& foam) {
                     return one.step(time, drive, settings, throw_if_interrupted);
                 }));
             },
-            "Advances the foam by a time: gas diffuses, bubbles vanish (T2), films swap "
+            "Advances the foam by the foam time `time`: gas diffuses, bubbles vanish (T2) and swap "
             "neighbors (T1). `areas` maps identities of bubbles to target areas at the end of the "
             "step; `strain` is simple shear along x; each of `pushes` is (center, radius, by), "
-            "where `by` is the displacement of the center. Raises EquilibriumError if it finds no "
-            "equilibrium; the foam is then in the last equilibrium that the step reached. "
+            "where `by` is the displacement of the center. Raises EquilibriumError if no "
+            "equilibrium is found; the foam is then in the last equilibrium that the step reached. "
             "After Ctrl-C, the foam is unchanged.",
             py::arg("time"),
             py::kw_only(),
@@ -256,7 +257,8 @@ void bind_values(FoamClass& foam) {
                 return self.use([&](const auto& one) { return one.shear_modulus(threads); });
             },
             "Derivative of the shear stress of a torus in equilibrium with respect to strain, "
-            "without T1s. None for a patch, for errors above 1e-3, or if Newton's method fails.",
+            "without T1s. It is None for a patch, for a foam with an error of areas or angles "
+            "above 1e-3, and if Newton's method fails.",
             py::kw_only(),
             py::arg("threads") = 0)
         .def(
@@ -273,9 +275,8 @@ void bind_values(FoamClass& foam) {
         .def_property_readonly(
             "films",
             &table_of<&FoamRecords::films>,
-            "Structured array: left, right (indices of bubbles, -1 outside), tail, "
-            "head (indices of junctions), x, y, chord_x, chord_y, half_angle, "
-            "length.")
+            "Structured array: left, right (indices of bubbles, -1 outside), tail, head (indices "
+            "of junctions), x, y (of the tail), chord_x, chord_y, half_angle, length.")
         .def_property_readonly(
             "junctions", &table_of<&FoamRecords::junctions>, "Structured array: x, y.")
         .def("__len__", [](SharedFoam& self) {
@@ -290,7 +291,7 @@ void bind_foam(py::module_& module) {
         module,
         "Foam",
         "A two-dimensional dry foam, on a torus or as a free patch. Lengths are in foam units: the "
-        "mean bubble area of a seeded foam is 1. Long functions release the GIL.");
+        "mean bubble area of a seeded foam is 1. Slow functions release the GIL.");
     bind_making(foam);
     bind_actions(foam);
     bind_values(foam);

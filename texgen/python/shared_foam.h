@@ -52,8 +52,8 @@ class SharedFoam {
     std::shared_ptr<const foamtex::FoamRecords> records_;  // null, or of the present state
 };
 
-/// Returns the bubbles, the films or the junctions of a foam, which `member` selects, as a
-/// read-only array that keeps them alive.
+/// Returns a table of a foam as a read-only array that keeps the table alive. The template argument
+/// `member` selects the bubbles, the films or the junctions.
 template <auto member>
 pybind11::array table_of(SharedFoam& foam) {
     using Records = std::shared_ptr<const foamtex::FoamRecords>;

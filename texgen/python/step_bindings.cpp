@@ -53,7 +53,10 @@ void bind_settings(py::module_& module) {
                          self.kappa, self.tolerance, self.t1_distance, self.t2_area, self.threads);
              })
         .def_readwrite("kappa", &StepSettings::kappa, "Diffusion constant, in foam units.")
-        .def_readwrite("tolerance", &StepSettings::tolerance, "Largest error of areas and angles.")
+        .def_readwrite(
+            "tolerance",
+            &StepSettings::tolerance,
+            "Largest allowed error of areas (relative) and of angles (radians) in equilibrium.")
         .def_readwrite("t1_distance",
                        &StepSettings::t1_distance,
                        "A film may flip (T1) if its chord is shorter than this, in foam units.")
@@ -61,7 +64,9 @@ void bind_settings(py::module_& module) {
             "t2_area",
             &StepSettings::t2_area,
             "A bubble may vanish (T2) if its target area is at most this, in square foam units.")
-        .def_readwrite("threads", &StepSettings::threads, "0: all threads of the machine.");
+        .def_readwrite("threads",
+                       &StepSettings::threads,
+                       "Number of threads; 0 stands for all threads of the machine.");
 }
 
 }  // namespace

@@ -21,8 +21,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the meaning of the samples of a map. Other versions of foamtex may have baked a map that
-// this version does not have; unless it is a map of ids, its samples count as Numbers.
+// Returns the meaning of the samples of a map. The map may have been baked by another version of
+// foamtex and be unknown to this version. If an unknown map does not consist of ids, its samples
+// count as Numbers.
 TexelMeaning meaning_of(const ManifestMap& map) {
     if (map.samples && map.samples->kind == "id") {
         return TexelMeaning::Ids;
@@ -66,7 +67,8 @@ GpuTexture texture_in(const MapFile& file, const ManifestMap& map) {
     return texture_of(picture, encoding_of(map));
 }
 
-// Throws InputError if a frame does not fit the first frame.
+// Throws InputError if a frame and the first frame of the array differ in pixel format, size or
+// number of mip levels.
 void check_same(const GpuTexture& frame, const GpuTexture& array, const MapFile& file) {
     if (frame.format != array.format || frame.width != array.width ||
         frame.height != array.height || frame.levels() != array.levels()) {

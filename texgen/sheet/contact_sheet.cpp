@@ -18,7 +18,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kGap = 10;             // pixels between thumbnails, and around all of them
-constexpr int kLabelGap = 5;         // pixels above a label
+constexpr int kLabelGap = 5;         // pixels above each line of a label
 constexpr std::uint8_t kInk = 0xb4;  // gray value of labels
 constexpr double kAspect = 1.5;      // approximate width of a sheet divided by its height
 
@@ -41,8 +41,8 @@ struct Line {
     std::vector<Srgb8> colors;
 };
 
-// Arranges labels in lines that are not wider than `width`, and draws these lines. A line whose
-// width is less than the width of a letter has one letter.
+// Arranges labels in lines, and draws these lines. If `width` is less than the width of a letter,
+// each line has at most one letter; otherwise, no line is wider than `width`.
 class LabelWriter {
   public:
     LabelWriter(int width, int magnification) : width_(width), magnification_(magnification) {}

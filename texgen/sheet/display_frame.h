@@ -28,9 +28,9 @@ struct DisplayFrame {
 /// blue. If there is no R, the channels X, Y and Z are shown as red, green and blue; if there is
 /// neither R nor X, the channel Y is shown as gray. Floats are scaled to [0, 1] from the range in
 /// the manifest (MapSamples::range), if there is one, and clamped. Throws InputError if the file
-/// cannot be read or lacks the layer of the map. If the samples of the file are not codes of 8 or
-/// 16 bits, also throws InputError in two cases: if R, X and Y are all missing or not floats, and
-/// if the map is data and its range is not in the manifest.
+/// cannot be read or lacks the layer of the map. For a file whose samples are not codes of 8 or
+/// 16 bits, also throws InputError if none of the channels R, X and Y exists with samples of
+/// floats, or if the map is data and the manifest does not give its range.
 DisplayFrame read_display_frame(const MapFile& file, const ManifestMap& map);
 
 /// Returns a frame reduced to a smaller size. Each new pixel is the mean of the old pixels that it

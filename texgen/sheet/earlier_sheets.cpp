@@ -11,7 +11,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the description in a file, or null if there is none.
+// Returns the description of a flipbook (flipbook_json) in a file, or null if there is none.
 Json description_in(const std::filesystem::path& file) {
     if (!std::filesystem::exists(file)) {
         return nullptr;
@@ -26,7 +26,7 @@ std::string text_of(const Json& image, const char* member) {
     return value.is_string() ? value.get<std::string>() : "";
 }
 
-// Returns true if two descriptions have the same members, except those that depend on the maps.
+// Returns true if two descriptions are equal, except for the members that depend on the maps.
 bool same_but_for_maps(Json a, Json b) {
     for (const char* const member : {"images", "conventions"}) {
         a.erase(member);

@@ -10,14 +10,15 @@
 
 namespace foam::texgen {
 
-/// Adds to the description of new sheets (flipbook_json) the sheets that an earlier flipbook has
-/// listed in the same file. A flipbook of further maps therefore does not remove the earlier sheets
-/// from the file. `file` is the JSON file that the description will replace. A sheet of the earlier
-/// flipbook is kept if its image still exists and no new sheet has its map or its file name. If the
-/// earlier flipbook differs in anything but its sheets and conventions, for example in its layout,
-/// no sheet is kept. Returns the names of the existing images that `file` lists and that are
-/// neither kept nor replaced by new sheets. Ignores a file that is missing or that is not the
-/// description of a flipbook. Throws InputError if the file exists but cannot be read.
+/// Adds to the description of the sheets of a new flipbook (flipbook_json) the sheets that an
+/// earlier flipbook has listed in the same file. If the new flipbook shows other maps, the sheets
+/// of the earlier one therefore stay in the file. `file` is the JSON file that the description will
+/// replace. A sheet of the earlier flipbook is kept if its image still exists and no new sheet has
+/// its map or its file name. If the earlier flipbook differs in anything but its sheets and
+/// conventions, for example in its layout, no sheet is kept. Returns the names of the existing
+/// images that `file` lists and that are neither kept nor replaced by new sheets. Ignores a file
+/// that is missing or that is not the description of a flipbook. Throws InputError if the file
+/// exists but cannot be read.
 std::vector<std::string> keep_earlier_sheets(Json& description, const std::filesystem::path& file);
 
 }  // namespace foam::texgen

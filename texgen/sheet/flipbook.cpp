@@ -124,9 +124,9 @@ std::string sheet_pattern(const Preset& preset) {
 }
 
 // Returns the formats of files from which the sheets or arrays of a preset can be made, or nullptr
-// if the files that the preset writes have such a format.
-// Arrays need integers of 8 or 16 bits, which EXR files do not contain. Lossy files cannot become
-// sheets, because they would be compressed twice.
+// if the files that the preset writes have such a format. Arrays need integers of 8 or 16 bits,
+// which EXR files do not contain. Lossy files cannot become sheets, because they would be
+// compressed twice.
 const char* files_needed(const Preset& preset) {
     const FilePattern pattern(preset);
     if (pattern.is_vector()) {

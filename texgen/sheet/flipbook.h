@@ -15,8 +15,8 @@
 namespace foam::texgen {
 
 /// The content and the layout of a flipbook. A flipbook consists of sheets and of a JSON file
-/// that describes them. There is one sheet per map: an image that contains frames of the map. No
-/// option changes the value of a sample.
+/// that describes them. There is one sheet per map: an image that contains frames of the map. With
+/// any options, the pixels of the frames are copied without a change of their values.
 struct FlipbookOptions {
     std::vector<std::string> maps = {};  // empty for all maps of the set
     std::vector<int> frames = {};        // frame numbers, in this order; empty for all of the set
@@ -26,14 +26,15 @@ struct FlipbookOptions {
     /// expect a strip. No gutter is needed, because each frame becomes a separate layer of the
     /// texture.
     bool strip = false;
-    /// The suffix of the files of array textures, ".dds" or ".ktx2", which are written instead of
-    /// sheets: each frame is a layer with its mip levels. Layers can repeat as tiles, which frames
-    /// in a sheet cannot. For arrays, `gutter` must be 0 and `columns` at most 1. Empty for sheets.
+    /// The suffix of the files of array textures, ".dds" or ".ktx2", or empty for sheets. With a
+    /// suffix, array textures are written instead of sheets: each frame is a layer with its mip
+    /// levels. A layer can repeat as a tile; a frame in a sheet cannot. For arrays, `gutter` must
+    /// be 0 and `columns` at most 1.
     std::string array_suffix = {};
     /// The names of the files without suffix, in which {preset} and {map} are replaced. If this
-    /// text is empty, the names are {preset}_sheet_{map}; of a strip, {preset}_strip_{map}; of
-    /// arrays, {preset}_array_{map}. For the name of the JSON file, "_{map}" is removed; a {map}
-    /// that does not follow a "_" is replaced by "sheets".
+    /// text is empty, the name is {preset}_sheet_{map} for a sheet, {preset}_strip_{map} for a
+    /// strip, and {preset}_array_{map} for an array. For the name of the JSON file, "_{map}" is
+    /// removed; a {map} that does not follow a "_" is replaced by "sheets".
     std::string names = {};
     /// Words that replace the names of maps in file names, by map.
     std::map<std::string, std::string> words = {};
@@ -64,14 +65,15 @@ Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& to,
                         const ProgressCallback& on_progress = {});
 
-/// Returns the preset with its sheets moved to the folder of its images, if the sheets are in the
-/// default folder "out" and the images are not. An option that moves the images thus moves the
-/// sheets, too. Throws std::invalid_argument if the sheets are in "out" and the file pattern of the
-/// images is malformed.
+/// If output.sheet_pattern begins with the default folder "out" and the file pattern of the images
+/// does not, returns the preset with this folder of output.sheet_pattern replaced by the folder of
+/// the images. An option that moves the images thus moves the sheets, too. Otherwise, or if no
+/// sheets are written (output.sheets), returns the preset unchanged. Throws std::invalid_argument
+/// if the folder would be replaced, but the file pattern of the images is malformed.
 Preset with_sheets_beside_images(Preset preset);
 
 /// Checks the sheets of a preset before a bake. Throws std::invalid_argument if the files of the
-/// preset cannot be joined to what output.sheets asks for, or if a placeholder of
+/// preset cannot be joined into the images that output.sheets asks for, or if a placeholder of
 /// output.sheet_pattern is unknown, or has a value that cannot be a part of a file name
 /// (placeholder_text in preset/placeholder.h). Does nothing if output.sheets is None.
 void check_sheets(const Preset& preset);

@@ -14,7 +14,8 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kSameDisplacement = 1e-9;  // largest relative difference of equal displacements
+// Displacements whose relative difference is at most this count as equal.
+constexpr double kSameDisplacement = 1e-9;
 
 Json loop_value(const BakedSet& set, std::span<const int> frames) {
     return {{"kind", set.loop.kind},
@@ -54,9 +55,9 @@ Json layout_value(const SheetLayout& layout, bool tiles) {
             {"uv", uv_value(layout)}};
 }
 
-// Returns the displacement of a map (ManifestFile::displacement) if all frames have the same
-// displacement. Returns null if frames have different displacements, or if a displacement is not
-// recorded.
+// Returns the displacement of a map: a height, as a fraction of the width of the image, that tells
+// which heights the samples of the map represent (WrittenFile::displacement). Returns null if
+// frames have different displacements, or if the displacement of a frame is not recorded.
 Json displacement_value(const BakedSet& set, std::span<const int> frames, const std::string& map) {
     std::optional<double> common;
     for (const int frame : frames) {

@@ -26,8 +26,9 @@ struct SheetImage {
     std::optional<ArrayTexture> texture = {};  // nullopt for a sheet
 };
 
-/// Returns a JSON description of the sheets, for programs that play them. `frames` are the numbers
-/// of the frames in each sheet. README.md describes the members.
+/// Returns a JSON description of the sheets, for programs that play them. `frames` lists the
+/// numbers of the frames that a sheet contains; all sheets contain the same frames.
+/// texgen/sheet/README.md describes the members of the JSON.
 Json flipbook_json(const BakedSet& set,
                    std::span<const int> frames,
                    const SheetLayout& layout,

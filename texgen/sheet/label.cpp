@@ -144,8 +144,9 @@ void draw_letter(ImageView<std::uint8_t> image,
     }
 }
 
-/// Returns the length of the first line of a text that is longer than `longest` characters. The
-/// line ends after a separator, if there is one.
+// Returns the length of the first line of a text. The line ends after the last separator within the
+// first `longest` characters of the text, or after these characters if there is no separator.
+// Precondition: the text is longer than `longest` characters.
 std::size_t end_of_line(std::string_view text, std::size_t longest) {
     const std::size_t separator = text.substr(0, longest).find_last_of(" =,:_");
     return separator == std::string_view::npos ? longest : separator + 1;

@@ -67,7 +67,7 @@ Codes tiled(const Codes& tile) {
     return tiling;
 }
 
-// Encodes a picture as a PNG of colors, even if the map holds data.
+// Encodes a picture as a PNG that is marked as sRGB colors, even if the map stores numbers.
 Bytes encoded(const Codes& codes) {
     return encode_png(
         codes.view(), {.color = true, .text = {}}, {.compression = Compression::Small});
@@ -91,9 +91,9 @@ Bytes animation(const std::vector<Codes>& frames,
 }
 
 // Returns the name of the first baked map of colors. If there is none, returns the first baked map
-// of numbers. If there is no map of numbers either, returns the first baked map of kind "id", or
-// the first map of vector files, which the class Previews rejects. Throws std::invalid_argument if
-// no map was baked.
+// of numbers. If there is no map of numbers either, returns the first baked map of kind "id" or, if
+// there is none, the first map of vector files; the class Previews rejects both. Throws
+// std::invalid_argument if no map was baked.
 std::string default_map(const BakedSet& set) {
     for (const std::string_view kind : {"color", "number", "id"}) {
         for (const ManifestMap& map : set.maps) {

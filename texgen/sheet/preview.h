@@ -30,7 +30,7 @@ inline constexpr std::array<std::string_view, 5> kPreviewNames = {
 struct PreviewOptions {
     // If empty, the first map of colors is shown or, if there is none, the first map of numbers.
     std::vector<std::string> maps = {};
-    std::vector<int> frames = {};  // in this order; empty for all frames of the set
+    std::vector<int> frames = {};  // shown in this order; empty for all frames of the set
     // If empty, Contact and Loop are written, and also Tiling if the first frame tiles.
     std::vector<PreviewKind> kinds = {};
     int size = 384;   // largest width and height of animations, in pixels

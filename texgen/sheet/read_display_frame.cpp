@@ -31,7 +31,8 @@ bool is_light_in(const ManifestMap& map) {
     return map.samples->color_space != "data";
 }
 
-// Returns true if the images of a map have an opacity. The channel A of a packed image is none.
+// Returns true if the images of a map have an opacity. The channel A of a packed image is data, not
+// opacity.
 bool has_opacity_in(const ManifestMap& map) {
     return map.samples->alpha != "none";
 }

@@ -21,13 +21,13 @@ namespace foam::texgen {
 /// the pixels at the edge of the frame. The sheet contains only this map, and its channel names
 /// have no layer. While the sheet is composed, the memory contains the whole sheet and one frame;
 /// while it is written, the whole sheet and the encoded file. `progress` counts each frame; the
-/// last frame counts when the sheet has been staged. Precondition: the sequence has layout.frames
-/// files.
+/// last frame is counted when the sheet has been staged. Precondition: the sequence has
+/// layout.frames files.
 ///
-/// Throws InputError if a file cannot be read or lacks the layer of the map, if its size differs
-/// from the frame size of the layout, or if its channels differ from the channels of the first
-/// frame. Throws OutputError if the sheet cannot be written. Also throws the exceptions of
-/// check_layout.
+/// Throws InputError if a file cannot be read or lacks the layer of the map, if the width or height
+/// of its image differs from the frame size of the layout, or if its channels differ from the
+/// channels of the first frame. Throws OutputError if the sheet cannot be written. Also throws the
+/// exceptions of check_layout.
 StagedFile stage_sheet(const MapSequence& sequence,
                        const SheetLayout& layout,
                        const std::filesystem::path& path,

@@ -54,9 +54,10 @@ void run_ffmpeg(Arguments arguments) {
     }
 }
 
-// The colors of the PNG are sRGB, which has the primaries of BT.709. Primaries, transfer function
-// and matrix are declared in the video. 4:2:0 requires an even width and height, so odd sizes are
-// cropped, but a single row or column of pixels is doubled.
+// The colors of the animated PNG that ffmpeg reads are sRGB, which has the primaries of BT.709.
+// Primaries, transfer function and matrix are declared in the video. The chroma format 4:2:0
+// requires an even width and height. A width or height of 1 pixel is therefore doubled; any other
+// odd size is cropped by 1 pixel.
 Arguments mp4_arguments() {
     const std::string crop = "crop='max(1,floor(iw/2)*2)':'max(1,floor(ih/2)*2)':0:0";
     const std::string scale =

@@ -12,8 +12,8 @@ namespace foam::texgen {
 
 /// A format in which the external program `ffmpeg` encodes a video.
 enum class VideoFormat {
-    // H.264 with 4:2:0 chroma, for wide support. An odd width or height is cropped by 1 pixel; a
-    // width or height of 1 pixel is doubled.
+    // H.264 with 4:2:0 chroma, for wide support. A width or height of 1 pixel is doubled; any other
+    // odd width or height is cropped by 1 pixel.
     Mp4,
     Gif,  // 256 colors, repeated endlessly
 };

@@ -24,13 +24,14 @@ enum class ChartStatus { Drawn, NoGnuplot, GnuplotFailed };
 ///     sides          for each number of sides from 3 to 10, the fraction of bubbles that have this
 ///                    number, over log time
 ///     pressures      for each number of sides from 3 to 10, the mean pressure of the bubbles that
-///                    have this number, over log time, in units of film tension / sqrt(mean
-///                    area); frames in which these bubbles are less than 1 % of all are omitted
+///                    have this number, in units of film tension / sqrt(mean area), over log
+///                    time; frames in which these bubbles are less than 1 % of all are omitted
 ///     growth_rates   mean dA/dt against the number of sides, measured from areas and from
 ///                    pressures, and von Neumann's law
-///     stress         shear stress and normal stress difference over strain, in units of film
-///                    tension / sqrt(mean area); the slope of the shear modulus of the first frame,
-///                    and the largest shear stress; only if the frames have different strains
+///     stress         shear stress and normal stress difference, both in units of film tension /
+///                    sqrt(mean area), over strain; a line whose slope is the shear modulus of the
+///                    first frame, and a line at the largest shear stress; only if the frames have
+///                    different strains
 ///     seconds        wall time per frame against the number of bubbles, and the times in Figure 5
 ///                    of the paper
 std::string charts_script(const RunRecord& run);

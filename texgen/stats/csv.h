@@ -11,7 +11,7 @@ namespace foam::texgen {
 // The tables of a run as CSV. The first line contains the names of the columns, separated by
 // commas. Numbers have a decimal point in any locale, and floating-point numbers are written
 // without loss of precision. `seconds` is in seconds, `angle_error` and `orientation` in radians;
-// all other quantities are in foam units. README.md explains each column.
+// all other quantities are in foam units. texgen/stats/README.md explains each column.
 
 /// Returns a table with one row per frame:
 /// frame,time,bubbles,mean_area,energy,second_moment,area_error,angle_error,t1,t2,seconds
@@ -41,8 +41,7 @@ std::string bubbles_csv(const RunRecord& run);
 
 /// Returns a table of the mazes with one row per frame:
 /// frame,time,bubbles,solution,dead_ends,branches
-/// Returns an empty text if the preset of the run has no map of a maze, or if the run has no
-/// frames.
+/// Returns an empty text if no map of the run's preset shows a maze, or if the run has no frames.
 std::string maze_csv(const RunRecord& run);
 
 }  // namespace foam::texgen

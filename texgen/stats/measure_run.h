@@ -7,10 +7,11 @@
 
 namespace foam::texgen {
 
-/// The result of measure_run.
+/// The result of measure_run. If a step finds no equilibrium or the loop does not close, `outcome`
+/// says so (RunOutcome::status), and no exception is thrown.
 struct MeasureSummary {
     RunOutcome outcome;
-    RunRecord run;  // if the run failed, only the frames before the failure
+    RunRecord run;  // if the run ended early, only the frames before its end
 };
 
 /// Measures the frames that a bake with the same options would draw, without drawing them. The

@@ -24,7 +24,7 @@ struct FrameRecord {
     // Empty in the first record, and if no time has passed since the preceding record.
     std::vector<SidesGrowth> growth;
     FrameEffort effort;                    // T1s, T2s, errors, wall time, events, strain and stress
-    std::optional<MazeStatistics> maze{};  // only if the preset has a map of a maze
+    std::optional<MazeStatistics> maze{};  // only if a map of the preset shows a maze
     // The shear modulus of the frame (core/dynamics/shear_modulus.h); nullopt if it has none.
     std::optional<double> shear_modulus{};
 };
@@ -61,7 +61,7 @@ class Recorder {
 
   private:
     RunRecord run_;
-    std::optional<MazeRule> maze_;  // the rule of the maze, if the preset has a map of one
+    std::optional<MazeRule> maze_;  // the rule of the maze; nullopt if no map shows a maze
     int threads_;
 };
 

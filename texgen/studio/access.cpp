@@ -69,8 +69,8 @@ std::optional<HttpResponse> Access::rejection(const HttpRequest& request) const 
         return error_response(HttpStatus::Forbidden, "the studio has another address");
     }
     if (request.method == "GET") {
-        // "none" means that the user has typed or opened the address. If a browser does not send
-        // this field, the cookie still protects the studio.
+        // The header field Sec-Fetch-Site is "none" if the user has typed or opened the address. If
+        // a browser does not send this field, the cookie still protects the studio.
         const bool own = request.fetch_site.empty() || request.fetch_site == "none" ||
                          request.fetch_site == "same-origin" || request.target == "/";
         return own ? std::nullopt

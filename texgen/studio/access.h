@@ -15,14 +15,17 @@ namespace foam::texgen {
 /// printed, and only for the page of the studio itself. A page of another site could otherwise send
 /// requests to the loopback interface.
 ///
-/// - `Host` must be the address of the studio. A name that an attacker lets point to this machine
-///   (DNS rebinding) is rejected.
+/// - The header `Host` must be the address of the studio. A name that an attacker has made point to
+///   this machine (DNS rebinding) is rejected.
 /// - Requests below /api/ need a cookie with a secret of 128 random bits. The page gets the cookie
 ///   from /api/session in exchange for a token, which is also 128 random bits and can be used once.
-///   `SameSite=Strict` keeps browsers from sending the cookie for other sites.
-/// - POST requests must be JSON (`Content-Type`) and come from the page of the studio (`Origin` and
-///   `Sec-Fetch-Site`), which the pages of other sites cannot forge.
-/// - A GET request whose `Sec-Fetch-Site` names another site is rejected, except for the page "/".
+///   Because of `SameSite=Strict`, a browser does not send the cookie with requests that pages of
+///   other sites make.
+/// - The headers of a POST request must say that its content is JSON (`Content-Type`) and that it
+///   comes from the page of the studio (`Origin` and `Sec-Fetch-Site`). Pages of other sites cannot
+///   forge the last two headers.
+/// - A GET request that comes from another site, as `Sec-Fetch-Site` says, is rejected, except for
+///   the page "/".
 class Access {
   public:
     /// Draws the token and the secret from the random numbers of the system. `port` is the port of

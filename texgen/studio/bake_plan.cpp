@@ -42,8 +42,8 @@ std::string with_suffix(const std::string& pattern, const std::string& suffix) {
     return std::filesystem::path(pattern).replace_extension(suffix).string();
 }
 
-/// Returns the options of the command `bake` that, together with the settings, give the same
-/// images. Paths are relative to the folder of the studio.
+/// Returns the options that the command `bake` needs, in addition to the settings, to bake the
+/// images of the request. Paths are relative to the folder of the studio.
 std::vector<std::string> options_of(const BakeRequest& request, const Preset& preset) {
     std::vector<std::string> options;
     const auto add = [&](const char* name, const std::string& value) {
@@ -86,8 +86,10 @@ std::vector<Assignment> assignments_of(const BakeRequest& request) {
     return assignments;
 }
 
-/// Moves the images of a preset into a folder, which is a path relative to the folder of the
-/// studio. Throws PathRejected if a pattern leaves the folder of the studio.
+/// Prepends request.folder to the file name patterns of a preset, in place of the default folder.
+/// The patterns stay relative to the folder of the studio. Without a profile, images also get the
+/// suffix of the requested format. Throws PathRejected if a pattern leaves the folder of the
+/// studio.
 void place(Preset& preset, const BakeRequest& request, const StudioFolder& folder) {
     const std::filesystem::path base = request.folder;
     const auto below = [&](const std::string& pattern) {

@@ -34,7 +34,9 @@ BakeRequest read_bake_request(const JsonValue& request);
 struct BakePlan {
     Preset preset;
     std::vector<int> frames = {};
-    std::string command = {};  // empty if the command line cannot express the settings
+    // The command that bakes the same images in a terminal (bake_command); empty if no command line
+    // can express the settings.
+    std::string command = {};
 };
 
 /// Prepares a bake. Its images, sheets and scenes are written below the folder that the request

@@ -47,7 +47,7 @@ void add_sets(const StudioFolder& studio, const std::filesystem::path& manifest,
     } catch (const InputError&) {
         // A folder with a damaged manifest is not offered.
     } catch (const PathRejected&) {
-        // Neither is a folder that no request may name.
+        // A folder that requests may not name is not offered either.
     }
 }
 
@@ -98,7 +98,8 @@ int pixel_at(double fraction, int count) {
 }
 
 /// Returns the channels of a map in its file, in the order of MapSamples::channels. Files of codes
-/// call them R, G and B, or Y, whatever the map calls them. Padding channels are left out.
+/// call them R, G and B, or Y, whatever the map calls them. Padding channels, which are called 0,
+/// are left out.
 std::vector<PictureChannel> channels_of_map(const Picture& picture, const MapSamples& samples) {
     const std::vector<PictureChannel> all = channels_of(picture);
     const ChannelGroup& group = picture.groups.front();
@@ -116,8 +117,9 @@ std::vector<PictureChannel> channels_of_map(const Picture& picture, const MapSam
     return found;
 }
 
-/// Returns the numbers that 0 and 1 stand for in the scaled codes of a file (read_numbers). Numbers
-/// that are not stored as codes are not scaled.
+/// The function read_numbers scales codes to the range from 0 to 1. Returns the numbers, in the
+/// unit of the map, that 0 and 1 then stand for. Numbers that are not stored as codes are not
+/// scaled: for them, returns 0 and 1.
 std::array<double, 2> range_of(const MapSamples& samples, const ChannelGroup& group) {
     if (!group.has_codes()) {
         return {0.0, 1.0};

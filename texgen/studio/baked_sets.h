@@ -10,8 +10,9 @@
 
 namespace foam::texgen {
 
-/// Returns the answer to /api/bakes (README.md): the baked sets below the folder. A manifest that
-/// cannot be read, or whose folder StudioFolder::below rejects, is left out.
+/// Returns the answer to /api/bakes (README.md): the sets of images (BakedSet) that the manifests
+/// in `folder` and below it list. A manifest that cannot be read, or whose folder
+/// StudioFolder::below rejects, is left out.
 Json describe_baked_sets(const StudioFolder& folder);
 
 /// An image of a baked set.
@@ -25,12 +26,13 @@ struct BakedImage {
 /// Returns the answer to /api/baked: an image, reduced so that its longer side has at most `side`
 /// pixels. Throws PathRejected; InputError if the manifest or the image cannot be read or shown, or
 /// if the frame was not baked; and std::invalid_argument if the set does not exist, or if the map
-/// was not baked or has no pixels.
+/// was not baked or its files are vector files, which have no pixels.
 HttpResponse baked_picture(const StudioFolder& folder, const BakedImage& image, int side);
 
-/// Returns the answer to /api/baked/pick: the samples of the file of an image at a point. `x` and
-/// `y` are fractions of the width and of the height, from the upper left. Numbers are in the unit
-/// of the map. Throws the exceptions of baked_picture.
+/// Returns the answer to /api/baked/pick: what the file of the image contains at a point. This is a
+/// color if the map is one of colors; otherwise, it is a list of numbers in the unit of the map.
+/// `x` and `y` are fractions of the width and of the height, from the upper left. Throws the
+/// exceptions of baked_picture.
 Json pick_baked(const StudioFolder& folder, const BakedImage& image, double x, double y);
 
 }  // namespace foam::texgen

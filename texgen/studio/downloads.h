@@ -12,12 +12,14 @@
 
 namespace foam::texgen {
 
-// The answers to /api/download (README.md): files that the browser saves. Frames are baked. The
-// foam is not simulated again if the store keeps all frames of the preset. The functions that bake
-// throw the exceptions of bake, and SimulationFailed if the foam has no equilibrium or the loop
-// does not close.
+// The answers to /api/download (README.md): files that the browser saves. The functions whose
+// answer shows frames let bake() draw them. If the store keeps all frames of the preset, bake()
+// takes them from the store; otherwise it simulates the foam again. These functions throw the
+// exceptions of bake(), and SimulationFailed if the foam has no equilibrium or the loop does not
+// close.
 
-/// Returns the preset file of the settings.
+/// Returns a preset file with the settings (preset_file). `loaded` is the result of load_settings
+/// for the same settings.
 HttpResponse preset_download(const PageSettings& settings, const PagePreset& loaded);
 
 /// Returns a frame of a map as the PNG that a bake writes.

@@ -11,7 +11,8 @@
 
 namespace foam::texgen {
 
-/// Reports a path that a page may not use. The message is one line.
+/// Reports that a path, such as one that the studio's page has sent, may not be used
+/// (StudioFolder::below). The message is one line.
 class PathRejected : public std::runtime_error {
     using runtime_error::runtime_error;
 };
@@ -19,16 +20,17 @@ class PathRejected : public std::runtime_error {
 /// The folder below which a studio reads and writes files.
 class StudioFolder {
   public:
-    /// Creates the folder if it does not exist. Throws OutputError if it cannot be created, or is
-    /// not a folder.
+    /// Creates the folder if it does not exist. Throws OutputError if it cannot be created, or if
+    /// the path names something that is not a folder.
     explicit StudioFolder(const std::filesystem::path& folder);
 
     /// Returns the absolute path of the folder, without links.
     const std::filesystem::path& path() const { return path_; }
 
-    /// Returns the path of a file or folder below the folder. `relative` is a path relative to the
-    /// folder; the file need not exist. Throws PathRejected if the path is absolute, contains ".."
-    /// or control characters, leaves the folder through a link, or cannot be resolved.
+    /// Returns the absolute path, without links, of a file or folder below this folder. `relative`
+    /// is its path relative to this folder; it need not exist. Throws PathRejected if `relative` is
+    /// absolute, contains ".." or control characters, leaves this folder through a link, or cannot
+    /// be resolved.
     std::filesystem::path below(const std::string& relative) const;
 
     /// Returns the names of the preset files in the folder, sorted.

@@ -21,11 +21,11 @@ namespace foam::texgen {
 struct FrameRun {
     Preset preset;
     std::string simulation;             // simulation_hash(preset)
-    int frames = 0;                     // frames 1 to this number will be kept
-    std::vector<int> states = {};       // numbers of the states they need, in increasing order
+    int frames = 0;                     // states of frames 1 to this number will be kept
+    std::vector<int> states = {};       // ascending numbers of the states that these frames need
     std::vector<int> last_states = {};  // for each frame, the last state that it needs
     std::map<int, SimulatedFrame> kept = {};  // the states computed so far, by number
-    std::set<std::string> pages = {};         // the pages that want this run
+    std::set<std::string> pages = {};         // words of the pages that want this run (README.md)
     RunProgress progress = {};
     std::optional<RunOutcome> outcome = {};  // nullopt before the end, and after an exception
     std::string failure = {};                // the reason of a failure, otherwise empty

@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-// A single thread works on the run that was wanted last and is not complete.
+// A run (FrameRun) is the simulation of one foam. A single thread simulates one run after the
+// other. The next run is always the unfinished run that a page has asked for last (want_run).
 
 namespace foam::texgen {
 
@@ -22,7 +23,8 @@ namespace {
 constexpr std::size_t kBytesPerBubble = 2500;
 constexpr std::size_t kLargestRuns = 8;
 constexpr std::size_t kLargestDrafts = 48;
-// The memory of all drafts, as a fraction of the memory of the runs: 1 / kDraftShare.
+// The largest memory of all drafts (FrameStore::draft), as a fraction of the memory of the runs:
+// 1 / kDraftShare.
 constexpr std::size_t kDraftShare = 4;
 
 // Stops a simulation that nobody wants any more.
@@ -39,7 +41,8 @@ std::size_t state_bytes(const Preset& preset) {
     return kBytesPerBubble * static_cast<std::size_t>(preset.seeding.bubbles);
 }
 
-// Returns how many frames fit in the memory.
+// Returns how many of the preset's frames, from frame 1 on, have states that fit in the given
+// number of bytes.
 int frames_that_fit(const Preset& preset, std::size_t bytes) {
     const std::size_t states = std::max<std::size_t>(2, bytes / (state_bytes(preset) + 1));
     return static_cast<int>(std::min(static_cast<std::size_t>(preset.frames.count), states - 1));
@@ -92,7 +95,7 @@ SimulatedFrame FrameStore::frame(const Preset& preset,
         throw SimulationFailed(run->failure);
     }
     const std::map<int, SimulatedFrame> states = run->states_for(preset, number, next_frames);
-    lock.unlock();  // the current of a loop takes milliseconds to move the foam
+    lock.unlock();  // moving the foam by a current (loop.current) takes milliseconds
     SimulatedFrame found;
     assemble(
         states, preset, {number}, next_frames, [&](const SimulatedFrame& shown) { found = shown; });
@@ -127,8 +130,8 @@ SimulatedFrame FrameStore::draft(const Preset& preset) {
     return frame;
 }
 
-// Forgets the drafts that were drawn first until the rest fits in the memory. Precondition: the
-// mutex is locked.
+// Forgets the oldest drafts, so that the others fit in the memory of drafts (kDraftShare).
+// Precondition: the mutex is locked.
 void FrameStore::forget_old_drafts() {
     std::size_t bytes = 0;
     std::size_t kept = 0;
@@ -196,8 +199,9 @@ FrameStore::RunPointer FrameStore::want_run(const Preset& preset, const std::str
     return runs_.front();
 }
 
-// Forgets runs until the rest fits in the memory: first the finished ones, then the others, of
-// both first those that were wanted longest ago. The run that was wanted last is kept.
+// Forgets runs until the others fit in the memory. Finished runs are forgotten before unfinished
+// runs. In each of these two groups, the run that was wanted longest ago is forgotten first. The
+// run that was wanted last is always kept.
 void FrameStore::forget_old_runs() {
     std::vector<RunPointer> order(runs_.begin(), runs_.end());
     std::stable_partition(
@@ -249,8 +253,9 @@ void FrameStore::work() {
     }
 }
 
-// Simulates a run to its end, or until it is stopped. If another foam is wanted meanwhile, the run
-// still goes on, because the page that waits for it would otherwise wait for ever.
+// Simulates a run to its end, or until the run is dropped or the store is stopped. If another page
+// asks for another foam meanwhile, this run still goes on first, because the page that waits for it
+// would otherwise wait forever.
 void FrameStore::simulate(const RunPointer& run) {
     const auto finish = [&](std::optional<RunOutcome> outcome, std::string failure) {
         const std::scoped_lock lock(mutex_);

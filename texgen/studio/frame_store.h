@@ -48,13 +48,13 @@ struct SimulationState {
 /// Simulates presets in the background, one at a time, and keeps the states of their foams, so that
 /// any frame can be drawn immediately, with any colors. Each page of the studio wants one foam; the
 /// foam that was wanted last is simulated first, and a simulation that no page wants any more is
-/// stopped. The foams that were wanted last are kept, at most eight and as many as memory allows;
-/// if it does not suffice, foams that are complete are forgotten first.
-/// Thread-safe.
+/// stopped. At most eight foams are kept, or fewer if the memory does not suffice. Complete foams
+/// are forgotten before others. In each of these two groups, the foam that was wanted longest ago
+/// is forgotten first. Thread-safe.
 class FrameStore {
   public:
     /// Keeps states of at most `bytes` bytes, approximately, and drafts of at most a quarter of
-    /// that. Of a long animation of a large foam, only the first frames may be kept.
+    /// that. If the states of an animation need more memory, only its first frames are kept.
     explicit FrameStore(std::size_t bytes);
     ~FrameStore();
     FrameStore(const FrameStore&) = delete;
@@ -64,10 +64,11 @@ class FrameStore {
     /// simulation. `page` is the word that the page has chosen (README.md).
     SimulationState want(const Preset& preset, const std::string& page);
 
-    /// Does what `want` does, waits until a frame can be drawn, and returns it. The result includes
-    /// the frame after it if `next_frames` asks for it. The options of the image, the camera and
-    /// the loop are those of the given preset. Throws FrameReplaced, and SimulationFailed if the
-    /// foam has no equilibrium, the loop does not close, or the frame is not kept.
+    /// Does what `want` does, waits until a frame can be drawn, and returns this frame. With
+    /// NextFrames::Included, the result also contains the next frame. The view of a patch follows
+    /// the image size and the camera of the given preset, even if the kept states were simulated
+    /// for a preset with other values. Throws FrameReplaced. Throws SimulationFailed if the foam
+    /// has no equilibrium, the loop does not close, or the frame is not kept.
     SimulatedFrame frame(const Preset& preset,
                          int number,
                          NextFrames next_frames,

@@ -82,7 +82,9 @@ class HttpConnectionOwner {
     virtual HttpResponse handle(const HttpRequest& request) const = 0;
     /// Returns true if other clients wait for a connection to end.
     virtual bool is_crowded() const = 0;
-    /// Notes that a connection begins to wait for a request.
+    /// Moves a connection, which begins to wait for a request, to the end of the list of
+    /// connections. If a new connection is one too many, the server closes the first idle
+    /// connection before it in this list.
     virtual void move_to_end(const HttpConnection* connection) = 0;
     /// Forgets a connection, which has ended.
     virtual void remove(const HttpConnection* connection) = 0;
@@ -117,8 +119,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     }
 
   private:
-    // A response is followed by the next request, the end of the connection, or, if its
-    // request was not read completely, by reading the rest of the request.
+    // The action after a response: read the next request; close the connection; or read the rest
+    // of a request that was rejected before it was read completely, and then close the connection.
     enum class Next { Read, Close, Drain };
 
     // Continues after a request has been read, or could not be read.
@@ -199,7 +201,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     std::optional<http::request_parser<http::string_body>> parser_;
     std::optional<http::response<http::string_body>> message_;
     HttpConnectionOwner& owner_;
-    bool is_idle_ = true;  // true while no request is in work and no response is being written
+    bool is_idle_ = true;  // true unless a request is being handled or a response written
 };
 
 }  // namespace foam::texgen

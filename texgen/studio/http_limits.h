@@ -7,7 +7,7 @@
 
 namespace foam::texgen {
 
-/// The limits of a server.
+/// The limits of an HttpServer.
 struct HttpLimits {
     /// The largest number of open connections. If another one arrives, the connection that has
     /// waited longest for a request is closed. If all connections have a request in work, each

@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// A request to the studio. Of the header it contains only the fields that the studio uses. A field
-/// that is missing, or that occurs more than once, is empty.
+/// A request to the studio, with the header fields that the studio uses. If a header field is
+/// missing or occurs more than once, the member for it is empty.
 struct HttpRequest {
     std::string method;  // "GET", "POST", ...
     std::string target;  // the path, such as "/api/picture"

@@ -113,7 +113,7 @@ class HttpServer::Listener final : public HttpConnectionOwner {
         });
     }
 
-    // Lets the acceptors that wait accept connections, unless there are too many.
+    // Lets the waiting acceptors accept again, unless there are too many connections.
     void accept_again() {
         while (!waiting_.empty() && connections_.size() <= limits_.connections) {
             Acceptor* const acceptor = waiting_.back();
@@ -122,7 +122,7 @@ class HttpServer::Listener final : public HttpConnectionOwner {
         }
     }
 
-    // Closes the connection that has waited longest for a request, except for the newest one.
+    // Closes the connection that has waited longest for a request, but never the newest one.
     void close_idle() {
         const auto newest = std::prev(connections_.end());
         const auto idle = std::find_if(
@@ -146,7 +146,7 @@ class HttpServer::Listener final : public HttpConnectionOwner {
     std::vector<Acceptor> acceptors_;
     // Acceptors that wait for a connection to end or, after an error, for the next tick.
     std::vector<Acceptor*> waiting_;
-    // In the order in which they began to wait for a request.
+    // The connections, in the order in which they began to wait for a request.
     std::list<std::shared_ptr<HttpConnection>> connections_;
     asio::steady_timer timer_{io_};
     asio::thread_pool* pool_ = nullptr;

@@ -26,7 +26,8 @@ class HttpServer {
     /// Serves requests until `on_tick` throws, and rethrows the exception. `handler` is called on a
     /// pool with at least one thread per possible connection. `on_tick` is called about ten times
     /// per second on the caller's thread. `on_end` is called before the function waits for the
-    /// handlers that are still at work, so that `on_end` can end them. May be called only once.
+    /// handlers that are still at work, so that `on_end` can end them. Precondition: `run` has not
+    /// been called before.
     void run(const HttpHandler& handler,
              const std::function<void()>& on_tick,
              const std::function<void()>& on_end);

@@ -30,13 +30,13 @@ namespace foam::texgen {
 
 namespace {
 
-// The data that the maps of a frame share is kept for pictures of at most this many pixels
-// together.
+// The data that the maps of a frame share is kept for several frames, whose pictures together have
+// at most this many pixels.
 constexpr std::size_t kLargestKept = 4UL * 1024 * 1024;
 // The number of pictures that are drawn from the same kept data. Each may add to the data, because
 // some of it depends on options, such as the width of films.
 constexpr int kLargestUses = 64;
-constexpr double kMargin = 1.01;  // as for fitted ranges
+constexpr double kMargin = 1.01;  // increases the largest number, as in fit_automatic_ranges
 constexpr std::size_t kLargestRanges = 1000;
 
 /// Changes the range of an image so that it holds all numbers, as fit_automatic_ranges does for all
@@ -85,7 +85,7 @@ struct Painter::Shown {
 struct Painter::DrawnMap {
     MapImage image;
     bool is_exact = false;
-    std::optional<double> unit_width = {};  // of the map height: its unit in image widths
+    std::optional<double> unit_width = {};  // of the map `height`: its unit in image widths
 };
 
 Painter::Painter(FrameStore& store) : store_(store) {}
@@ -141,8 +141,8 @@ std::shared_ptr<Painter::Shown> Painter::shown(const Preset& preset,
     return made;
 }
 
-// Stores the fitted value of an automatic range in the options, if it is known or can be found.
-// Returns false if it is not known.
+// If the map has an automatic range, stores the fitted value of the range in the options. Returns
+// false if this value is neither known nor can be found; the options are then unchanged.
 bool Painter::fit_range(const Preset& preset, const PictureRequest& request, MapOptions& options) {
     const Map& map = find_map(request.map);
     AutoReal* const range = range_option_of(map, options);

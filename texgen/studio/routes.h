@@ -15,7 +15,7 @@
 
 namespace foam::texgen {
 
-/// The objects with which the requests of a page work.
+/// The objects that are needed to answer the requests of a page.
 struct StudioParts {
     const StudioFolder& folder;
     FrameStore& store;
@@ -28,10 +28,10 @@ struct StudioParts {
 HttpResponse answer_json(const std::string& body,
                          const std::function<HttpResponse(const JsonValue& request)>& answer);
 
-/// Returns the answer to a POST request whose access has been checked; nullopt if `target` is not
-/// the path of such a request (README.md). Returns an error response if the body is not JSON.
-/// Throws InputError if a member of the body is missing or malformed. Also throws the exceptions of
-/// the functions that do the work.
+/// Returns the answer to a POST request that Access allows; nullopt if `target` is not one of the
+/// paths in kRoutes (routes.cpp). Returns an error response if the body is not JSON. Throws
+/// InputError if a member of the body is missing or malformed. Also throws the exceptions of the
+/// functions that do the work.
 std::optional<HttpResponse> answer_post(const std::string& target,
                                         const std::string& body,
                                         const StudioParts& parts);

@@ -23,15 +23,16 @@ struct MapSize {
 /// Returns the size of a map's image.
 MapSize size_of(const MapImage& image);
 
-/// Returns a sample of a map as a number in its unit; light and opacity are from 0 to 1. Row 0 is
-/// the bottom row.
+/// Returns a sample of a map as a number in the unit of the map. For a map of colors, the number is
+/// linear light or an opacity, from 0 to 1. Row 0 is the bottom row.
 float number_of(const MapImage& image, int x, int y, int channel);
 
 /// Returns codes of 1 (gray), 3 or 4 channels as red, green, blue and opacity, row by row from the
 /// top. The opacity is 255 if there is no fourth channel.
 std::string rgba_from_top(const Image<std::uint8_t>& codes);
 
-/// Returns all samples of a map as numbers in its unit (32-bit floats), row by row from the top.
+/// Returns the results of number_of for all samples of a map, as the bytes of 32-bit floats, row by
+/// row from the top.
 std::string floats_from_top(const MapImage& image);
 
 }  // namespace foam::texgen

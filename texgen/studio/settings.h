@@ -20,7 +20,8 @@ inline constexpr int kLargestLiveFoam = 20'000;
 
 /// The settings of a page: a preset, and the changes that the page makes to it.
 struct PageSettings {
-    std::string preset;                 // a shipped preset, or a path below the folder
+    // The name of a shipped preset, or the path of a preset file, relative to the studio's folder.
+    std::string preset;
     std::vector<std::string> set = {};  // the arguments KEY=VALUE of options --set
     // A TOML text with tables [[event]] that replace all events of the preset.
     std::optional<std::string> events = {};
@@ -53,7 +54,8 @@ struct PagePreset {
 };
 
 /// Loads the preset of a page and stores the changes of the page in it. Throws SettingsRejected if
-/// a value is not allowed or the preset does not exist, and PathRejected.
+/// a value is not allowed or the preset does not exist. Throws PathRejected if a path is not
+/// allowed (StudioFolder::below).
 PagePreset load_settings(const PageSettings& settings, const StudioFolder& folder);
 
 /// Returns the preset of load_settings. Throws as load_settings does, and SettingsRejected if the
@@ -70,7 +72,7 @@ std::optional<std::string> bake_command(const PageSettings& settings,
 /// otherwise it contains all keys.
 std::string preset_file(const PageSettings& settings, const PagePreset& loaded);
 
-/// Returns the answer to /api/settings (README.md).
+/// Returns the answer to a request to /api/settings (README.md).
 Json describe_settings(const PageSettings& settings, const StudioFolder& folder);
 
 }  // namespace foam::texgen

@@ -24,7 +24,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns the preset whose only image is the picture of a variation.
+/// Returns the preset of a variation, changed so that its only image is the picture of the
+/// variation, which a bake writes to `folder`.
 Preset reduced(Preset preset,
                const VariationDrawing& drawing,
                const std::filesystem::path& folder) {
@@ -44,7 +45,8 @@ Image<std::uint8_t> gray_picture(int width, int height) {
     return picture;
 }
 
-/// Bakes the picture in a scratch folder and reads it.
+/// Bakes the picture of a variation in a scratch folder and reads its file. If the bake is not
+/// complete, the picture is gray.
 DrawnVariation drawn(const Preset& preset,
                      const VariationDrawing& drawing,
                      const ProgressCallback& on_progress) {

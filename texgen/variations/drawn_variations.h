@@ -29,10 +29,10 @@ struct DrawnVariation {
 };
 
 /// Draws a frame of each preset as a bake does, reduced to `drawing.side` (reduced_image), and
-/// composited over gray where it is transparent. `on_progress` receives the phase Previews, which
-/// counts pictures. Throws std::invalid_argument if the pictures have different sizes, or if the
-/// map stores whole numbers (check_shown_map), and the exceptions of bake_recorded. Precondition:
-/// there is at least one preset.
+/// composited over gray where it is transparent. `on_progress` receives the phase Phase::Previews,
+/// which counts pictures. Throws std::invalid_argument if the pictures have different sizes, or if
+/// the map stores whole numbers (check_shown_map), and the exceptions of bake_recorded.
+/// Precondition: there is at least one preset.
 std::vector<DrawnVariation> draw_variations(std::span<const Preset> presets,
                                             const VariationDrawing& drawing,
                                             const ProgressCallback& on_progress = {});

@@ -37,7 +37,7 @@ std::vector<Value> values_of(const std::variant<Value, NumberRange>& part,
     const auto& range = std::get<NumberRange>(part);
     if (!range.count) {
         reject(location,
-               fmt::format("{0}..{1} has no COUNT, as in {0}..{1}:4", range.low, range.high));
+               fmt::format("{0}..{1} needs a COUNT, as in {0}..{1}:4", range.low, range.high));
     }
     return numbers_of(range);
 }

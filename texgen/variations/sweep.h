@@ -22,9 +22,9 @@ struct Sweep {
 /// values; `assign` does.
 Sweep read_sweep(const std::string& argument);
 
-/// Returns the sweep of foam.seed for the argument of `--seeds`, in the notation of
-/// parse_frame_range (bake/frame_range.h). Throws PresetError if the argument is malformed or has
-/// more than kMostValues seeds.
+/// Returns the sweep of the key foam.seed for the argument of `--seeds`. The argument has the
+/// notation that parse_frame_range reads (bake/frame_range.h). Throws PresetError if the argument
+/// is malformed or has more than kMostValues seeds.
 Sweep read_seeds(const std::string& argument);
 
 }  // namespace foam::texgen

@@ -40,7 +40,7 @@ std::vector<Srgb8> colors_in(const Value& value) {
     return colors;
 }
 
-/// Returns a value as text; a word without quotes.
+/// Returns a value in the notation of TOML, but a string without its quotes.
 std::string text_of(const Value& value) {
     const auto* const word = std::get_if<std::string>(&value.data);
     return word != nullptr ? *word : to_toml(value);

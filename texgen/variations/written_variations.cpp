@@ -40,7 +40,9 @@ void write_sheet(const VariationSet& set,
         std::string& text = thumbnail.labels.front().text;
         text = fmt::format("{}: {}", k + 1, text);
     }
-    constexpr int kWide = 200;  // pixels; a line of large letters then has 16 letters
+    // Pictures of at least this width, in pixels, have labels of large letters. At this width, 16
+    // large letters fit on a line.
+    constexpr int kWide = 200;
     const int magnification = drawn.front().pixels.width() < kWide ? 1 : 2;
     const Image<std::uint8_t> sheet =
         contact_sheet(thumbnails, {.columns = set.columns, .magnification = magnification});
@@ -49,7 +51,8 @@ void write_sheet(const VariationSet& set,
         encode_png(sheet.view(), {.color = true, .text = {}}, {.compression = Compression::Small}));
 }
 
-/// Returns the text of the preset file of a variation in a folder.
+/// Returns the text of the preset file of a variation. `folder` is the folder of this file. Paths
+/// in the text are relative to the folder if possible.
 std::string preset_file(const VariationSet& set,
                         const Variation& variation,
                         const std::filesystem::path& folder) {

@@ -21,9 +21,9 @@ VectorContent shown_content(const VectorOptions& options, const std::vector<std:
 /// Returns the word for the content in file names, such as "foam".
 std::string_view name_of(VectorContent content);
 
-/// Throws std::invalid_argument if VectorOptions::walls is Outlines and check_wall_width throws, or
-/// if the content is MazeSolution and the solution has no width. Does nothing if walls are drawn as
-/// lines, whose width may be 0. Precondition: `content` is not Auto.
+/// Does nothing if VectorOptions::walls is Lines, because the width of lines may be 0. If it is
+/// Outlines, throws std::invalid_argument if check_wall_width throws, or if the content is
+/// MazeSolution and the solution has no width. Precondition: `content` is not Auto.
 void check_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 
 /// Throws std::invalid_argument if the lines of the content (films, walls or contours) have no
@@ -38,7 +38,9 @@ struct Appearance {
     std::string line_color;    // sRGB, "#rrggbb"
     double map_width = 0.0;    // full width of the lines in the map, in pixels
     std::string ground_color;  // color under the lines; empty if bubbles have their own colors
-    FilmFilter has_line;       // returns true if the film is a line; may refer to the layers
+    // Returns true if the map shows a line along the film. May refer to the layers from which
+    // appearance_of made it.
+    FilmFilter has_line;
 };
 
 /// Returns the appearance of the content. The result may refer to `layers`, which must outlive it.

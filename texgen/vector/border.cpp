@@ -75,11 +75,12 @@ class Border {
 struct BorderEnd {
     double position = 0.0;
     std::size_t chain = 0;
-    bool enters = false;  // true for the start of the chain
+    bool enters = false;  // true for the tail of the chain
 };
 
-// Returns the ends of all chains in the order of their positions. Starts and ends alternate, unless
-// the chains cross each other: neighbors at almost the same position are exchanged if necessary.
+// Returns the tails and heads of all chains in the order of their positions. If rounding errors put
+// two neighbors at almost the same position in the wrong order, they are exchanged. Tails and heads
+// therefore alternate, unless the chains cross each other.
 std::vector<BorderEnd> sorted_ends(const std::vector<Chain>& chains, const Border& border) {
     std::vector<BorderEnd> ends;
     for (std::size_t k = 0; k < chains.size(); ++k) {
@@ -96,7 +97,7 @@ std::vector<BorderEnd> sorted_ends(const std::vector<Chain>& chains, const Borde
     return ends;
 }
 
-// Returns, for each chain, the start of the chain that follows it along the border.
+// Returns, for each chain, the tail of the chain that follows it along the border.
 std::vector<BorderEnd> followers(const std::vector<Chain>& chains, const Border& border) {
     const std::vector<BorderEnd> ends = sorted_ends(chains, border);
     std::vector<BorderEnd> following(chains.size());

@@ -26,14 +26,16 @@ namespace foam::texgen {
 
 namespace {
 
-// The lines of a drawing. On a torus whose tile cuts them, `near` contains whole copies of all
-// lines that touch the tile when they are drawn with their width, and `beyond` contains the parts
-// of these copies outside of the tile. Otherwise `near` equals `lines`, and `beyond` is empty.
+// The lines of one layer of a drawing. If they are cut at the border of the tile of a torus,
+// `lines` contains their parts, moved into the tile. `near` then contains whole copies of all lines
+// that touch the tile when they are drawn with their width, and `beyond` contains the parts of
+// these copies outside of the tile. If lines are not cut, `near` equals `lines`, and `beyond` is
+// empty.
 // films_work fills only the members that are drawn: `near` if walls are drawn as outlines, `lines`
 // and `beyond` if they are drawn as lines.
 struct LineWork {
     std::string layer;  // name of the layer
-    std::string kind;   // class of the shapes
+    std::string kind;   // class of the shapes in an SVG (Shape::kind)
     std::string color;
     double width = 0.0;  // millimeters
     bool is_cut = false;
@@ -107,11 +109,13 @@ LineWork films_work(const Appearance& look,
     return work;
 }
 
-// The number of biarcs between two films that the solution crosses. With four, the arcs differ from
-// the line of the map maze_solution by less than a hundredth of its width.
+// The number of biarcs (smooth_arcs) between two successive films that the solution of a maze
+// crosses. With four, the arcs differ from the line that the map `maze_solution` shows by less than
+// a hundredth of the width of this line.
 constexpr int kPiecesPerStation = 4;
 
-// Adds an arc of the solution to `work`. The arc connects the points `k` and k + 1 of the solution.
+// Adds an arc of the solution of a maze to `work`. The arc connects the points `k` and k + 1 of the
+// solution.
 void add_solution_arc(
     const DrawnArc& arc, std::size_t k, const Page& page, NetNodes& nodes, LineWork& work) {
     if (page.domain.is_plane()) {
@@ -121,8 +125,9 @@ void add_solution_arc(
     }
     const std::vector<CellPiece> pieces = cut_at_cells(arc, page.domain);
     for (std::size_t m = 0; m < pieces.size(); ++m) {
-        // If a point is on the border of the tile, the two arcs that meet there may be in different
-        // cells. In the tile, they then end on opposite sides.
+        // A cell is the tile or a periodic copy of the tile. If a point is on the border of a cell,
+        // the two arcs that meet there may be in different cells. Moved into the tile, they then
+        // end on opposite sides.
         const LatticeOffset cell = pieces[m].cell;
         const std::uint64_t tail = m == 0 ? nodes.of(k, cell) : nodes.unique();
         const std::uint64_t head = m + 1 == pieces.size() ? nodes.of(k + 1, cell) : nodes.unique();
@@ -171,7 +176,7 @@ Data data_of(const Frame& frame, const LoneBubble& bubble) {
             {"pressure", exact_text(lone_pressure(bubble, frame.film_tension))}};
 }
 
-// Adds one shape per bubble, in the color of the map albedo.
+// Adds one shape per bubble, in the color that the bubble has in the map `albedo`.
 void add_bubbles(const FrameLayers& layers,
                  const AlbedoOptions& options,
                  const FoamLayout& layout,
@@ -194,8 +199,8 @@ void add_bubbles(const FrameLayers& layers,
     drawing.layers.push_back(std::move(layer));
 }
 
-// Colors the ground under the lines: the whole drawing, or all bubbles as one shape, so that
-// there are no seams between bubbles.
+// Colors the ground under the lines. If the tile cuts the bubbles, this is the whole drawing.
+// Otherwise, it is all bubbles as one shape, so that there are no seams between bubbles.
 void add_ground(const std::string& color, const FoamLayout& layout, Drawing& drawing) {
     if (layout.is_cut()) {
         drawing.background = color;

@@ -17,17 +17,19 @@ PerBubble<std::string> bubble_colors(const FrameLayers& layers, const AlbedoOpti
 
 /// Draws a frame. The drawing has these layers, from bottom to top:
 ///
-///     "bubbles"                        only for Foam: one shape per bubble
-///     "passages"                       not for Foam: all bubbles as one shape; if bubbles are cut,
+///     "bubbles"                        only for VectorContent::Foam: one shape per bubble
+///     "passages"                       for any other content: all bubbles as one shape; if bubbles
+///                                      are cut at the border of the tile of a torus,
 ///                                      Drawing::background replaces this layer
-///     "films", "walls" or "contours"   the lines of the content
-///     "solution"                       only for MazeSolution
+///     "films", "walls" or "contours"   the films, the walls of the maze or the contour lines
+///     "solution"                       only for VectorContent::MazeSolution
 ///
-/// Below a layer of lines that are cut is the layer of their parts beyond the tile, such as
-/// "films_beyond". Lines without a width and walls drawn as outlines have no such layer. The title
-/// and the description stay empty. Throws std::invalid_argument if the grid does not fit the
-/// domain. Also throws as bubble_colors, contour_films, check_width and wall_outlines do.
-/// Precondition: `content` is not Auto.
+/// If lines are cut at the border of the tile, the layer directly below them, such as
+/// "films_beyond", contains the parts of lines that are outside of the tile, but so near that their
+/// width may reach into it. Lines without a width and walls drawn as outlines have no such layer.
+/// The title and the description stay empty. Throws std::invalid_argument if layers.grid() does not
+/// fit the domain (pixels_per_unit). Also throws as bubble_colors, contour_films, check_width and
+/// wall_outlines do. Precondition: `content` is not VectorContent::Auto.
 Drawing draw(FrameLayers& layers,
              VectorContent content,
              const MapOptions& maps,

@@ -22,7 +22,7 @@ struct Style {
 /// number of its closed chains is not zero (the fill rule "nonzero" of SVG). A clockwise chain
 /// inside of a counter-clockwise chain is therefore a hole.
 struct Shape {
-    std::string kind;  // class of the shape, such as "bubble"
+    std::string kind;  // the class of the shape in an SVG, such as "bubble"
     std::string id{};  // unique in the drawing; may be empty
     std::vector<Chain> chains;
     std::string fill{};  // replaces the color Style::fill of the layer, unless empty
@@ -36,17 +36,18 @@ struct Layer {
     Style style{};
     std::vector<Shape> shapes{};
     bool is_outline = false;  // true for lines and walls, which plotters and cutters follow
-    // True for parts beyond the border of the drawing that only complete the picture at the border.
+    // True if the shapes are the parts of lines outside of the tile. Such a line is drawn because
+    // its width may reach into the tile.
     bool is_beyond = false;
 };
 
 /// A drawing of a frame. Lengths are in millimeters. The origin is the lower left corner of the
 /// tile or of the view, y points up.
 struct Drawing {
-    double width = 0.0;  // of the tile or the view
-    double height = 0.0;
-    // The box that the page shows if whole bubbles extend beyond the tile; nullopt if the page
-    // shows the tile or the view.
+    double width = 0.0;   // width of the tile or of the view
+    double height = 0.0;  // height of the tile or of the view
+    // The box that the page shows if bubbles are drawn whole and extend beyond the tile
+    // (VectorWrap::Whole); nullopt if the page shows the tile or the view.
     std::optional<Box> extended{};
     double scale = 1.0;  // millimeters per foam unit
     std::string title{};

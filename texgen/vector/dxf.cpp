@@ -9,9 +9,9 @@
 
 #include <string_view>
 
-// A DXF file is a list of groups: a line with a code and a line with a value. AutoCAD 2000 requires
-// the tables, blocks and objects below, even if they are empty. Every item has a handle, a unique
-// hexadecimal number; the handle of its owner has the code 330.
+// A DXF file is a list of groups. Each group consists of two lines: a code and a value. AutoCAD
+// 2000 requires the tables, blocks and objects below, even if they are empty. Every item has a
+// handle, a unique hexadecimal number. The group with the code 330 gives the handle of the owner.
 
 namespace foam::texgen {
 
@@ -27,7 +27,7 @@ constexpr std::string_view kModelSpace = "1F";
 constexpr std::string_view kPaperSpace = "1E";
 constexpr std::string_view kRootDictionary = "C";
 
-// Returns a text on one line with ASCII characters only.
+// Returns a text as one line of printable ASCII: every other byte is replaced by a question mark.
 std::string ascii_line(const std::string& text) {
     std::string line;
     for (const char c : text) {
@@ -59,7 +59,7 @@ class DxfWriter {
         group(2, name);
     }
     void end_section() { group(0, "ENDSEC"); }
-    /// Writes the start of a table. Returns the handle of the table, which is the owner of its
+    /// Writes the start of a table. Returns the handle of the table. The table is the owner of its
     /// entries.
     std::string table(std::string_view name, int entries) {
         group(0, "TABLE");

@@ -30,8 +30,8 @@ Chain FoamLayout::whole_bubble(BubbleId bubble) const {
     return chain_of(arcs, true);
 }
 
-// Returns the lattice offset from whole_bubble to the copy of the bubble that is drawn whole: the
-// copy whose centroid is in the tile.
+// Returns the lattice offset from the copy of a bubble that whole_bubble() returns to the copy that
+// is drawn: the one whose centroid is in the tile.
 LatticeOffset FoamLayout::place_of(BubbleId bubble) const {
     return -page_.domain.cell_of(centroid(whole_bubble(bubble)));
 }
@@ -67,7 +67,9 @@ void FoamLayout::add_lone_bubbles(std::vector<NetArc>& lines) const {
     }
 }
 
-// Returns the parts of the films in the tile. A node at which a film is cut has only one arc.
+// Returns the parts into which the borders of the tile and of its periodic copies (the cells) cut
+// the chosen films, moved into the tile. Each end that a cut makes has a node of its own, which no
+// other arc shares.
 std::vector<NetArc> FoamLayout::cut_lines(const FilmFilter& is_chosen) const {
     NetNodes nodes;
     std::vector<NetArc> lines;
@@ -79,7 +81,9 @@ std::vector<NetArc> FoamLayout::cut_lines(const FilmFilter& is_chosen) const {
         const auto pieces = cut_at_cells(arc_on(page_, frame_, side), page_.domain);
         for (std::size_t k = 0; k < pieces.size(); ++k) {
             const LatticeOffset cell = pieces[k].cell;
-            // A junction on the border may be drawn on the opposite side of the tile.
+            // If a junction is on the border, the part that ends at it may be in the neighboring
+            // cell. Moved into the tile, this part ends on the opposite side, and therefore does
+            // not share the node of the junction.
             const bool at_tail = k == 0 && cell == LatticeOffset{};
             const bool at_head = k + 1 == pieces.size() && cell == frame_.network.offset(side);
             lines.push_back({pieces[k].arc,
@@ -90,7 +94,8 @@ std::vector<NetArc> FoamLayout::cut_lines(const FilmFilter& is_chosen) const {
     return lines;
 }
 
-// Returns the films of all bubbles that are drawn whole. No film occurs twice at the same position.
+// Returns the chosen films around all bubbles, each of which is drawn whole where place_of puts it.
+// No film occurs twice at the same position.
 std::vector<NetArc> FoamLayout::whole_lines(const FilmFilter& is_chosen) const {
     NetNodes nodes;
     std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, bool> drawn;

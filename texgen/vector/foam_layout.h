@@ -34,8 +34,8 @@ class FoamLayout {
     /// bubble is cut.
     PerBubble<std::vector<Chain>> bubbles() const;
 
-    /// Returns the arcs of the chosen films and of all lone bubbles, or the parts of these arcs in
-    /// the tile if films are cut. Arcs share a node if they meet in a junction.
+    /// Returns the arcs of the chosen films and of all lone bubbles. Films that are cut are given
+    /// as their parts, moved into the tile. Arcs share a node if they meet in a junction.
     std::vector<NetArc> lines(const FilmFilter& is_chosen) const;
 
     /// Returns the whole arcs of all copies of the chosen films that come within `reach`

@@ -25,10 +25,11 @@ struct VectorFormat {
     /// Throws std::invalid_argument if no frame can be written with these settings.
     void (*check)(const VectorSettings& settings) = nullptr;
     /// Returns the content of the file of a part. Throws std::invalid_argument if the frame cannot
-    /// be drawn with these options, std::bad_alloc if the machine has too little memory, and
-    /// std::runtime_error for other errors of a library (to_pdf).
+    /// be drawn with the settings of `source`, std::bad_alloc if the machine has too little memory,
+    /// and std::runtime_error for other errors of cairo, the library that writes PDFs (to_pdf).
     std::string (*encode)(const VectorSource& source, std::string_view part) = nullptr;
-    /// Estimates a mesh (estimated_mesh); nullptr for drawings and tables.
+    /// Estimates the size of a mesh's file and the memory for making it (estimated_mesh). The
+    /// pointer is nullptr for formats of drawings and tables.
     MeshEstimate (*estimate)(const VectorSettings& settings, int bubbles) = nullptr;
 };
 

@@ -30,8 +30,8 @@ double millions(std::size_t count) {
     return static_cast<double>(count) * 1e-6;
 }
 
-// Returns the content whose lines are the walls of a mesh. The solution of a maze is not a wall, so
-// that a mesh of MazeSolution is a mesh of Maze.
+// Returns the content whose lines are the walls of a mesh. The solution of a maze is not a wall:
+// a mesh of the content MazeSolution shows the content Maze.
 VectorContent wall_content(const VectorSettings& settings) {
     const VectorContent content = shown_content(settings.drawing, settings.map_names);
     return content == VectorContent::MazeSolution ? VectorContent::Maze : content;
@@ -72,8 +72,8 @@ double height_between(const Image<float>& heights, double x) {
     return at(left) + (x - left) * (at(left + 1.0) - at(left));
 }
 
-// Returns the heights in pixels at the points of the slab, row by row. `shear`, in pixels, is the
-// displacement of the last row, which repeats the first one.
+// Returns the heights at the points of the slab, row by row. On a torus, the last row of the slab
+// is the first row displaced to the right by `shear`. The heights and `shear` are in pixels.
 std::vector<float> heights_at(const Samples& columns,
                               const Samples& rows,
                               const Image<float>& heights,

@@ -7,8 +7,8 @@
 
 namespace foam::texgen {
 
-/// Returns the kind of a mesh: MeshOptions::kind or, for MeshKind::Auto, Relief if drawings show
-/// the foam (shown_content), otherwise Walls.
+/// Returns the kind of a mesh: MeshOptions::kind, unless it is MeshKind::Auto. For Auto, returns
+/// Relief if the content of drawings (shown_content) is VectorContent::Foam, otherwise Walls.
 MeshKind shown_kind(const VectorSettings& settings);
 
 /// Throws std::invalid_argument if a mesh is not possible: a relief without a base or with more
@@ -19,13 +19,14 @@ void check_mesh(const VectorSettings& settings);
 ///
 /// The surface of a relief passes through the height of each pixel of the image. On a torus, the
 /// heights of the first column and row are repeated beyond the last ones, so that the slab is as
-/// wide as the tile and copies of it fit together. (The slab is displaced by half a pixel against a
-/// drawing.) If the torus is sheared, the repetition of the first row is displaced by the shear. In
-/// a view of the plane, the outermost heights continue to the border.
+/// wide as the tile and copies of it fit together. (The slab is displaced by half a pixel relative
+/// to a drawing of the frame.) If the torus is sheared, the repetition of the first row is
+/// displaced by the shear. In a view of the plane, the outermost heights continue to the border.
 ///
-/// Walls have the outlines of a drawing with VectorWalls::Outlines. On a torus whose tile cuts
-/// them, the plate is the tile. Otherwise, the plate has the outline of all films and extends half
-/// a wall width beyond the walls. If MeshOptions::base_mm is 0, there is no plate.
+/// Walls have the outlines of a drawing with VectorWalls::Outlines. They stand on a plate of the
+/// height MeshOptions::base_mm; if this is 0, there is no plate. On a torus with VectorWrap::Cut,
+/// the border of the tile cuts the walls, and the plate is the tile. Otherwise, the plate has the
+/// outline of all films and extends half a wall width beyond the walls.
 ///
 /// Throws as check_mesh, page_of, appearance_of and wall_outlines do. Also throws
 /// std::invalid_argument if there are no walls, if walls touch each other in a point, or if they

@@ -13,9 +13,9 @@ Keys<MeshOptions> mesh_keys() {
     const std::vector<std::string> meshes = {"*.stl", "*.glb"};
     return {key("kind",
                 kKinds,
-                "what STL and GLB files show: the relief of the map height on a slab, or the lines "
-                "of vector.content as walls; auto shows walls if these lines are of a maze or of "
-                "contours, else the relief",
+                "what STL and GLB files show: a slab with the relief that the map height shows, or "
+                "the lines of vector.content as walls; auto shows walls if these lines are of a "
+                "maze or of contours, else the relief",
                 &Options::kind)
                 .used_with("output.pattern", meshes),
             key("base_mm",

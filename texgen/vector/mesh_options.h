@@ -9,8 +9,8 @@ namespace foam::texgen {
 /// The kind of solid that a mesh shows.
 enum class MeshKind {
     Auto,    // walls if drawings show a maze or contours (VectorContent), otherwise the relief
-    Relief,  // the map height on a slab
-    Walls,   // films, walls or contours of a constant height
+    Relief,  // the surface of the map `height`, on a slab
+    Walls,   // the lines of a drawing (films, walls of a maze, contours), as walls of equal height
 };
 
 /// The options of meshes: STL and GLB files. Meshes have the same width as drawings

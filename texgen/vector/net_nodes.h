@@ -16,14 +16,14 @@ namespace foam::texgen {
 /// are different nodes.
 class NetNodes {
   public:
-    /// Returns the node of a copy of the point with an index.
+    /// Returns the node of a periodic copy of a point. `point` is the index of the point.
     std::uint64_t of(std::size_t point, LatticeOffset copy) {
         return numbers_.try_emplace({point, copy.i, copy.j}, next_node()).first->second;
     }
     std::uint64_t of(JunctionId junction, LatticeOffset copy) {
         return of(index_of(junction), copy);
     }
-    /// Returns a node that no other arc shares.
+    /// Returns a new node, for an end of an arc that no other arc shares.
     std::uint64_t unique() { return unique_++; }
 
   private:

@@ -9,7 +9,8 @@
 namespace foam::texgen {
 
 /// Converts positions in the foam to positions in a drawing. The drawing shows the same tile of a
-/// torus, or the same view of the plane, as an image. Lengths are in millimeters.
+/// torus, or the same view of the plane, as the image of the frame does. Lengths are in
+/// millimeters.
 struct Page {
     double width = 0.0;
     double height = 0.0;
@@ -25,7 +26,8 @@ struct Page {
 /// if the grid does not fit the domain (pixels_per_unit).
 Page page_of(const Domain& domain, const RasterGrid& grid, double width);
 
-/// Returns the arc of a half-edge, from the position of its tail in the fundamental cell.
+/// Returns the arc of a half-edge on the page. The arc begins at the position of the tail in
+/// Frame::positions.
 DrawnArc arc_on(const Page& page, const Frame& frame, HalfEdgeId h);
 
 }  // namespace foam::texgen

@@ -19,7 +19,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kPointsPerMillimeter = 72.0 / 25.4;
-// Half of the largest angle by which a Bezier curve turns: 15 degrees.
+// The largest half angle of an arc that a single Bezier curve replaces: 15 degrees.
 constexpr double kBezierHalfAngle = std::numbers::pi / 12.0;
 // A fixed date, so that the same drawing gives the same bytes.
 constexpr const char* kCreationDate = "2000-01-01T00:00:00Z";

@@ -15,8 +15,10 @@ double angle_between(const Vec2& a, const Vec2& b) {
     return ieee::atan2(cross(a, b), a.dot(b));
 }
 
-// Returns the length of both handles of a biarc with equal handles: the positive root d of
-// chord² = 2 d chord · (t + u) + 2 d² (1 - t · u), with the directions t and u at the ends.
+// Returns the length d of the two handles of a biarc from a to b, with chord = b - a and the
+// directions t and u at its ends. The arcs meet halfway between the ends of the handles, a + d t
+// and b - d u. Therefore d is the positive root of
+// chord² = 2 d chord · (t + u) + 2 d² (1 - t · u).
 double handle_of(const Vec2& chord, const Vec2& t, const Vec2& u) {
     const double across = 2.0 * (1.0 - t.dot(u));
     const double along = chord.dot(t + u);

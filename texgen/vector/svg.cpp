@@ -16,17 +16,17 @@ namespace foam::texgen {
 namespace {
 
 // The command A gives an arc by its ends and its radius. If an arc turns by almost 180 degrees,
-// rounding the radius changes its area noticeably, so arcs with a half angle above this limit are
-// written as two arcs. The limit, 85 degrees, is above the largest half angle of an inner film, 80
-// degrees (E3 in core/README.md).
+// rounding the radius noticeably changes the area between the arc and its chord, so arcs with a
+// half angle above this limit are written as two arcs. The limit, 85 degrees, is above the largest
+// half angle of an inner film, 80 degrees (E3 in core/README.md).
 constexpr double kLargestHalfAngle = 85.0 / 180.0 * std::numbers::pi;
-// Arcs with a smaller half angle are written as lines. Their area differs from the area of a line
-// by less than 1e-10 times the square of the chord.
+// Arcs with a smaller half angle are written as lines. The area between such an arc and its chord
+// is less than 1e-10 times the square of the chord.
 constexpr double kSmallestHalfAngle = 1e-10;
 constexpr double kJunctionRadius = 0.2;  // millimeters
 
-// Escapes a text for XML. Control characters become spaces and invalid UTF-8 is replaced, because
-// XML allows neither of them.
+// Escapes a text for XML. Control characters become spaces, because XML forbids most of them.
+// Invalid UTF-8 is replaced, because XML forbids it.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : valid_utf8(text)) {
@@ -136,7 +136,7 @@ std::string text_of(const Layer& layer, PathWriter& paths) {
     return text + "</g>\n";
 }
 
-// The layer of the junctions is hidden, because the maps do not show it.
+// The layer of the junctions is hidden, because the maps do not show junctions.
 std::string junctions_of(const Drawing& drawing, const PathWriter& paths) {
     std::string text = layer_start("junctions") + " style=\"display:none\">\n";
     for (const Vec2& junction : drawing.junctions) {

@@ -9,7 +9,8 @@
 namespace foam::texgen {
 
 /// Returns a drawing as SVG 1.1. Its size is in millimeters; a unit of the coordinates is a
-/// millimeter. Arcs are arcs (the path command A). Layers are groups that Inkscape shows as layers.
+/// millimeter. Arcs are written with the path command A. Layers are groups that Inkscape shows as
+/// layers.
 std::string to_svg(const Drawing& drawing);
 
 }  // namespace foam::texgen

@@ -19,15 +19,17 @@ namespace foam::texgen {
 namespace {
 
 // Cuts closer to an end of an arc than this fraction of `reach` (ParameterArc) are left out. Points
-// closer to a border of the tile than this fraction of its width or height are moved onto it.
+// closer to a border of the tile than this fraction of the tile's width or height are moved onto
+// the border.
 constexpr double kEndTolerance = 1e-12;
 
 constexpr int kX = 0;
 constexpr int kY = 1;
 
 // An arc whose points are given by the parameter of OffsetArc (raster/outline/offset_arc.h): the
-// point with the parameter s is middle + s / (1 + z²) (direction + z normal), with z = k s / 2, the
-// curvature k, and the unit tangent and normal at the middle of the arc.
+// point with the parameter s is middle + s / (1 + z²) (direction + z normal), with z = k s / 2.
+// Here k is the curvature, and `direction` and `normal` are the unit tangent and the unit normal at
+// the middle of the arc.
 class ParameterArc {
   public:
     explicit ParameterArc(const DrawnArc& arc) : arc_(arc) {
@@ -50,7 +52,8 @@ class ParameterArc {
         return middle_ + s / (1.0 + z * z) * (direction_ + z * turned_left(direction_));
     }
 
-    // Returns the part between two parameters, which ends at the given points.
+    // Returns the part of the arc between two parameters. `tail` and `head` are the ends of the
+    // part.
     DrawnArc part(double from, double to, const Vec2& tail, const Vec2& head) const {
         if (from <= -reach_ && to >= reach_) {
             return {tail, head, arc_.half_angle};
@@ -59,9 +62,9 @@ class ParameterArc {
         return {tail, head, turn};
     }
 
-    // Adds the parameters at which a coordinate has a value: the roots of
-    // s² (k n / 2 - e k² / 4) + t s - e = 0, with the components t and n of tangent and normal, and
-    // the distance e of the value from the middle.
+    // Adds the parameters of the points of the arc whose coordinate on `axis` is `value`. They are
+    // the roots of s² (k n / 2 - e k² / 4) + t s - e = 0. Here t and n are the components of the
+    // tangent and the normal on the axis, and e is `value` minus the coordinate of the middle.
     void add_crossings(int axis, double value, std::vector<double>& found) const {
         const double e = value - middle_[axis];
         const double t = direction_[axis];
@@ -94,8 +97,8 @@ struct Cut {
     Vec2 point{0.0, 0.0};
 };
 
-// Cuts the part of an arc between two cuts where a coordinate is a whole multiple of `period` plus
-// `shift`. Returns all cuts in order, including both ends.
+// Cuts the part of an arc from `from` to `to` at the points whose coordinate on `axis` is `shift`
+// plus a whole multiple of `period`. Returns all cuts in order, including `from` and `to`.
 std::vector<Cut> cuts_between(const ParameterArc& arc,
                               const Cut& from,
                               const Cut& to,
@@ -120,8 +123,9 @@ std::vector<Cut> cuts_between(const ParameterArc& arc,
     return cuts;
 }
 
-// Moves a point from a cell into the tile. A coordinate that differs from a border only by rounding
-// errors becomes exactly the coordinate of the border.
+// Moves a point from a cell of the torus, which is a translated copy of the tile (Domain), into the
+// tile. A coordinate that differs from a border only by rounding errors becomes exactly the
+// coordinate of the border.
 Vec2 moved(const Vec2& point, LatticeOffset cell, const Domain& torus) {
     Vec2 inside = point - torus.translation(cell);
     const Vec2 size(torus.width, torus.height);
@@ -208,9 +212,9 @@ void add_runs(std::span<const CellPiece> pieces, const Add& add) {
     }
 }
 
-// Returns the winding number of a closed chain around the tile, which is the cell (0, 0).
-// Precondition: the chain does not enter the tile. The winding number is the number of downward
-// minus the number of upward crossings of the line y = 0 to the left of the tile.
+// Returns the winding number of a closed chain around the tile, which is the cell (0, 0). The
+// winding number is the number of downward minus the number of upward crossings of the line y = 0
+// to the left of the tile. The result has no meaning if the chain crosses the border of the tile.
 int winding_around_tile(std::span<const CellPiece> pieces) {
     int winding = 0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -260,7 +264,8 @@ std::vector<Chain> clipped_to_tile(const std::vector<Chain>& chains, double widt
             }
         });
     }
-    // If no chain crosses the border of the tile, all of the border is in the region or none of it.
+    // The region is on the left of the chains. If no chain crosses the border of the tile, all of
+    // the border is in the region or none of it.
     if (winding > 0 && std::ranges::all_of(inside, &Chain::is_closed)) {
         inside.push_back(tile_outline(width, height));
     }

@@ -23,9 +23,9 @@ Keys<VectorOptions> vector_keys() {
     return {
         key("content",
             kContents,
-            "what SVG, DXF and PDF files show, and the walls of STL and GLB files: foam has the "
-            "colors of albedo; auto shows what the first of image.maps shows if it is maze, "
-            "maze_solution or contour, else the foam",
+            "what SVG, DXF and PDF files show, and which walls STL and GLB files have; with foam, "
+            "bubbles have the colors of albedo; with auto, files show what the first of "
+            "image.maps shows if it is maze, maze_solution or contour, else the foam",
             &Options::content)
             .used_with("output.pattern", files),
         key("width_mm",
@@ -49,8 +49,8 @@ Keys<VectorOptions> vector_keys() {
             .used_with("output.pattern", files),
         key("wrap",
             kWraps,
-            "border of the tile of a torus: cut cuts all arcs there, so that drawings tile; "
-            "whole shows whole bubbles, which extend beyond the tile",
+            "border of the tile of a torus: with cut, all arcs are cut there, so that drawings "
+            "tile; with whole, bubbles are whole and extend beyond the tile",
             &Options::wrap)
             .used_with("output.pattern", files)};
 }

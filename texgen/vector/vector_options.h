@@ -8,7 +8,7 @@ namespace foam::texgen {
 
 /// The content of a drawing.
 enum class VectorContent {
-    Auto,          // what the first map of image.maps shows: a maze, contours, or else the foam
+    Auto,          // Maze, MazeSolution or Contour if image.maps begins with its map, else Foam
     Foam,          // bubbles in the colors of the map albedo, and films
     Maze,          // the walls of the map maze
     MazeSolution,  // the walls of the map maze, and the solution

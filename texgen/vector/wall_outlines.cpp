@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
-// The complement of the walls consists of the points that are at least half the width away from
-// every line. It is an inset (raster/outline/inset.h) at this distance, of the region that is the
-// plane minus the lines. The border of this region consists of loops that pass along both sides of
-// each line. At a node, a loop continues along the leftmost line, so that no other line begins on
-// the left of the loop.
+// The complement of the walls consists of the points that are at least half the width of a wall
+// away from every line. It is the inset (raster/outline/inset.h), at this distance, of the region
+// that is the plane minus the lines. The border of this region consists of loops that pass along
+// both sides of each line. At a node, a loop continues along the leftmost line, so that no other
+// line begins on the left of the loop.
 
 namespace foam::texgen {
 
@@ -132,7 +132,8 @@ Chain reversed_loop(std::span<const ArcLoops::Side> loop, double scale) {
     return chain_of(arcs, true);
 }
 
-// The insets of loops, as closed chains in the opposite direction.
+// The loops of insets as closed chains, in the direction opposite to that of the loops, so that the
+// walls are on the left of the chains.
 struct Insets {
     std::vector<Chain> chains;
     int unclosed = 0;  // number of loops that are missing because they do not close

@@ -12,7 +12,8 @@
 
 namespace foam::texgen {
 
-/// The picture in a file; null if the file is unreadable or its pixels have another hash.
+/// The picture in a file; null if the file is unreadable or if the hash of its pixels differs from
+/// the hash in the manifest.
 using DecodedFile = std::shared_ptr<const Picture>;
 
 /// Returns the picture in a file if its pixels have the hash in the manifest. Otherwise adds a line

@@ -22,7 +22,8 @@ struct CompareOptions {
     std::function<CompareLimits(std::string_view map)> limits_of = [](std::string_view) {
         return CompareLimits{};
     };
-    /// The map of all images; empty for the map that a layer, a manifest or an image names.
+    /// The map that all images show. If it is empty, the name of the layer, the manifest or the
+    /// metadata of an image tell which map the image shows.
     std::string map{};
     /// The file for a picture of the differences (difference_picture); only for a single pair.
     std::optional<std::filesystem::path> difference{};
@@ -33,17 +34,19 @@ struct ComparedImage {
     ImagePair pair;       // `map` below is used instead of pair.map
     std::string map{};    // empty if it is not known
     std::string layer{};  // empty if the images have no layers
-    /// Failure if ImagePair::presence is not Both; Unreadable if an image could not be read.
+    /// Verdict::Failure if ImagePair::presence is not Both; Verdict::Unreadable if an image could
+    /// not be read.
     Verdict verdict = Verdict::Same;
     Comparison found{};   // has its defaults unless both images were read and have the same layout
-    std::string error{};  // why an image is unreadable, with its name
+    std::string error{};  // the reason why an image is unreadable, with the name of the image
 };
 
 /// Compares the images of a pair, layer by layer. Throws OutputError if the picture of the
 /// differences cannot be written, and std::bad_alloc if memory is exhausted.
 std::vector<ComparedImage> compare_pair(const ImagePair& pair, const CompareOptions& options);
 
-/// Returns the worst of the verdicts, in the order of the enumeration; Same if there are none.
+/// Returns the worst of the verdicts, in the order of the enumeration; Verdict::Same if there are
+/// none.
 Verdict worst_verdict(std::span<const ComparedImage> images);
 
 }  // namespace foam::texgen

@@ -34,7 +34,7 @@ const char* json_value_of(Verdict verdict) {
     }
 }
 
-// Returns the value of "verdict" for a compared image in JSON.
+// Returns the value of the JSON member "verdict" of a compared image.
 const char* json_value_of(const ComparedImage& image) {
     switch (image.pair.presence) {
         case Presence::OnlyA:
@@ -70,7 +70,7 @@ std::string differences_of(const Comparison& found) {
     return text;
 }
 
-// Returns the members of the JSON object of an image that come from the comparison of its pixels.
+// Returns the results of the comparison of pixels, as members of the JSON object of an image.
 Json numbers_of(const Comparison& found) {
     return {{"largest", number_or_null(found.largest)},
             {"mean", number_or_null(found.mean)},

@@ -28,7 +28,8 @@ std::optional<Number> parsed(std::string_view text) {
     return error == std::errc() && rest == end ? std::optional(number) : std::nullopt;
 }
 
-// Parses "99.9=0.01". Returns nullopt for another text.
+// Parses a limit such as "99.9=0.01". Returns nullopt if the text is not a limit that
+// PercentileLimits::allowed() describes.
 std::optional<PercentileLimit> percentile_limit(std::string_view text) {
     const std::size_t equals = std::min(text.find('='), text.size());
     const auto percent = parsed<double>(text.substr(0, equals));

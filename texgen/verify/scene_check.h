@@ -10,8 +10,9 @@
 
 namespace foam::texgen {
 
-/// Returns a line for each scene file of a set that is missing, or whose content differs from the
-/// content that was written. `folder` is the folder of the manifest.
+/// Checks the scene files of a set. Returns a line for each file that is missing, that cannot be
+/// read, or whose content differs from the content that was written. `folder` is the folder of the
+/// manifest.
 std::vector<std::string> scene_problems(const BakedSet& set, const std::filesystem::path& folder);
 
 }  // namespace foam::texgen

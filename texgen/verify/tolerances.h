@@ -19,7 +19,8 @@ class Tolerances {
     /// The limits of all maps are the defaults of CompareLimits.
     Tolerances() = default;
 
-    /// `tables` maps the name of a map, or "default", to limits.
+    /// Constructs tolerances from tables of limits. The key of each table is the name of a map, or
+    /// "default".
     explicit Tolerances(std::map<std::string, CompareLimits, std::less<>> tables)
         : tables_(std::move(tables)) {}
 
@@ -32,8 +33,9 @@ class Tolerances {
     std::map<std::string, CompareLimits, std::less<>> tables_;
 };
 
-/// Parses a TOML document with a table per map, and optionally a table [default]. The keys of a
-/// table are the keys in limit_keys. A table without a limit of warnings gives no warnings. Throws
+/// Parses a TOML document. Each of its tables has the name of a map or is [default]; none of them
+/// is required. The keys of a table are those of the list limit_keys (limit_keys.h). If a table has
+/// no key for warnings (is_warning_key), differences never exceed its limits for warnings. Throws
 /// PresetError (preset/assignment.h) if the document is invalid; the message is one line. `source`
 /// is the name of the document for messages.
 Tolerances parse_tolerances(std::string_view toml, const std::string& source);

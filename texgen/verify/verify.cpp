@@ -234,7 +234,7 @@ Verification verify(const Manifest& manifest,
                     const VerifyOptions& options,
                     const ProgressCallback& on_progress) {
     if (!manifest.sets.empty()) {
-        newest_set(manifest, options.choice, path);  // throws if there is none
+        newest_set(manifest, options.choice, path);  // throws if the choice selects no set
     }
     Verification found{std::filesystem::is_directory(path) ? path : path.parent_path(), {}};
     const std::vector<const BakedSet*> selected = selected_sets(manifest, options.choice);

@@ -39,9 +39,10 @@ struct VerifiedMap {
     std::optional<Seam> tile;
     int tile_frame = 0;  // the frame with the largest step across this seam; 0 without `tile`
     std::optional<Seam> loop;
-    // The smallest and the largest number in all files of the map, and the largest fraction of the
-    // samples of a file that are clipped, that is, outside of the range of the map. Clipped samples
-    // do not count as a problem. nullopt if the manifest does not record these numbers.
+    // The smallest and the largest number in all files of the map. `clipped` is the fraction of
+    // clipped samples, that is, samples outside of the range of the map, in the file in which this
+    // fraction is largest. Clipped samples do not count as a problem. nullopt if the manifest does
+    // not record these numbers.
     std::optional<NumberExtent> numbers{};
 
     /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop`, a
@@ -54,7 +55,8 @@ struct VerifiedMap {
 /// the same values of the keys.
 struct VerifiedSet {
     BakedSet set;
-    int files_same = 0;  // number of files that have the hash in the manifest
+    // Number of images and vector files whose content has the hash that the manifest records.
+    int files_same = 0;
     // One line for each bad file (an image, a vector file or a scene file), one for each group of
     // maps that lack the same frames, and one for each seam whose ratio is above its limit.
     std::vector<std::string> problems;
@@ -83,13 +85,13 @@ struct Verification {
 };
 
 /// Checks the images of a folder against its manifest. Every file must exist, and its pixels must
-/// have the hash in the manifest. The content of every vector file and scene file must have the
-/// hash in the manifest, too. The ratios of the seams (Seam::ratio) of frames that tile and of
-/// loops must not exceed their limits. A loop is checked only if its period is at least
+/// have the hash that the manifest records for them. The content of every vector file and scene
+/// file must have its recorded hash, too. The ratios of the seams (Seam::ratio) of frames that tile
+/// and of loops must not exceed their limits. A loop is checked only if its period is at least
 /// kShortestLoop frames and all frames from 1 to its period have the recorded pixels; later frames
 /// are ignored. `path` is the folder or the manifest in it. Throws InputError if the manifest has
 /// sets, but the choice selects none; all other problems are part of the result. `on_progress`
-/// receives the phase Files.
+/// receives the progress of the phase Phase::Files.
 Verification verify(const Manifest& manifest,
                     const std::filesystem::path& path,
                     const VerifyOptions& options,

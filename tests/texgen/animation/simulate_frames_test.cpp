@@ -217,8 +217,8 @@ TEST(SimulateFrames, ARunTellsWhyItFailed) {
     // A boil has to close twice in a row.
     EXPECT_EQ(failure(RunStatus::OpenLoop, 1e-12),
               open +
-                  "the foam returned to its start in the last cycle, but not in two cycles in a "
-                  "row, with the births at the same places");
+                  "the foam returned to its start in the last cycle, but a boil must do so in two "
+                  "cycles in a row, with the births at the same places");
 }
 
 }  // namespace

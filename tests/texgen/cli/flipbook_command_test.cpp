@@ -46,7 +46,7 @@ TEST(FlipbookCommand, KeepsSheetsOfOtherMapsOfTheSameFrames) {
     EXPECT_NE(both.find("sea_foam_sheet_albedo.png"), std::string::npos);
     EXPECT_EQ(run_program("flipbook out --maps height --frames 1-2", folder).err,
               "foamtex: note: 'out/sea_foam_sheet.json' no longer lists sea_foam_sheet_albedo.png: "
-              "these sheets have another layout, other frames or images of another bake\n");
+              "these sheets have another layout or other frames, or were made from another bake\n");
 }
 
 TEST(FlipbookCommand, WarnsOfSizesThatHardwareDoesNotSupport) {

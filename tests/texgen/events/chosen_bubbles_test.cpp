@@ -75,9 +75,10 @@ TEST(ChosenBubbles, AreChosenInOneWay) {
     event.bubbles = {3};
     EXPECT_EQ(message(event, false), "accepted");
     event.at = {0.0, 0.0};
-    EXPECT_EQ(message(event, false), "at: only one of bubble, at and sides may be given");
+    EXPECT_EQ(message(event, false), "at: only one of the keys bubble, at and sides may be given");
     event.sides = {5};
-    EXPECT_EQ(message(event, false), "sides: only one of bubble, at and sides may be given");
+    EXPECT_EQ(message(event, false),
+              "sides: only one of the keys bubble, at and sides may be given");
 }
 
 }  // namespace

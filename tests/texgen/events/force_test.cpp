@@ -54,7 +54,7 @@ TEST(Force, NeedsAPosition) {
     EventBase event = force_at(0.0, 0.0);
     event.at.reset();
     EXPECT_EQ(test::checked(event, ForceOptions{}, check_force),
-              "kind: the event must have the key at, the position of the push");
+              "kind: the event must have the key 'at', the position of the push");
 }
 
 TEST(Force, LimitsHoldOnBothSides) {

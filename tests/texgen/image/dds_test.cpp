@@ -98,7 +98,7 @@ TEST(Dds, RejectsInvalidHeaders) {
         const char* reason;
     };
     const std::vector<Change> changes = {{0, 0, "does not begin with"},
-                                         {4, 100, "another size"},
+                                         {4, 100, "124 bytes"},
                                          {12, 0, "no pixels"},
                                          {16, 0, "no pixels"},
                                          {16, 2'000'000, "more than foamtex reads"},

@@ -46,7 +46,7 @@ TEST(LimitCheck, SomePixelsMayBeAboveTheLimit) {
     EXPECT_EQ(judged({.sample = 0.989, .allowed_percent = 1.0}).verdict, Verdict::Same);
     EXPECT_EQ(judged({.sample = 0.989, .allowed_pixels = 10}).verdict, Verdict::Same);
     EXPECT_EQ(judged({.sample = 0.989, .allowed_percent = 0.95}).reasons,
-              Reasons{"10 of 1000 pixels above 0.989 instead of at most 9"});
+              Reasons{"10 of 1000 pixels above 0.989 although only 9 are allowed"});
 }
 
 TEST(LimitCheck, AHardLimitHoldsForAllPixels) {

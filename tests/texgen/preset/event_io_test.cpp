@@ -180,12 +180,14 @@ TEST(EventIo, BubblesAreChosenInOneWay) {
               "a.toml:2: key 'event[1].kind' = \"collapse\": the event must have one of the keys "
               "bubble, at and sides, which choose bubbles");
     EXPECT_EQ(failure("[[event]]\nkind = \"collapse\"\nframe = 3\nbubble = 4\nsides = 5\n"),
-              "a.toml:5: key 'event[1].sides' = 5: only one of bubble, at and sides may be given");
+              "a.toml:5: key 'event[1].sides' = 5: only one of the keys bubble, at and sides may "
+              "be given");
     EXPECT_EQ(
         failure("[[event]]\nkind = \"drive\"\nframe = 3\nat = [0, 0]\nbubble = 4\n"),
-        "a.toml:4: key 'event[1].at' = [0, 0]: only one of bubble, at and sides may be given");
+        "a.toml:4: key 'event[1].at' = [0, 0]: only one of the keys bubble, at and sides may be "
+        "given");
     EXPECT_EQ(failure("[[event]]\nkind = \"collapse\"\nframe = 3\nbubble = 4\ncount = 5\n"),
-              "a.toml:5: key 'event[1].count' = 5: only allowed together with sides");
+              "a.toml:5: key 'event[1].count' = 5: only allowed together with the key sides");
     EXPECT_EQ(failure("[[event]]\nkind = \"drive\"\nframe = 3\n"), "no failure");  // all bubbles
 }
 
@@ -219,7 +221,7 @@ TEST(EventIo, OnlyOneNewBubbleMayHaveAPosition) {
 TEST(EventIo, AForceHasAPositionAndFitsTheTorus) {
     const std::string event = "[foam]\nbubbles = 64\n[[event]]\nkind = \"force\"\nframe = 3\n";
     EXPECT_EQ(failure(event),
-              "a.toml:4: key 'event[1].kind' = \"force\": the event must have the key at, the "
+              "a.toml:4: key 'event[1].kind' = \"force\": the event must have the key 'at', the "
               "position of the push");
     EXPECT_EQ(failure(event + "at = [0, 0]\nradius = 4\n"), "no failure");
     EXPECT_EQ(failure(event + "at = [0, 0]\nradius = 4.1\n"),

@@ -35,15 +35,17 @@ TEST(LoopCheck, LoopsThatCloseAreAccepted) {
 }
 
 TEST(LoopCheck, RejectsLoopsThatCannotClose) {
-    EXPECT_EQ(failure("[frames]\ncount = 9\n[loop]\nkind = 'boil'\n"),
-              "test.toml:4: key 'loop.kind' = \"boil\": the loop \"boil\" needs frames.count of at "
-              "least 10, because bubbles are absent for a tenth of the loop");
+    EXPECT_EQ(
+        failure("[frames]\ncount = 9\n[loop]\nkind = 'boil'\n"),
+        "test.toml:4: key 'loop.kind' = \"boil\": the loop \"boil\" needs frames.count of at "
+        "least 10: each boiling bubble is absent for a tenth of the loop, which must be at least "
+        "one frame");
     EXPECT_EQ(failure("[loop]\nkind = 'boil'\ncycles = 1\n"),
               "test.toml:3: key 'loop.cycles' = 1: the loop \"boil\" needs loop.cycles of at least "
-              "2, because it is closed once two cycles in a row are the same");
+              "2, because it is closed only when two cycles in a row return to their start");
     EXPECT_EQ(failure("[loop]\nkind = 'drift'\n"),
-              "test.toml:2: key 'loop.kind' = \"drift\": the loop \"drift\" needs loop.drift, such "
-              "as [0, 1] for one image up");
+              "test.toml:2: key 'loop.kind' = \"drift\": the loop \"drift\" needs loop.drift; [0, "
+              "1], for example, moves the foam up by the height of one image");
     EXPECT_EQ(failure("[loop]\ndrift = [0, 1]\n"),
               "test.toml:2: key 'loop.drift' = [0, 1]: loop.drift is only allowed with loop.kind = "
               "\"drift\", \"breathe\", \"shear\", \"boil\" or \"flow\"");

@@ -7,7 +7,7 @@
         image = frame.map("albedo")       # numpy array of height x width x channels
         areas = frame.bubbles["area"]     # structured array
 
-Lengths are in foam units: the mean bubble area of a seeded foam is 1. All functions that take long release the GIL.
+Lengths are in foam units: the mean bubble area of a seeded foam is 1. Slow functions release the GIL.
 """
 import json as _json
 

@@ -5,9 +5,9 @@
         frame = next(foamtex.Preset("lava", {"image.size": [128, 128]}).simulate("1"))
         assert_matches_golden(frame.map("albedo", "uint8"), "golden/lava.png", sample=0.01)
 
-Relative names are relative to the folder of the test. If the images differ, the test fails and leaves NAME.new.png, the
-new image, and NAME.diff.png, a picture of the differences, beside the golden image. `pytest --update-golden` writes the
-golden images instead.
+A relative path of a golden image is relative to the folder of the test. If the images differ, the test fails and leaves
+two files beside the golden image NAME.png: NAME.new.png, the new image, and, if both images have the same size and
+channels, NAME.diff.png, a picture of the differences. `pytest --update-golden` writes the golden images instead.
 """
 import pathlib
 import shutil

@@ -24,8 +24,8 @@ double series(double z) {
 
 }  // namespace
 
-// Uses the double-angle formulas cos a = 1 - 2 sin²(a / 2) and sin a = 2 sin(a / 2) cos(a / 2), so
-// that the series are evaluated only up to 90 degrees.
+// The angles a are up to 180 degrees. The series are evaluated at a / 2, that is, only up to 90
+// degrees; then cos a = 1 - 2 sin²(a / 2) and sin a = 2 sin(a / 2) cos(a / 2).
 void find_sines_and_cosines(HalfAngles& half_angles) {
     at_simd_level([&half_angles] {
         for (std::size_t k = 0; k < HalfAngles::kLanes; ++k) {

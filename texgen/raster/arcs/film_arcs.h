@@ -31,7 +31,8 @@ void find_sines_and_cosines(HalfAngles& half_angles);
 std::vector<PixelArc> film_arcs(const Frame& frame, double scale, int threads);
 
 /// Returns the arc of a half-edge, in the direction of the half-edge. `arcs` is a result of
-/// film_arcs. A factor of 1 or -1 replaces a branch on the direction, which would be unpredictable.
+/// film_arcs. The function multiplies by 1 or -1 instead of branching on the direction, because
+/// processors could not predict such a branch.
 inline PixelArc arc_along(std::span<const PixelArc> arcs, HalfEdgeId side) {
     const PixelArc& forward = arcs[index_of(film_of(side))];
     const double along = static_cast<int>(is_forward(side)) * 2 - 1;

@@ -16,15 +16,17 @@
 
 namespace foam::texgen {
 
-/// The value of ArcSides::left or ArcSides::right if there is a film on that side of the arc. In a
-/// patch, this is also true of films of width 0: each of the two bubbles beside such a film has an
-/// arc of its own.
+/// The value of ArcSides::left or ArcSides::right if there is a film on that side of the arc. If
+/// films have the width 0, an arc on a torus has a bubble on either side. In a patch, however, each
+/// of the two bubbles beside a film of width 0 has an arc of its own, with kFilmSide on the other
+/// side.
 inline constexpr std::uint32_t kFilmSide = std::numeric_limits<std::uint32_t>::max();
 
 /// The two sides of an arc: the index of the bubble on each side, or kFilmSide. On a torus, an
-/// outline that crosses the border is closed only if it is unwrapped, that is, continued on the
-/// plane beyond the border. In the unwrapped outline of the bubble on the left (right), the arc is
-/// `left_periods` (`right_periods`) periods further right than its coordinates say.
+/// outline that crosses the left or right border of the torus is closed only if it is unwrapped,
+/// that is, continued on the plane beyond the border. In the unwrapped outline of the bubble on the
+/// left (right), the arc is `left_periods` (`right_periods`) periods further right than its
+/// coordinates say.
 struct ArcSides {
     std::uint32_t left = kFilmSide;
     std::uint32_t right = kFilmSide;
@@ -45,8 +47,8 @@ inline std::uint32_t arc_side(BubbleId bubble) {
 }
 
 /// A rising arc that is monotone in x and in y, between two bubbles or between a bubble and a film.
-/// Coordinates are in subpixels; on a torus, they refer to the unshifted grid. The arc may be
-/// outside of the image.
+/// Coordinates are in subpixels; on a torus, they do not contain the shift of the grid (shift_x and
+/// shift_y of RasterGrid). The arc may be outside of the image.
 struct MonotoneArc {
     SubpixelPoint low;
     SubpixelPoint high;

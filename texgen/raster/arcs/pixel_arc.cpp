@@ -23,7 +23,7 @@ int quadrant_of(const Vec2& direction) {
     return x > 0.0 ? 0 : 2;
 }
 
-// Returns the direction of the axis at which a quadrant begins. Quadrants are modulo 4.
+// Returns the direction of the axis at which a quadrant begins. `quadrant` is taken modulo 4.
 Vec2 axis(int quadrant) {
     constexpr std::array<double, 5> kCosines{1.0, 0.0, -1.0, 0.0, 1.0};
     const auto k = static_cast<std::size_t>(quadrant % 4);

@@ -17,8 +17,8 @@ namespace foam::texgen {
 /// cosine and the sine of the half angle, not the half angle itself.
 struct PixelArc {
     Vec2 chord{0.0, 0.0};  // head minus tail, pixels
-    double cosine = 1.0;   // of half the angle by which the arc turns left
-    double sine = 0.0;
+    double cosine = 1.0;   // cosine of half the angle by which the arc turns left
+    double sine = 0.0;     // sine of the same half angle
 };
 
 /// Convert an arc to the other type. The unit of length does not change.
@@ -51,7 +51,7 @@ bool turns_right(const Arc& before, const Arc& after) {
 }
 
 /// Returns true if an arc is monotone in x and in y: it turns by less than 180 degrees, and the
-/// tangents at its ends are in the same quadrant, which includes both its axes.
+/// tangents at its ends are in the same quadrant. (Here a quadrant includes both of its axes.)
 inline bool is_monotone(const PixelArc& arc) {
     const Vec2 first = tail_tangent(arc);
     const Vec2 last = head_tangent(arc);
@@ -62,8 +62,8 @@ inline bool is_monotone(const PixelArc& arc) {
 struct MonotonePiece {
     Vec2 tail{0.0, 0.0};
     Vec2 head{0.0, 0.0};
-    double sine = 0.0;  // of half the angle by which the piece turns left; the half angle is from
-                        // -45 to 45 degrees
+    double sine = 0.0;  // sine of half the angle by which the piece turns left; the half angle is
+                        // from -45 to 45 degrees
 };
 
 /// Splits an arc that turns by less than 360 degrees into monotone pieces, in order from tail to

@@ -7,9 +7,9 @@
 
 namespace foam::texgen {
 
-/// A frame on a torus, in the coordinates of the unshifted grid. Borrows the frame. The constructor
-/// throws std::invalid_argument if the grid and the domain of the frame do not fit together
-/// (pixels_per_unit).
+/// A frame on a torus, in the coordinates of the unshifted grid (RasterGrid). Borrows the frame.
+/// The constructor throws std::invalid_argument if the grid and the domain of the frame do not fit
+/// together (pixels_per_unit).
 struct PixelFrame {
     PixelFrame(const Frame& of, const RasterGrid& on)
         : frame(of),

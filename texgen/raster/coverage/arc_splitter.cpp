@@ -16,9 +16,11 @@ namespace {
 
 // First the crossings of an arc with borders between rows are computed, then those with borders
 // between columns. The two sequences are merged: the index of a crossing in the merged sequence is
-// its own index plus the number of crossings of the other kind before it. For a border between
-// rows, this number follows from the column of the crossing; for a border between columns, from a
-// counter of rows. No two crossings are compared, so the merge has no unpredictable branches.
+// its own index plus the number of crossings of the other kind before it. For a crossing
+// with a border between rows, this number follows from the column of the crossing. For a crossing
+// with a border between columns, it is the number of borders between rows that the arc has crossed
+// before; store_row_crossings records it by column in `rows_crossed_`. No two crossings are
+// compared, so the merge has no unpredictable branches.
 
 constexpr std::size_t kLanes = 16;  // number of parts whose areas are computed at once
 
@@ -101,8 +103,8 @@ void ArcSplitter::find_columns(std::size_t k) {
 }
 
 // Stores the points at which an arc crosses from row to row, and leaves array elements free for the
-// crossings with borders between columns. The minimum and the maximum ensure that x never
-// decreases, in spite of rounding.
+// crossings with borders between columns. `std::min` and `std::max` ensure that x never decreases
+// from one point to the next, in spite of rounding.
 void ArcSplitter::store_row_crossings(std::size_t k) {
     const Arc arc = arcs_[k];  // a copy, which the stores below cannot change
     const ArcCrossings& rows = row_crossings_[k];
@@ -150,17 +152,18 @@ void ArcSplitter::store_column_crossings(std::size_t k) {
     rows_crossed[count] = 0;
 }
 
-// Computes the parts of all arcs, kLanes at once. Twice the area to the left of a part's chord is
-// an integer that a float represents exactly. Twice the area between the chord and the arc is added
-// to it. The middle of a part determines its pixel. The lanes after the last part get no height.
-// NOLINTNEXTLINE(readability-function-size): a vectorized kernel keeps its loops in one function
+// Computes the parts of all arcs, kLanes at once. Twice the area between the left border of a
+// part's pixel and the part's chord is an integer that a float represents exactly. Twice the area
+// between the chord and the arc is added to it. The middle of a part determines its pixel. The
+// lanes after the last part get no height. NOLINTNEXTLINE(readability-function-size): a vectorized
+// kernel keeps its loops in one function
 void ArcSplitter::measure_parts() {
     at_simd_level([arcs = std::span(arcs_).first(size_),
                    last_row = rows_ - 1,
                    all_x = point_x_.data(),
                    all_y = point_y_.data(),
                    all_parts = parts_.data()] {
-        constexpr float kHalf = 0.5F;  // added before truncation, which rounds to the nearest
+        constexpr float kHalf = 0.5F;  // is added, so that the truncation rounds to the nearest
         for (const Arc& arc : arcs) {
             const std::int32_t sign = arc.sign;
             const float half_curvature = arc.half_curvature;

@@ -76,9 +76,10 @@ class ArcSplitter {
         std::size_t parts = 0;
     };
 
-    // Returns the column of pixels that contains an x of an arc, or minus the column if the arc and
-    // x are mirrored. A point on a border between columns belongs to the column on its right in
-    // the image. To achieve this for a mirrored arc, its bias makes pixel_of round up.
+    // Returns the column of pixels that contains the x coordinate of a point of an arc, or minus
+    // this column if the arc and x are mirrored. A point on a border between columns belongs to the
+    // column on its right in the image. To achieve this for a mirrored arc, its bias makes pixel_of
+    // round up.
     static std::int32_t column_of(const Arc& arc, std::int32_t x) { return pixel_of(x + arc.bias); }
     void measure_parts();
     void find_columns(std::size_t k);
@@ -92,10 +93,10 @@ class ArcSplitter {
     std::array<ArcCrossings, kMaxArcs> column_crossings_;  // crossings with borders between columns
     std::vector<std::int32_t> xs_;                         // results of row_crossings_
     std::vector<std::int32_t> ys_;                         // results of column_crossings_
-    // Scratch array for the arc that is being processed; otherwise all elements are 0. Let the
-    // borders between columns that the arc crosses be numbered from 0. Element k is the number of
-    // borders between rows that the arc crosses before border k; it is 0 if the arc crosses no
-    // border between rows between the borders k - 1 and k.
+    // Scratch array for the arc that is being processed; between arcs, all elements are 0. Let the
+    // columns of pixels through which the arc passes be numbered from 0, in its direction. Element
+    // k is the number of borders between rows that the arc has crossed when it leaves column k, or
+    // 0 if the arc crosses no border between rows within column k.
     std::vector<std::int32_t> rows_crossed_;
     // The start of each part of each arc, and the end of the last part of each arc. The points of a
     // mirrored arc are mirrored.

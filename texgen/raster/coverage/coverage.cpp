@@ -69,9 +69,9 @@ void Coverage<Channels>::add_parts(std::size_t k) {
     }
 }
 
-// Adds a part of an arc that may extend beyond the columns of the band. The part itself may be
-// within the columns, to the left or to the right of them. The class comment explains the
-// contributions of parts to the left and to the right of the columns.
+// Adds a part of an arc. The arc may extend beyond the columns of the band of rows that the object
+// computes. The part itself may be within the columns, on their left or on their right. The comment
+// of the class Coverage explains what a part on their left or on their right contributes.
 template <std::size_t Channels>
 void Coverage<Channels>::add_outside(const ArcSplitter::Part& part, std::uint32_t arc, Row& row) {
     const std::int32_t periods = floor_div(part.column, width_);

@@ -58,9 +58,10 @@ enum class RowKind { Ring, Line };
 /// the pixel. In each pixel further right, it is the height of the part times the width of a pixel.
 /// The band stores the parts of each row in a list. When the row is taken, its parts are added to
 /// cells, one per pixel: a cell is the difference between the sum of its pixel and the sum of the
-/// pixel before it. A part adds the area on its right to the cell of its pixel, and the rest of its
-/// full contribution to the next cell. A running sum along the row converts cells to sums of
-/// pixels.
+/// pixel before it. The full contribution of a part is its contribution to each pixel further
+/// right. To the cell of its own pixel, a part adds its contribution to this pixel; to the next
+/// cell, it adds the rest of the full contribution. A running sum along the row converts cells to
+/// sums of pixels.
 ///
 /// On a torus, an arc outside of the image is added at its wrapped column. The sums would be right
 /// if all arcs of an outline were in the same period, because their signed heights then cancel in
@@ -77,10 +78,10 @@ class Coverage {
     /// The change of values from the left of an arc to its right.
     struct Step {
         Sums across{};  // value on the right minus value on the left
-        // The correction at the start of rows for an arc that is some periods further right in the
-        // unwrapped outline of one of its bubbles (ArcSides): the value on the right times
+        // The correction for an arc that is some periods further right in the unwrapped outline of
+        // one of its bubbles than in the image (ArcSides): the value on the right times
         // right_periods, minus the value on the left times left_periods. Each part of the arc
-        // subtracts it, times ArcSplitter::Part::twice_area, from the start of its row.
+        // subtracts the correction, times ArcSplitter::Part::twice_area, from the start of its row.
         Sums period_correction{};
         bool wraps = false;  // if false, `period_correction` is 0
     };
@@ -148,8 +149,9 @@ class Coverage {
     std::vector<std::uint16_t> begins_;   // the first pixel of each span of a row
 };
 
-// Spans begin at the first pixel, at the pixels with a flag, and at the pixels after them. Stores
-// these positions in increasing order, clears the flags, and returns the number of positions.
+// Spans begin at the first pixel of the row, at each pixel with a flag, and at the next pixel after
+// each pixel with a flag. Stores these positions in increasing order, clears the flags, and returns
+// the number of positions.
 // Stores kFlagsPerStep positions at a time, and overwrites up to kFlagsPerStep - 1 elements after
 // the last position. The end of a loop over single flags would often be mispredicted.
 template <std::size_t Channels>

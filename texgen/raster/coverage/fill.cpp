@@ -21,7 +21,8 @@ namespace foam::texgen {
 namespace {
 
 // At first all pixels have the value of films, or in a patch the value of the ghost bubble. Each
-// arc then adds, on its right, the difference of the values on its two sides.
+// arc then adds the value on its right side minus the value on its left side to everything that is
+// to the right of it in the rows that it crosses.
 
 constexpr int kRowsPerBand = 64;  // see README.md
 // Each arc is prefetched this many arcs before it is processed. The arcs of a band are visited by
@@ -57,7 +58,8 @@ void check(const CellArcs& cells, const CellValues& values, ImageView<std::uint1
     }
 }
 
-// Returns the value of each bubble minus the value of films, followed by a 0 for kFilmSide.
+// Returns the value of each bubble minus the value of films, and after all bubbles a 0, which is
+// the difference for kFilmSide.
 template <std::size_t Channels>
 std::vector<PixelSums<Channels>> differences_from_film(const CellValues& values) {
     std::vector<PixelSums<Channels>> differences(values.bubbles.size() / Channels + 1);
@@ -69,8 +71,7 @@ std::vector<PixelSums<Channels>> differences_from_film(const CellValues& values)
     return differences;
 }
 
-// Fills an image of `Channels` channels. ToPixel converts the sums of a pixel to its
-// samples.
+// Fills an image of `Channels` channels. ToPixel converts the sums of a pixel to its samples.
 template <std::size_t Channels, class ToPixel>
 class Filler {
   public:

@@ -20,9 +20,9 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 // the middle of the chord. Two functions are 0 at both ends of the chord: e = c/4 - q²/c, which is
 // 0 on the circle that has the chord as its diameter, and h, the signed distance of q from the line
 // of the chord, positive on its left. A rotation by the half angle combines them:
-//   f = sin a e + cos a h is 0 on the circle of the arc, has slope 1 there, and is positive on the
+//   f = e sin a + h cos a is 0 on the circle of the arc, has slope 1 there, and is positive on the
 //   left of the arc;
-//   t = cos a e - sin a h is 0 on the circle that crosses the arc's circle at right angles at both
+//   t = e cos a - h sin a is 0 on the circle that crosses the arc's circle at right angles at both
 //   ends, has slope 1 there, and is positive on the arc.
 // The distance to the circle of the arc is 2 |f| / (1 + |grad f|) (README.md). If a point is beyond
 // an end of the arc, its distance from the normal at this end is a lower bound of its distance from

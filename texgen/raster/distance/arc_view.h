@@ -11,10 +11,11 @@
 
 namespace foam::texgen {
 
-/// Computes the functions of arcs (ArcFunctions and FilmFunctions). Each function is stored as its
-/// value, gradient and curvature at one point. PixelBatch uses the functions to compute the
-/// distances between the arcs and the pixels near this point. Also computes lower bounds of the
-/// distances between the arcs and the point itself. Positions and distances are in pixels.
+/// Computes the functions of position that determine distances from arcs (ArcFunctions and
+/// FilmFunctions). Each function is stored as its value and gradient at one point; a quadratic
+/// function also has a curvature. PixelBatch uses the functions to compute the distances between
+/// the arcs and the pixels near this point. Also computes lower bounds of the distances between the
+/// arcs and the point itself. Positions and distances are in pixels.
 class ArcView {
   public:
     /// Computes the functions and bounds of all arcs at a point. The other members refer to this

@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Gives the images that are needed the size of the grid, and empties the others.
+// Sets the size of each needed image to the size of the grid, and empties all other images.
 void allocate(DistanceNeeds needs, const RasterGrid& grid, DistanceField& field) {
     const auto allocate_image = [&](bool needed, int channels, auto& image) {
         if (!needed) {
@@ -29,8 +29,9 @@ void allocate(DistanceNeeds needs, const RasterGrid& grid, DistanceField& field)
     allocate_image(needs.smooth, 2, field.smooth_gradient);
 }
 
-// Paints regions on one thread, one after the other. Buffers are reused between regions. The
-// formulas are in arc_view.cpp (distances) and pixel_batch.cpp (smooth distances).
+// Paints regions on one thread, one after the other: writes the values of their pixels to the
+// images of a distance field. Buffers are reused between regions. The formulas for the distances
+// are in arc_view.cpp, those for the smooth distances in pixel_batch.cpp.
 class RegionPainter {
   public:
     RegionPainter(DistanceNeeds needs, DistanceField& field)

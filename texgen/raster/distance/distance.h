@@ -8,8 +8,8 @@
 
 namespace foam::texgen {
 
-/// Returns the distance field of a frame on the pixels of a grid: the ids, the distances, and the
-/// images in `needs`.
+/// Returns the distance field of a frame on the pixels of a grid: the ids of the bubbles, the
+/// distances, and the images that `needs` demands.
 ///
 /// The result has the same bits for any number of threads. If the grid is shifted, the images are
 /// shifted cyclically (RasterGrid). Throws std::invalid_argument if the grid is too large or empty,
@@ -20,8 +20,8 @@ DistanceField distance_field(const Frame& frame,
                              int threads);
 
 /// Computes the same distance field as distance_field, but writes it to `field`, whose memory is
-/// reused if its images have the size of the grid. Throws the exceptions of distance_field; for a
-/// bad grid, `field` is then unchanged.
+/// reused if its images have the size of the grid. Throws the exceptions of distance_field. If an
+/// exception is thrown because of the grid, `field` is unchanged.
 void write_distance_field(const Frame& frame,
                           const RasterGrid& grid,
                           DistanceNeeds needs,

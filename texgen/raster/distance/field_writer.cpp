@@ -12,8 +12,9 @@ namespace foam::texgen {
 namespace {
 
 // Calls visit(begin, size) for pieces that cover [0, count) and may overlap. `size` is a
-// compile-time constant: most spans are only a few pixels long, and for short spans calls of memcpy
-// and fill are slow. Precondition: count > 0.
+// compile-time constant, so that the compiler can replace calls of memcpy and fill by a few
+// instructions: most spans are only a few pixels long, and such calls are slow for short spans.
+// Precondition: count > 0.
 template <class Visit>
 [[gnu::always_inline]] inline void in_pieces(std::size_t count, const Visit& visit) {
     constexpr std::integral_constant<std::size_t, 8> kEight;
@@ -49,7 +50,8 @@ inline void copy_pairs(const float* xs, const float* ys, std::size_t count, floa
 }  // namespace
 
 // Writes the id and the values of a span of pixels to the images of the field. Precondition: the
-// column and the row of the span are in the coordinates of these images, not relative to a box.
+// column and the row of the span are in the coordinates of these images, not relative to the box of
+// the region.
 inline void FieldWriter::write_span(const PixelBatch& batch,
                                     const PixelBatch::Span& span,
                                     std::uint32_t id) {

@@ -40,7 +40,8 @@ class RegionPixels {
     /// unwrapped: it may extend beyond the first and the last column.
     const PixelBox& box() const { return box_; }
     const PixelMask& mask() const { return mask_; }
-    /// Returns the translation, in pixels, from the coordinates of the region to those of the box.
+    /// Returns the translation, in pixels, from the coordinates of the region to those of the mask,
+    /// whose origin is the lower left corner of box().
     const Vec2& offset() const { return offset_; }
 
   private:

@@ -155,7 +155,7 @@ void append_chain_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>
     const Rotation half_step(arc.half_angle / edges);
     const Rotation step = half_step.twice();
     Vec2 edge = half_step * half_turn.back(arc.chord) * (half_step.s / half_turn.s);
-    // In units of the length of an edge; negative if the arc turns right.
+    // Both values are in units of the length of an edge, and negative if the arc turns right.
     const double sagitta = 0.5 * half_step.s / (1.0 + half_step.c);
     const double outwards = 2.0 / 3.0 * sagitta * edges / (edges - 1) / (2.0 * half_step.c);
     Vec2 at = tail;

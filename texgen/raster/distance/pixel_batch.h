@@ -46,9 +46,10 @@ struct FilmFunctions {
 };
 
 /// Up to 1600 pixels of a region that are close together, with their distances, gradients and
-/// smooth distances. Positions are in pixels, in the coordinates of the box of the region.
-/// Functions of arcs are evaluated in doubles at the middle of the batch; all further arithmetic is
-/// in floats relative to the middle, which avoids cancellation, however large the arcs are.
+/// smooth distances. Positions are in pixels, relative to the lower left corner of the box of the
+/// region (RegionPixels). Functions of arcs are evaluated in doubles at the middle of the batch.
+/// All further arithmetic is in floats relative to the middle, which avoids cancellation, however
+/// large the arcs are.
 class PixelBatch {
   public:
     static constexpr std::size_t kCapacity = 1600;

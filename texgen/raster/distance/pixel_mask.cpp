@@ -27,11 +27,12 @@ constexpr double kHalfPixel = 0.5 * kSubpixel;
            std::bit_cast<std::uint64_t>(kTwoTo52);
 }
 
-// One of these numbers is added to a crossing before it is rounded down. kToNearest rounds to the
-// nearest subpixel. kUp rounds up, which gives the same columns as the exact crossing, because the
-// middles of pixels are at whole subpixels. A crossing at a whole number is not changed. The
-// crossing of a straight edge that is h subpixels high is a multiple of 1/h, so that kUp is large
-// enough for h up to 2^27.
+// A crossing is the x coordinate, in subpixels, at which an arc crosses the middle of a row. To
+// round a crossing, one of these numbers is added to it, and the sum is rounded down. kToNearest
+// rounds to the nearest subpixel. kUp rounds up, which gives the same columns as the exact
+// crossing, because the middles of pixels are at whole subpixels. A crossing at a whole number is
+// not changed. The crossing of a straight edge that is h subpixels high is a multiple of 1/h, so
+// that kUp is large enough for h up to 2^27.
 constexpr double kToNearest = 0.5;
 constexpr double kUp = 1.0 - 0x1p-27;
 

@@ -18,7 +18,7 @@ constexpr double kRounding = 2.0;  // margin for rounding errors, subpixels
 // the diameter of the circle is used instead. The sum of the absolute values of the two components
 // of the chord is an upper bound of the chord's length.
 double largest_sagitta(const OutlineArc& arc) {
-    constexpr double kWideCosine = 0.2;  // an arc is wide if the cosine of its half angle is less
+    constexpr double kWideCosine = 0.2;  // largest cosine of the half angle of a wide arc
     const double length = (arc.to - arc.from).lpNorm<1>();
     const double sine = std::abs(arc.sine);
     return arc.cosine > kWideCosine ? 0.5 * length * sine / (1.0 + arc.cosine) : length / sine;

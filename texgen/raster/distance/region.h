@@ -71,7 +71,8 @@ class Boundary {
     /// cut in halves (DistanceArc::kMinCosine).
     std::span<const DistanceArc> arcs() const { return arcs_; }
     /// Returns the exact arcs without halving: one per film, or two for the circle of a lone
-    /// bubble. In the first arc of each loop, DistanceArc::corner is always false.
+    /// bubble. In the first arc of each loop, DistanceArc::corner is false even if there is a
+    /// corner at its tail; arcs() has the right value.
     std::span<const DistanceArc> films() const { return films_; }
     std::span<const OutlineArc> outline() const { return outline_; }
 

@@ -13,10 +13,10 @@ namespace {
 
 // The largest number of columns and of rows of a region that is measured as one batch.
 constexpr int kMaxBatchSide = 40;
-// The largest number of arcs of a region that is measured as one batch. A region that exceeds
-// one of the two limits is divided into tiles of kTileColumns x kTileRows pixels, and blocks of
-// such tiles. If a block has more arcs than this, the arcs that are too far away from it are
-// dropped.
+// The largest number of arcs of a region that is measured as one batch. A region that exceeds one
+// of the two limits is divided into blocks of tiles of kTileColumns x kTileRows pixels. Each block
+// starts with the arcs of the block that encloses it. If these are more than kMaxUnculledArcs arcs,
+// those that are too far away to be the nearest arc of any pixel in the block are dropped.
 constexpr std::size_t kMaxUnculledArcs = 24;
 // A film is ignored in smooth distances if its chord is at most this fraction of its distance from
 // the farthest pixel of a batch. The smooth distance s is defined by 1/s² = Σ 1/phi², summed over
@@ -53,11 +53,11 @@ void RegionField::measure(const Region& region,
     subdivide(mask, arcs, {0, side * kTileColumns, first, first + side * kTileRows}, 0);
 }
 
-// Measures a block of tiles with as many rows as columns of tiles, a power of two. `arcs` are the
-// arcs that may be the nearest arc of a pixel in the block, and `level` is the number of enclosing
-// blocks for which arcs were dropped, so that near_[level] is the next free list of arcs. If there
-// are more than kMaxUnculledArcs arcs, those that cannot be the nearest arc of any pixel in the
-// block are dropped before its quarters are measured.
+// Measures a block of tiles. The number of rows of tiles equals the number of columns of tiles and
+// is a power of two. `arcs` contains all arcs that may be the nearest arc of a pixel in the block.
+// `level` is the number of enclosing blocks for which arcs were dropped, so that near_[level] is
+// the next free list of arcs. If there are more than kMaxUnculledArcs arcs, those that cannot be
+// the nearest arc of any pixel in the block are dropped before its quarters are measured.
 void RegionField::subdivide(const PixelMask& mask,
                             Arcs arcs,
                             const PixelBox& block,
@@ -94,9 +94,9 @@ void RegionField::subdivide(const PixelMask& mask,
     subdivide(mask, arcs, {middle_x, block.right, middle_y, block.top}, level);
 }
 
-// Measures the pixels of the region in a box as one batch and passes it to the visitor. `arcs` are
-// the arcs that may be the nearest arc of a pixel. Precondition: in each row, the columns of the
-// box are in one 64-bit word of the mask.
+// Measures the pixels of the region in a box as one batch, and passes the batch to the visitor.
+// `arcs` contains all arcs that may be the nearest arc of one of these pixels. Precondition: in
+// each row, the columns of the box are in one 64-bit word of the mask.
 void RegionField::measure_box(const PixelMask& mask, Arcs arcs, const PixelBox& box) {
     batch_.clear(Vec2(box.left + box.columns() / 2, box.bottom + box.rows() / 2));
     const PixelRows rows{std::max(box.bottom, mask.rows().begin),
@@ -129,7 +129,7 @@ void RegionField::measure_distances(Arcs arcs, double reach) {
     const double horizon = view_.horizon(reach);
     grow(functions_, arcs.size());
     points_.clear();
-    std::size_t count = 0;  // of near arcs; counted without a branch, which would be unpredictable
+    std::size_t count = 0;  // number of near arcs, counted without an unpredictable branch
     for (std::size_t k = 0; k < arcs.size(); ++k) {
         functions_[count] = view_.arc_functions(k);
         count += view_.is_within(k, horizon) ? 1U : 0U;
@@ -140,7 +140,7 @@ void RegionField::measure_distances(Arcs arcs, double reach) {
     const std::span<const ArcFunctions> near = std::span(functions_).first(count);
     const bool gradient = needs_.gradient || needs_.smooth;
     // A pixel slightly outside of a sharp corner may face no arc: it is not between the normals at
-    // the ends of any arc. Then distances to the ends of all arcs are included.
+    // the ends of any arc. In this case, distances to the ends of all arcs are included.
     if (!batch_.measure(near, points_, gradient)) {
         for (const DistanceArc& arc : arcs) {
             points_.push_back(arc.tail + to_batch);

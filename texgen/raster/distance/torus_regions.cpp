@@ -22,9 +22,10 @@ Vec2 real(SubpixelPoint point) {
     return Vec2(point.x, point.y);
 }
 
-// Returns the row or column of the square that contains a coordinate in subpixels. `pixels` is the
-// height or width of the grid. A coordinate on the upper or right border of the grid belongs to the
-// first square, which contains its periodic copy.
+// The grid is divided into squares of TorusRegions::kSquare pixels per side. Returns the row or
+// column of the square that contains a coordinate in subpixels. `pixels` is the height or width of
+// the grid. A coordinate on the upper or right border of the grid belongs to the first square,
+// which contains its periodic copy.
 std::size_t square_of(std::int32_t position, int pixels) {
     const int pixel = pixel_of(position);
     return static_cast<std::size_t>(pixel < pixels ? pixel / TorusRegions::kSquare : 0);

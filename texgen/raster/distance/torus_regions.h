@@ -15,8 +15,9 @@ namespace foam::texgen {
 
 /// The bubbles of a frame on a torus, in the coordinates of the unshifted grid. Borrows the frame.
 ///
-/// Bubbles are sorted by the square of the grid in which their first side begins, and films by the
-/// square of their tail (README.md tells why). Squares are numbered row by row.
+/// The grid is divided into squares of kSquare x kSquare pixels, which are numbered row by row.
+/// Bubbles are sorted by the square in which their first side begins, and films by the square that
+/// contains their tail (README.md tells why).
 class TorusRegions {
   public:
     static constexpr int kSquare = 32;  // side of a square, pixels
@@ -52,7 +53,7 @@ class TorusRegions {
     // The data of a film that the boundaries on both its sides need, in one cache line. Each array
     // has the value of the forward side first, then the value of its twin.
     struct alignas(64) Film {
-        PixelArc arc;                       // of the forward side
+        PixelArc arc;                       // the arc of the forward side
         std::array<SubpixelPoint, 2> tail;  // in the fundamental cell
         std::array<Side, 2> next{};         // the next side around the bubble
         SubpixelPoint offset;               // lattice offset of the forward side as a translation
@@ -71,7 +72,7 @@ class TorusRegions {
 
     PixelFrame pixels_;
     std::size_t columns_;                   // number of columns of squares
-    std::vector<std::uint32_t> new_index_;  // in films_; indexed by film
+    std::vector<std::uint32_t> new_index_;  // the position of each film in films_
     std::vector<Film> films_;
     Buckets<Start> starts_;  // one bucket per square
 };

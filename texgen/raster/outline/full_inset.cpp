@@ -43,8 +43,8 @@ bool FullInset::offset_sides(std::span<const ArcLoops::Side> loop, double distan
     return true;
 }
 
-// Cuts the offsets of successive sides at their crossing, beyond which each of the two is too near
-// to the side of the other one. Returns false if a piece between two cuts is too short, if two
+// Cuts the offsets of successive sides at their crossing, beyond which each offset is too near to
+// the side of the other offset. Returns false if a piece between two cuts is too short, if two
 // offsets do not cross exactly once, or if the turn between two sides is not within the limits.
 bool FullInset::cut_corners() {
     for (std::size_t k = 0; k < sides_.size(); ++k) {

@@ -20,8 +20,8 @@ constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 // Tolerances in pixels. Coordinates within a bubble have errors of about 1e-11, and crossings of
 // arcs that meet at a small angle have errors of about 1e-7. A point therefore counts as far enough
 // from a side if its distance falls short of the required distance by at most kDistanceTolerance.
-// When pieces of offsets (see the class InsetTracer) are linked to loops, a piece can only be
-// followed by a piece whose tail is less than kLargestGap from its head. This gap is about one
+// When pieces of offsets (see the class InsetTracer) are linked into loops, a piece can only be
+// followed by a piece whose tail is less than kLargestGap from its head. This limit is about one
 // subpixel of the rasterizer (1 / kSubpixel pixels).
 constexpr double kDistanceTolerance = 1e-7;
 constexpr double kLargestGap = 1e-3;
@@ -37,8 +37,8 @@ Disc disc_around(const OffsetArc& arc, double distance) {
     return {arc.middle, extent(arc) + distance};
 }
 
-// Returns true if a boundary turns right by exactly 180 degrees: it passes around the end of a line
-// and returns along the other side of the line.
+// Returns true if a boundary turns right by exactly 180 degrees: the region is on both sides of a
+// line, and the boundary runs along one side of it to its end and back along the other side.
 bool turns_back(const OffsetArc& before, const OffsetArc& after) {
     const Vec2 from = head_tangent(before);
     const Vec2 to = tail_tangent(after);

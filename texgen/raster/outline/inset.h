@@ -44,7 +44,7 @@ class InsetTracer {
         double to = 0.0;         // parameter of the head on the offset
         Vec2 tail{0.0, 0.0};
         Vec2 head{0.0, 0.0};
-        // True once the piece was used in a loop, even if the loop did not close.
+        // True if the piece was already used in a loop, even if this loop did not close.
         bool linked = false;
     };
 

@@ -14,16 +14,16 @@ namespace foam::texgen {
 ///
 /// The position of a point on the arc is given by the parameter s = 2 r tan(phi / 2), where r is
 /// the signed radius (positive if the arc turns left) and phi the angle by which the arc turns left
-/// from its middle to the point. On a straight arc, it is the signed distance from the middle.
+/// from its middle to the point. On a straight arc, s is the signed distance from the middle.
 /// Coordinates are rational functions of the parameter and the curvature, so that no formula
 /// divides by the curvature.
 struct OffsetArc {
     Vec2 middle{0.0, 0.0};
     Vec2 direction{1.0, 0.0};  // unit tangent at the middle, in the direction from tail to head
     double curvature = 0.0;    // in 1 / pixels; positive if the arc turns left
-    double cosine = 1.0;       // of half the angle by which the arc turns left
-    double sine = 0.0;
-    double reach = 0.0;  // parameter of the head; the parameter of the tail is -reach
+    double cosine = 1.0;       // cosine of half the angle by which the arc turns left
+    double sine = 0.0;         // sine of the same half angle
+    double reach = 0.0;        // parameter of the head; the parameter of the tail is -reach
 };
 
 /// A side has no offset if the radius of the offset would be below this fraction of the radius of

@@ -16,7 +16,7 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the area within a loop in square pixels, negative if the loop is clockwise.
+// Returns the area within a loop, in square pixels. It is negative if the loop is clockwise.
 double area_of(std::span<const ArcLoops::Side> loop) {
     double area = 0.0;
     const Vec2& origin = loop.front().tail;
@@ -28,8 +28,9 @@ double area_of(std::span<const ArcLoops::Side> loop) {
     return area;
 }
 
-// Makes the arcs that bound the insets of regions of a patch, that is, the parts that films do not
-// cover. Each call makes the arcs of one region, whose number is `index` (region_count).
+// Makes the arcs that bound the insets of the regions of a patch. A region is a bubble, a lone
+// bubble or the ghost bubble; its inset is the part that films do not cover. Each call makes the
+// arcs of one region, whose number is `index` (region_count).
 class PatchArcs {
   public:
     PatchArcs(const PixelPatch& pixels, double film_width)
@@ -68,8 +69,9 @@ class PatchArcs {
     // (outer boundaries) of rafts. If rafts overlap, the boundary of the inset of all loops does
     // not close. If a raft overlaps itself, the boundary of the inset of its rim alone does not
     // close either. A loop of the ghost bubble whose own inset does not close is appended without
-    // an inset; as a result, the outer halves of its films are missing. Such a loop of any other
-    // bubble is left out. `region` is `boundaries` relative to the tail of its first side.
+    // an inset; as a result, the halves of its films on the side of the ghost are not drawn. Such a
+    // loop of any other bubble is left out. `region` is `boundaries` relative to the tail of its
+    // first side.
     void append_each(const ArcLoops& boundaries,
                      const ArcLoops& region,
                      BubbleId bubble,
@@ -92,8 +94,9 @@ class PatchArcs {
         }
     }
 
-    // Appends the arcs of a loop, moved by `anchor`. Leaves out a loop that cannot be visible, and
-    // the clockwise or empty loop of an invalid bubble.
+    // Appends the arcs of a loop, moved by `anchor`. Leaves out a loop that cannot be visible. Also
+    // leaves out a loop of any bubble but the ghost if it is clockwise or encloses no area, because
+    // a bubble with such a loop is invalid.
     void append_loop(std::span<const ArcLoops::Side> sides,
                      const Vec2& anchor,
                      BubbleId bubble,
@@ -112,8 +115,8 @@ class PatchArcs {
         }
     }
 
-    // Appends the arc of a side. It is split starting at the end with the smaller x, or with the
-    // smaller y if both have the same x, so that both sides of a film have the same pieces.
+    // Appends the arc of a side. Splitting begins at that end of the arc that has the smaller x (or
+    // the smaller y, if both have the same x), so that both sides of a film have the same pieces.
     void append_side(const ArcLoops::Side& side,
                      const Vec2& head,
                      const ArcSides& sides,

@@ -84,7 +84,7 @@ class FOAMTEX_EXPORT Preset {
     std::string name() const;               ///< such as "sea_foam"
     std::string description() const;        ///< in one sentence
     int frame_count() const;                ///< of the animation; loops repeat after so many frames
-    std::vector<std::string> maps() const;  ///< the maps of image.maps
+    std::vector<std::string> maps() const;  ///< the value of the key image.maps
     int width() const;                      ///< of images, in pixels
     int height() const;                     ///< of images, in pixels
 
@@ -92,8 +92,9 @@ class FOAMTEX_EXPORT Preset {
     std::string toml() const;
 
     /// Returns the seeded foam: a raw Voronoi diagram (Foam::torus, Foam::disk). The animation
-    /// starts from it, unless the program stores a start of the loop, as for some shipped presets.
-    /// Throws ArgumentError if no valid foam can be seeded.
+    /// starts from this foam, unless the library contains a stored start for the loop of the
+    /// preset, as it does for some shipped presets. Throws ArgumentError if no valid foam can be
+    /// seeded.
     Foam seeded_foam() const;
 
     /// Fits automatic ranges, such as height.full = "auto", to the whole animation, as
@@ -123,8 +124,9 @@ class FOAMTEX_EXPORT Frame {
     /// one, or since the start of the simulation if there is none.
     std::vector<Event> events() const;
 
-    /// Returns the film tension times the length of all films of the simulated foam. A frame of a
-    /// loop with a drift, a current or a shear shows this foam displaced.
+    /// Returns the film tension times the length of all films of the simulated foam. In a loop with
+    /// a drift, a current or a shear, the foam that the frame shows is this foam, displaced; its
+    /// films may have another length.
     double energy() const;
 
     /// Returns the mean stress (E11) of the simulated foam.
@@ -132,15 +134,16 @@ class FOAMTEX_EXPORT Frame {
 
     const FoamRecords& records() const;  ///< valid as long as a copy of this frame exists
 
-    /// Returns the shape of the image of a map. `integers` is true for integer samples, which store
-    /// two channels as three. Throws ArgumentError for an unknown map.
+    /// Returns the shape of the image of a map. `integers` is true for an image of integer samples,
+    /// in which a map of two channels has three. Throws ArgumentError for an unknown map.
     ImageShape shape(const std::string& map, bool integers = false) const;
 
     /// Draws a map into a caller's buffer: the rows from top to bottom, with interleaved channels.
     /// Numbers are in the unit of the map; colors are linear light from 0 to 1, multiplied by the
     /// opacity if there is one. Throws ArgumentError for an unknown map, if the size of the buffer
     /// is not that of shape(map), or if the map needs the next frame, as "motion" and "growth" do,
-    /// but no map in image.maps or output.pack does. `threads`: 0 for all threads of the machine.
+    /// but image.maps and output.pack contain no map that needs the next frame. `threads`: 0 for
+    /// all threads of the machine.
     void draw(const std::string& map, std::span<float> samples, int threads = 1) const;
 
     /// Draws a map as integers of 8 bits. If PNGs of the map have 8 bits, the integers are exactly
@@ -148,8 +151,9 @@ class FOAMTEX_EXPORT Frame {
     /// shape(map, true). Also throws ArgumentError if a range of the map is automatic and has not
     /// been fitted (Preset::fit_ranges).
     void draw(const std::string& map, std::span<std::uint8_t> samples, int threads = 1) const;
-    /// Draws a map as integers of 16 bits, as above for PNGs of 16 bits. Also throws ArgumentError
-    /// for a map of colors.
+    /// Draws a map as integers of 16 bits. If PNGs of the map have 16 bits, the integers are
+    /// exactly those that `foamtex bake` stores. Throws as the function for 8 bits does. Also
+    /// throws ArgumentError for a map of colors.
     void draw(const std::string& map, std::span<std::uint16_t> samples, int threads = 1) const;
 
     struct State;  ///< internal to the library
@@ -163,8 +167,8 @@ class FOAMTEX_EXPORT Frame {
     std::shared_ptr<const State> state_;
 };
 
-/// A running simulation of a preset. A background thread computes the next frames in advance, of
-/// which up to three wait in a queue. One thread at a time may use a Simulation.
+/// A running simulation of a preset. A background thread computes frames in advance; up to three of
+/// them wait in a queue. One thread at a time may use a Simulation.
 class FOAMTEX_EXPORT Simulation {
   public:
     /// Starts the simulation. `frames` are the numbers of the frames that are wanted, such as
@@ -189,21 +193,22 @@ class FOAMTEX_EXPORT Simulation {
     std::unique_ptr<Stream> stream_;
 };
 
-/// How far a bake is.
+/// The progress of a bake.
 struct Progress {
     std::string phase;  ///< such as "frames"; `foamtex bake --progress json` prints the same words
-    int done = 0;       ///< units that are done
-    int total = 0;      ///< 0 if unknown
+    int done = 0;       ///< number of units of the phase that are done
+    int total = 0;      ///< number of units of the phase; 0 if unknown
     int frame = 0;      ///< the frame that was done last; 0 if there is none
 };
 
-/// How a bake runs.
+/// The options of a bake.
 struct BakeSettings {
     std::string frames{};  ///< such as "1-48"; empty for the whole animation
     int threads = 0;       ///< 0: all threads of the machine
     bool resume = false;   ///< keeps frames that an earlier bake of the same preset has written
-    /// Called now and then, by one thread at a time. An exception ends the bake;
-    /// std::invalid_argument and std::system_error arrive as ArgumentError and OutputError.
+    /// Called now and then, by one thread at a time. If it throws an exception, the bake ends, and
+    /// `bake` throws the same exception, but ArgumentError instead of std::invalid_argument, and
+    /// OutputError instead of std::system_error.
     std::function<void(const Progress&)> on_progress{};
 };
 
