@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Compiles the shader as GLSL, and measures its blending of frames with bakes. Godot is not needed. Writes to out/godot/.
-# Exits with 1 if the shader does not compile, or if blending along the motion of lava or caustics is not nearer to the
-# drawn frame than a cross-fade.
+# Exits with 1 if the shader does not compile, or if, for lava or caustics, blending along the motion differs from the
+# drawn frame by more than two thirds of what a cross-fade differs.
 #
 #     samples/godot/test.sh
 set -euo pipefail

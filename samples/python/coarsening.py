@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Coarsening of a foam, in cells that notebooks and editors run one by one.
 
-Makes two figures: the time of a step against the number of bubbles, as Figure 5 of Kelager and Erleben (2010), and the
-growth of bubbles against their number of sides, with von Neumann's law.
+Makes two figures. One shows the time of a step against the number of bubbles, like Figure 5 of Kelager and Erleben
+(2010). The other one shows the growth of bubbles against their number of sides, and von Neumann's law.
 
     samples/python/coarsening.py [--bubbles 10000] [--out FOLDER]
 """
