@@ -81,7 +81,7 @@ TEST(BakeCommand, NotesClippedHeightsOfAPacking) {
         "bake sea_foam --set foam.bubbles=16 --frames 1 --size 16 --maps albedo "
         "--pack H=height,0,0 --set height.full=0.01");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_TRUE(outcome.err.starts_with("foamtex: H: up to ")) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("foamtex: H: in a file, up to ")) << outcome.err;
     EXPECT_NE(outcome.err.find("outside of 0 to 1 and were clipped"), std::string::npos);
     EXPECT_NE(outcome.err.find("; raise height.full\n"), std::string::npos) << outcome.err;
 }
@@ -148,7 +148,7 @@ TEST(BakeCommand, NotesClippedSamples) {
     EXPECT_EQ(run_program(loud + "auto").err, "");
     const Outcome clipped = run_program(loud + "0.001");
     EXPECT_EQ(clipped.code, 0);
-    EXPECT_TRUE(clipped.err.starts_with("foamtex: height: up to ")) << clipped.err;
+    EXPECT_TRUE(clipped.err.starts_with("foamtex: height: in a file, up to ")) << clipped.err;
     EXPECT_TRUE(clipped.err.ends_with("; raise height.full\n")) << clipped.err;
 }
 
