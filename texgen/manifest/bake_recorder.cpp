@@ -48,11 +48,11 @@ void BakeRecorder::begin() {
     if (begun_) {
         return;
     }
-    begun_ = true;
     update_manifest(folder_, [&](Manifest& manifest) {
         remove_files(manifest, paths_);
         merge(manifest, set_);
     });
+    begun_ = true;
 }
 
 void BakeRecorder::add(const BakedFrame& baked) {
@@ -62,15 +62,16 @@ void BakeRecorder::add(const BakedFrame& baked) {
     }
 }
 
-void BakeRecorder::close(const std::string& failure) {
+void BakeRecorder::close(const std::string& failure, std::chrono::milliseconds patience) {
     begin();
     set_.failure = failure;
-    save();
+    save(patience);
 }
 
-void BakeRecorder::save() {
+void BakeRecorder::save(std::chrono::milliseconds patience) {
     const Clock::time_point begin = Clock::now();
-    update_manifest(folder_, [&](Manifest& manifest) { merge(manifest, set_); });
+    update_manifest(
+        folder_, [&](Manifest& manifest) { merge(manifest, set_); }, patience);
     const Clock::time_point end = Clock::now();
     next_save_ =
         end + std::chrono::duration_cast<Clock::duration>((end - begin) / kMaxSaveFraction);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/bake/bake.h"
+#include "texgen/manifest/file_lock.h"
 #include "texgen/manifest/manifest.h"
 
 #include <chrono>
@@ -42,14 +43,16 @@ class BakeRecorder {
     void add(const BakedFrame& baked);
 
     /// Calls `begin`, and writes the manifest at the end of the bake. `failure` is the reason why
-    /// the bake ended early, or empty.
-    void close(const std::string& failure);
+    /// the bake ended early, or empty. `patience` is the longest time to wait for the lock of the
+    /// manifest.
+    void close(const std::string& failure,
+               std::chrono::milliseconds patience = FileLock::kLongestWait);
 
-    /// Returns true if `begin` has been called.
+    /// Returns true if `begin` has changed the manifest.
     bool begun() const { return begun_; }
 
   private:
-    void save();
+    void save(std::chrono::milliseconds patience = FileLock::kLongestWait);
 
     std::filesystem::path folder_;
     BakedSet set_;

@@ -4,7 +4,6 @@
 
 #include "core/files/content_text.h"
 #include "core/files/file_io.h"
-#include "texgen/manifest/file_lock.h"
 #include "texgen/manifest/manifest_json.h"
 
 #include <span>
@@ -31,10 +30,11 @@ Manifest manifest_in(const std::filesystem::path& folder) {
 }
 
 void update_manifest(const std::filesystem::path& folder,
-                     const std::function<void(Manifest&)>& change) {
+                     const std::function<void(Manifest&)>& change,
+                     std::chrono::milliseconds patience) {
     make_folders(folder);
     const std::filesystem::path file = folder / kManifestName;
-    const FileLock lock(file.string() + ".lock");
+    const FileLock lock(file.string() + ".lock", patience);
     Manifest manifest = manifest_in(folder);
     change(manifest);
     const std::string text = to_json(manifest);

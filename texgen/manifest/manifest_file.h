@@ -2,8 +2,10 @@
 
 #pragma once
 
+#include "texgen/manifest/file_lock.h"
 #include "texgen/manifest/manifest.h"
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -30,8 +32,9 @@ Manifest manifest_in(const std::filesystem::path& folder);
 /// atomically. All of this is done under a lock, so that programs do not overwrite each other's
 /// changes. Creates the folder if it does not exist. If the folder has no manifest, `change`
 /// receives an empty one. Throws InputError if manifest.json is unreadable or not a manifest, and
-/// OutputError if it cannot be written or its lock is not free within FileLock::kLongestWait.
+/// OutputError if it cannot be written or its lock is not free within the time `patience`.
 void update_manifest(const std::filesystem::path& folder,
-                     const std::function<void(Manifest&)>& change);
+                     const std::function<void(Manifest&)>& change,
+                     std::chrono::milliseconds patience = FileLock::kLongestWait);
 
 }  // namespace foam::texgen

@@ -17,6 +17,7 @@
 
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <optional>
@@ -51,12 +52,13 @@ void check_names(const Preset& preset, const BakeOptions& options) {
     }
 }
 
-// Records the failure of a bake that ends with an exception, if at least one frame has been
-// simulated. Ignores further exceptions, so that the caller can rethrow the original exception.
+// Records the failure of a bake that ends with an exception, if the bake has begun to record.
+// Ignores further exceptions, so that the caller can rethrow the original exception. Waits only
+// shortly for the lock of the manifest, because the exception may be that the lock was not free.
 void close_after_failure(BakeRecorder& writer, const std::string& failure) {
     try {
         if (writer.begun()) {
-            writer.close(failure);
+            writer.close(failure, std::chrono::seconds(1));
         }
     } catch (const std::exception&) {
         return;
