@@ -2,9 +2,13 @@
 
 #pragma once
 
+#include "core/files/shown_text.h"
+
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cstdio>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -14,9 +18,11 @@ namespace foam::texgen {
 // version.) The functions do not throw if stdout is closed or full: run_program checks at the end
 // whether all output was written.
 
-/// Writes a text to stdout.
+/// Writes a text to stdout. If stdout is a terminal, characters that could control it, for example
+/// in the names of files, are replaced (shown_lines).
 inline void write_stdout(std::string_view text) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    const std::string lines = isatty(STDOUT_FILENO) == 1 ? shown_lines(text) : std::string(text);
+    std::fwrite(lines.data(), 1, lines.size(), stdout);
 }
 
 /// Formats a text and writes it to stdout.
