@@ -17,7 +17,7 @@ inline constexpr MapTraits kAreaMap = {.name = "area",
                                        .full_key = "area.full"};
 
 struct AreaOptions {
-    MeanBubble unit = MeanBubble::Current;
+    MeanBubble unit = MeanBubble::Seed;
     // The area that a PNG stores as its largest code (65535). Its unit is the area of the mean
     // bubble that `unit` selects.
     AutoReal full{4.0, true};
