@@ -260,6 +260,9 @@ ExitCode run_images(std::span<const ImageRun> runs,
     if (arguments.dry_run) {
         return print_estimate(runs, arguments.json, progress);
     }
+    for (const ImageRun& run : runs) {
+        check_sheet_folder(run.preset);
+    }
     std::vector<FinishedRun> finished;
     for (const ImageRun& run : runs) {
         const bool is_first = finished.empty();

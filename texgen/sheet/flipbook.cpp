@@ -209,6 +209,12 @@ void check_sheets(const Preset& preset) {
     }
 }
 
+void check_sheet_folder(const Preset& preset) {
+    if (preset.output.sheets != SheetKind::None) {
+        check_writable(std::filesystem::path(sheet_pattern(preset)).parent_path());
+    }
+}
+
 Flipbook write_sheets(const Preset& preset,
                       std::vector<int> frames,
                       const ProgressCallback& on_progress) {

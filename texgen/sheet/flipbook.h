@@ -78,6 +78,11 @@ Preset with_sheets_beside_images(Preset preset);
 /// (placeholder_text in preset/placeholder.h). Does nothing if output.sheets is None.
 void check_sheets(const Preset& preset);
 
+/// Checks that the sheets of a preset can be written into their folder, before a bake begins.
+/// Throws OutputError if not. Does nothing if output.sheets is None. Precondition: check_sheets
+/// does not throw.
+void check_sheet_folder(const Preset& preset);
+
 /// Joins the frames of the latest bake of a preset, as output.sheets says. Call this function after
 /// the bake. `frames` are the numbers of the frames. Throws the exceptions of read_manifest and
 /// write_flipbook. Precondition: output.sheets is not None, and check_sheets does not throw.

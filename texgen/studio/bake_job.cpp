@@ -76,6 +76,7 @@ Json BakeJobs::start(const BakeRequest& request) {
     BakePlan plan = plan_of(request, folder_);
     check_bake(plan.preset, {.frames = plan.frames});
     check_sheets(plan.preset);
+    check_sheet_folder(plan.preset);
     check_scenes(plan.preset);
     const std::scoped_lock lock(mutex_);
     if (job_) {

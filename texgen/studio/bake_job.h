@@ -29,8 +29,8 @@ class BakeJobs {
     BakeJobs& operator=(const BakeJobs&) = delete;
 
     /// Starts a bake. Returns the answer to /api/bake (README.md). Throws BakeRuns,
-    /// SettingsRejected, PathRejected, and the exceptions of check_bake, check_sheets, check_scenes
-    /// and parse_frame_range.
+    /// SettingsRejected, PathRejected, and the exceptions of check_bake, check_sheets,
+    /// check_sheet_folder, check_scenes and parse_frame_range.
     Json start(const BakeRequest& request);
 
     /// Returns the answer to /api/bake/status. Throws std::invalid_argument if `bake` is not the

@@ -60,6 +60,14 @@ TEST(Flipbook, SheetsThatCannotBeMadeAreRejectedBeforeTheBake) {
                     "'{map}.####.exr'; set output.sheets to \"none\" for no sheets");
 }
 
+TEST(Flipbook, AFolderThatCannotBeWrittenIsFoundBeforeTheBake) {
+    Preset preset;
+    preset.output.sheet_pattern = "/dev/null/sheets/{map}";
+    EXPECT_NO_THROW(check_sheet_folder(preset));  // no sheets
+    preset.output.sheets = SheetKind::Grid;
+    EXPECT_THROW(check_sheet_folder(preset), OutputError);
+}
+
 // The second map cannot be read.
 TEST(Flipbook, SheetsFollowTheImages) {
     const auto sheets = [](const char* pattern, const char* sheet_pattern) {
