@@ -155,8 +155,8 @@ void ArcSplitter::store_column_crossings(std::size_t k) {
 // Computes the parts of all arcs, kLanes at once. Twice the area between the left border of a
 // part's pixel and the part's chord is an integer that a float represents exactly. Twice the area
 // between the chord and the arc is added to it. The middle of a part determines its pixel. The
-// lanes after the last part get no height. NOLINTNEXTLINE(readability-function-size): a vectorized
-// kernel keeps its loops in one function
+// lanes after the last part get no height.
+// NOLINTNEXTLINE(readability-function-size): a vectorized kernel keeps its loops in one function
 void ArcSplitter::measure_parts() {
     at_simd_level([arcs = std::span(arcs_).first(size_),
                    last_row = rows_ - 1,
