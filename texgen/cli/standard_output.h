@@ -21,8 +21,12 @@ namespace foam::texgen {
 /// Writes a text to stdout. If stdout is a terminal, characters that could control it, for example
 /// in the names of files, are replaced (shown_lines).
 inline void write_stdout(std::string_view text) {
-    const std::string lines = isatty(STDOUT_FILENO) == 1 ? shown_lines(text) : std::string(text);
-    std::fwrite(lines.data(), 1, lines.size(), stdout);
+    std::string shown;
+    if (isatty(STDOUT_FILENO) == 1) {
+        shown = shown_lines(text);
+        text = shown;
+    }
+    std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
 /// Formats a text and writes it to stdout.

@@ -2,13 +2,12 @@
 
 #include "texgen/cli/progress.h"
 
+#include "tests/texgen/cli/pseudo_terminal.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/cli/interruption.h"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -48,29 +47,6 @@ std::vector<std::string> lines_of(const std::string& text) {
         lines.push_back(line);
     }
     return lines;
-}
-
-/// Returns what the terminal receives while `action` runs with a pseudo-terminal as stderr.
-std::string shown_on_terminal(const std::function<void()>& action) {
-    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-    EXPECT_EQ(grantpt(terminal), 0);
-    EXPECT_EQ(unlockpt(terminal), 0);
-    const int end = open(ptsname(terminal), O_RDWR | O_NOCTTY);
-    const int before = dup(STDERR_FILENO);
-    dup2(end, STDERR_FILENO);
-    action();
-    dup2(before, STDERR_FILENO);
-    close(before);
-    std::string shown;
-    std::array<char, 1000> buffer{};
-    // The terminal passes texts on without delay, one or several at a time.
-    for (pollfd waiting{terminal, POLLIN, 0}; poll(&waiting, 1, 200) == 1;) {
-        const ssize_t size = read(terminal, buffer.data(), buffer.size());
-        shown.append(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
-    }
-    close(end);
-    close(terminal);
-    return shown;
 }
 
 TEST(Progress, WithoutATerminalNothingIsPrinted) {
@@ -131,7 +107,7 @@ TEST(Progress, ALongStepIsNotSilent) {
     testing::internal::CaptureStderr();
     wait({});
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-    EXPECT_NE(shown_on_terminal([&] { wait({}); }).find("equilibrium  0:01 so far"),
+    EXPECT_NE(shown_on_terminal(STDERR_FILENO, [&] { wait({}); }).find("equilibrium  0:01 so far"),
               std::string::npos);
 }
 
@@ -165,11 +141,11 @@ TEST(Progress, TheBarIsDrawnOnATerminalAndItsLineEnds) {
         reporter.callback()(frames_done(0, 2));
         reporter.callback()(frames_done(2, 2));  // too soon to be drawn, but it is the last one
     };
-    EXPECT_EQ(shown_on_terminal(draw),
+    EXPECT_EQ(shown_on_terminal(STDERR_FILENO, draw),
               "\r\033[K[------------------------] frame 0 of 2  9 bubbles"
               "\r\033[K[########################] frame 2 of 2  9 bubbles\r\n");
     unsetenv("NO_COLOR");
-    EXPECT_NE(shown_on_terminal(draw).find("\033[36m["), std::string::npos);
+    EXPECT_NE(shown_on_terminal(STDERR_FILENO, draw).find("\033[36m["), std::string::npos);
 }
 
 // Two units take at least 2.2 s, and 98 units are left: about two minutes or more.
