@@ -91,11 +91,10 @@ double array_bytes_per_pixel(const MapTraits& traits, const ImageOptions& size) 
     constexpr double kMipLevels = 4.0 / 3.0;
     const int channels = channel_count(traits);
     const int stored = channels == 3 ? 4 : channels;
-    const bool has_whole_blocks = size.width % kBlockSide == 0 && size.height % kBlockSide == 0;
     if (traits.png_bits > 8) {
         return kMipLevels * 2 * stored;
     }
-    if (traits.kind == MapKind::Id || !has_whole_blocks) {
+    if (traits.kind == MapKind::Id || !has_whole_blocks(size.width, size.height)) {
         return kMipLevels * stored;
     }
     return kMipLevels * (channels == 1 ? 0.5 : 1.0);

@@ -70,10 +70,9 @@ double raw_bytes_per_pixel(const MapTraits& map, bool stores_codes) {
 // bytes of all mip levels are included.
 double texture_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
     const OutputOptions& output = preset.output;
-    const bool has_whole_blocks =
-        preset.image.width % kBlockSide == 0 && preset.image.height % kBlockSide == 0;
     const bool is_compressed = output.block_compression == BlockCompression::Auto &&
-                               has_whole_blocks && map.png_bits == 8 && map.kind != MapKind::Id;
+                               has_whole_blocks(preset.image.width, preset.image.height) &&
+                               map.png_bits == 8 && map.kind != MapKind::Id;
     const int channels = channel_count(map);
     const double bytes = is_compressed ? (channels == 1 ? 0.5 : 1.0)
                                        : (channels == 3 ? 4 : channels) * map.png_bits / 8.0;

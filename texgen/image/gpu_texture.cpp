@@ -244,10 +244,8 @@ PixelFormat pixel_format_of(const Picture& picture, const GpuEncoding& encoding)
                                                               : PixelFormat::Rgba16;
     }
     const bool color = picture.metadata.color;
-    const bool has_whole_blocks =
-        picture.width() % kBlockSide == 0 && picture.height() % kBlockSide == 0;
     if (encoding.blocks == BlockCompression::None || encoding.meaning == TexelMeaning::Ids ||
-        !has_whole_blocks) {
+        !has_whole_blocks(picture.width(), picture.height())) {
         return channels == 1 ? PixelFormat::R8
                : color       ? PixelFormat::Rgba8Srgb
                              : PixelFormat::Rgba8;
