@@ -19,8 +19,8 @@ namespace foam {
 
 namespace {
 
-// With a repaired order of elimination (dissection_repair.h), the factor may be at most this many
-// times as large as with the order that was last computed anew.
+// The factor of a repaired order of elimination (dissection_repair.h) may be at most this many
+// times as large as the factor of the order that was last computed anew.
 constexpr double kLargestGrowth = 1.1;
 
 bool is_too_large(const FrontPlan& plan, std::size_t size_before_repairs) {

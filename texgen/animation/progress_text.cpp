@@ -137,7 +137,7 @@ std::string progress_json(const RunProgress& progress,
 }
 
 std::string long_duration(double seconds) {
-    // From this many minutes on, durations are printed in hours.
+    // Durations of at least this many minutes are printed in hours.
     constexpr double kMinutesAsHours = 90.0;
     const double minutes = std::ceil(seconds / 60.0);
     if (minutes >= kMinutesAsHours) {

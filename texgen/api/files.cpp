@@ -107,6 +107,7 @@ std::vector<std::string> bake(const Preset& preset,
         const foam::texgen::Preset baked = preset_to_bake(preset, out);
         foam::texgen::check_scenes(baked);
         foam::texgen::check_sheets(baked);
+        foam::texgen::check_sheet_folder(baked);
         const foam::texgen::BakeOptions options{
             .frames = foam::texgen::frames_or_all(settings.frames, baked.frames.count),
             .threads = settings.threads};

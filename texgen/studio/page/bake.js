@@ -222,7 +222,8 @@ export class BakeDialog {
     async #openFolder() {
         const folder = $("bake-folder").value.trim().replace(/\/+$/, "");
         const {bakes} = await post("/api/bakes", {});
-        const found = bakes.find((one) => one.folder === folder) ?? bakes.find((one) => one.folder.startsWith(`${folder}/`));
+        const found =
+            bakes.find((one) => one.folder === folder) ?? bakes.find((one) => one.folder.startsWith(`${folder}/`));
         const bake = bakes.findLast((one) => one.folder === found?.folder);
         if (bake) {
             $("bake-dialog").close();
