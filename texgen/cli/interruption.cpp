@@ -20,8 +20,8 @@ std::atomic<int> stop_signal{0};
 std::atomic<bool> is_reported{false};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
-// How the run stops, which the signal handler writes. handle_stop_signals may change it while
-// handlers are installed.
+// Tells how the run will stop after a signal. The signal handler writes this to stderr (note_on).
+// handle_stop_signals may change it while handlers are installed.
 std::atomic<Stopping> stopping_of_run{Stopping::AfterStep};
 static_assert(std::atomic<Stopping>::is_always_lock_free, "signal handlers may use it");
 

@@ -22,7 +22,8 @@ TEST(Area, IsInMeanAreas) {
     };
     EXPECT_NEAR(at_middle({.unit = MeanBubble::Seed}), std::numbers::pi, 1e-6);
     EXPECT_NEAR(at_middle({.unit = MeanBubble::Current}), 1.0, 1e-6);
-    EXPECT_EQ(at_middle({}), at_middle({.unit = MeanBubble::Seed}));  // so that no T2 changes all
+    // The default unit does not change at a T2, so that the areas of other bubbles do not jump.
+    EXPECT_EQ(at_middle({}), at_middle({.unit = MeanBubble::Seed}));
     EXPECT_EQ(draw_area(circle.layers, {.full = {9.0}}).high, 9.0);
 }
 
