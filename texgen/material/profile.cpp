@@ -33,33 +33,6 @@ std::string_view table_of(std::string_view key) {
     return key.substr(0, key.find_first_of(".["));
 }
 
-// Returns the profile that a TOML text describes. The key profile.description becomes the
-// description, and the keys of all other tables become assignments. Rejects keys that change the
-// foam, and unknown keys of the table [profile].
-Profile parse_profile(std::string_view toml, std::string name, const std::string& source) {
-    Profile profile{.name = std::move(name), .description = {}, .assignments = {}};
-    for (Assignment& assignment : read_assignments(toml, source)) {
-        const std::string_view table = table_of(assignment.key);
-        if (assignment.key == kDescription) {
-            const auto* const text = std::get_if<std::string>(&assignment.value.data);
-            if (text == nullptr) {
-                reject(assignment, "must be a text in quotes");
-            }
-            profile.description = *text;
-        } else if (table == kTable && assignment.key != kTable) {
-            reject(assignment, "unknown key; the only key of the table [profile] is 'description'");
-        } else if (table != kTable && table_affects_simulation(table)) {
-            reject(
-                assignment,
-                "a profile can only set keys of the maps and of the tables preset, image, camera, "
-                "output, vector and mesh");
-        } else if (table != kTable) {
-            profile.assignments.push_back(std::move(assignment));
-        }
-    }
-    return profile;
-}
-
 std::string text_in(const std::string& path) {
     try {
         const Bytes content = read_file(path, kPresetInput);
@@ -133,6 +106,30 @@ std::string lit_color_map(LitColors colors) {
 }
 
 }  // namespace
+
+Profile parse_profile(std::string_view toml, std::string name, const std::string& source) {
+    Profile profile{.name = std::move(name), .description = {}, .assignments = {}};
+    for (Assignment& assignment : read_assignments(toml, source)) {
+        const std::string_view table = table_of(assignment.key);
+        if (assignment.key == kDescription) {
+            const auto* const text = std::get_if<std::string>(&assignment.value.data);
+            if (text == nullptr) {
+                reject(assignment, "must be a text in quotes");
+            }
+            profile.description = *text;
+        } else if (table == kTable && assignment.key != kTable) {
+            reject(assignment, "unknown key; the only key of the table [profile] is 'description'");
+        } else if (table != kTable && table_affects_simulation(table)) {
+            reject(
+                assignment,
+                "a profile can only set keys of the maps and of the tables preset, image, camera, "
+                "output, vector and mesh");
+        } else if (table != kTable) {
+            profile.assignments.push_back(std::move(assignment));
+        }
+    }
+    return profile;
+}
 
 Profile load_profile(const std::string& name_or_path) {
     if (!is_preset_path(name_or_path)) {

@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foam::texgen {
@@ -31,11 +32,16 @@ struct Profile {
     std::vector<Assignment> assignments;  // of keys of presets
 };
 
+/// Returns the profile that a TOML document describes. `source` is the name of the document in
+/// messages. Throws PresetError if the document is malformed, or if it sets a key that changes the
+/// foam or an unknown key of the table [profile].
+Profile parse_profile(std::string_view toml, std::string name, const std::string& source);
+
 /// Loads the profile in the file with the given path, or the shipped profile with the given name;
 /// paths and names are told apart as for presets (is_preset_path). Throws PresetError if no shipped
-/// profile has the name, if the file is missing, unreadable or malformed, or if it sets a key that
-/// changes the foam or an unknown key of the table [profile]. All other keys and their values are
-/// checked only when they are assigned to a preset (assign).
+/// profile has the name, if the file is missing or unreadable, and for the same reasons as
+/// parse_profile. All other keys and their values are checked only when they are assigned to a
+/// preset (assign).
 Profile load_profile(const std::string& name_or_path);
 
 /// Returns the assignments of a profile for a preset. They are those of the profile, with two

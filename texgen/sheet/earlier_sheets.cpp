@@ -5,25 +5,43 @@
 #include "core/files/file_io.h"
 
 #include <algorithm>
-#include <string_view>
+#include <system_error>
 
 namespace foam::texgen {
 
 namespace {
 
-// Returns the description of a flipbook (flipbook_json) in a file, or null if there is none.
-Json description_in(const std::filesystem::path& file) {
-    if (!std::filesystem::exists(file)) {
-        return nullptr;
-    }
-    const Bytes bytes = read_file(file, kDescriptionInput);
-    const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
-    return json.is_object() && json.value("images", Json()).is_array() ? json : Json();
+// The description of a flipbook is less deeply nested. Deeper values could exhaust the stack when
+// they are copied or compared.
+constexpr int kDeepest = 16;
+
+// Parses the description of a flipbook (flipbook_json). Returns null if the text is not one.
+Json parsed_description(std::string_view text) {
+    bool is_too_deep = false;
+    const auto check_depth = [&](int depth, Json::parse_event_t, const Json&) {
+        is_too_deep = is_too_deep || depth > kDeepest;
+        return !is_too_deep;  // the parser leaves out values for which this returns false
+    };
+    const Json json = Json::parse(text, check_depth, false);
+    const bool is_description = json.is_object() && json.value("images", Json()).is_array();
+    return is_description && !is_too_deep ? json : Json();
 }
 
 std::string text_of(const Json& image, const char* member) {
     const Json value = image.is_object() ? image.value(member, Json()) : Json();
     return value.is_string() ? value.get<std::string>() : "";
+}
+
+// Returns the file name of the sheet that `image` describes, or an empty text if there is none.
+// The description may come from an untrusted source, so it must not name a file in another folder.
+std::string file_of(const Json& image) {
+    const std::string name = text_of(image, "file");
+    return is_plain_name(name) ? name : "";
+}
+
+bool file_exists(const std::filesystem::path& file) {
+    std::error_code ignored;  // such as that of a name that is too long
+    return std::filesystem::exists(file, ignored);
 }
 
 // Returns true if two descriptions are equal, except for the members that depend on the maps.
@@ -42,18 +60,19 @@ bool has_sheet(const Json& images, const char* member, const std::string& text) 
 
 }  // namespace
 
-std::vector<std::string> keep_earlier_sheets(Json& description, const std::filesystem::path& file) {
-    const Json earlier = description_in(file);
+std::vector<std::string> keep_earlier_sheets(Json& description,
+                                             std::string_view earlier,
+                                             const std::filesystem::path& folder) {
+    const Json listed = parsed_description(earlier);
     std::vector<std::string> unlisted;
-    if (earlier.is_null()) {
+    if (listed.is_null()) {
         return unlisted;
     }
-    const bool same = same_but_for_maps(description, earlier);
+    const bool same = same_but_for_maps(description, listed);
     Json& images = description["images"];
-    for (const Json& image : earlier["images"]) {
-        const std::string name = text_of(image, "file");
-        if (name.empty() || has_sheet(images, "file", name) ||
-            !std::filesystem::exists(file.parent_path() / name)) {
+    for (const Json& image : listed["images"]) {
+        const std::string name = file_of(image);
+        if (name.empty() || has_sheet(images, "file", name) || !file_exists(folder / name)) {
             continue;
         }
         if (same && !has_sheet(images, "map", text_of(image, "map"))) {

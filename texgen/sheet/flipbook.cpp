@@ -2,6 +2,7 @@
 
 #include "texgen/sheet/flipbook.h"
 
+#include "core/files/content_text.h"
 #include "core/files/file_io.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/bake/file_pattern.h"
@@ -175,7 +176,10 @@ Flipbook write_flipbook(const BakedSet& set,
     flipbook.files.push_back(to / json_name_of(names));
     Json description = is_array(options) ? array_json(set, frames, images)
                                          : flipbook_json(set, frames, flipbook.layout, images);
-    flipbook.unlisted = keep_earlier_sheets(description, flipbook.files.back());
+    if (std::filesystem::exists(flipbook.files.back())) {
+        const Bytes earlier = read_file(flipbook.files.back(), kDescriptionInput);
+        flipbook.unlisted = keep_earlier_sheets(description, as_text(earlier), to);
+    }
     const std::string json = indented(description);
     staged.emplace_back(flipbook.files.back(), std::as_bytes(std::span(json)));
     for (StagedFile& file : staged) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,39 +41,60 @@ class EarlierSheets : public testing::Test {
         write_file(folder_.path() / name, std::as_bytes(std::span(text)));
     }
 
-    Names keep(Json& flipbook) const { return keep_earlier_sheets(flipbook, file_); }
+    Names keep(Json& flipbook, const std::string& earlier) const {
+        return keep_earlier_sheets(flipbook, earlier, folder_.path());
+    }
 
     TemporaryFolder folder_;
-    std::filesystem::path file_ = folder_.path() / "sheet.json";
 };
 
 TEST_F(EarlierSheets, SheetsOfOtherMapsAreKeptIfTheyExist) {
-    write("sheet.json", description({"albedo", "height", "normal"}).dump());
     write("albedo.png");
     write("height.png");
     Json flipbook = description({"height", "film"});
-    EXPECT_EQ(keep(flipbook), Names{});
+    EXPECT_EQ(keep(flipbook, description({"albedo", "height", "normal"}).dump()), Names{});
     EXPECT_EQ(maps_of(flipbook), (Names{"height", "film", "albedo"}));
 }
 
 TEST_F(EarlierSheets, SheetsOfOtherFramesAreReported) {
-    write("sheet.json", description({"albedo", "height", "normal"}).dump());
     write("albedo.png");
     write("height.png");
     Json flipbook = description({"height"});
     flipbook["frames"] = 8;
-    EXPECT_EQ(keep(flipbook), Names{"albedo.png"});
+    EXPECT_EQ(keep(flipbook, description({"albedo", "height", "normal"}).dump()),
+              Names{"albedo.png"});
     EXPECT_EQ(maps_of(flipbook), Names{"height"});
 }
 
-TEST_F(EarlierSheets, OtherFilesAreIgnored) {
+TEST_F(EarlierSheets, OtherTextsAreIgnored) {
     Json flipbook = description({"height"});
     for (const char* const text : {"", "{", "[1]", "{}", R"({"images": [7, {"file": 1}]})"}) {
-        write("sheet.json", text);
-        EXPECT_EQ(keep(flipbook), Names{}) << text;
+        EXPECT_EQ(keep(flipbook, text), Names{}) << text;
     }
-    std::filesystem::remove(file_);
-    EXPECT_EQ(keep(flipbook), Names{});
+    EXPECT_EQ(flipbook, description({"height"}));
+}
+
+TEST_F(EarlierSheets, DeeplyNestedTextsAreIgnored) {
+    constexpr std::size_t kLevels = 500'000;
+    const std::string nested = std::string(kLevels, '[') + std::string(kLevels, ']');
+    Json flipbook = description({"height"});
+    EXPECT_EQ(keep(flipbook, R"({"images": [], "more": )" + nested + "}"), Names{});
+    EXPECT_EQ(keep(flipbook, R"({"images": [{"file": "a.png", "more": )" + nested + "}]}"),
+              Names{});
+    EXPECT_EQ(flipbook, description({"height"}));
+}
+
+TEST_F(EarlierSheets, NamesThatAreNoFileNamesAreIgnored) {
+    std::filesystem::create_directory(folder_.path() / "sheets");
+    write("stranger.png");
+    Json flipbook = description({"height"});
+    for (const std::string& name :
+         {std::string("../stranger.png"), std::string("/"), std::string(400, 'a')}) {
+        Json earlier = description({"albedo"});
+        earlier["images"][0]["file"] = name;
+        EXPECT_EQ(keep_earlier_sheets(flipbook, earlier.dump(), folder_.path() / "sheets"), Names{})
+            << name;
+    }
     EXPECT_EQ(flipbook, description({"height"}));
 }
 
