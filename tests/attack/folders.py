@@ -4,6 +4,7 @@
 
 Root may write everywhere, so root runs the program as an ordinary user as well.
 """
+import fcntl
 import os
 import pathlib
 import shutil
@@ -100,9 +101,23 @@ def two_bakes(lab, folder):
         lab.expect(verified.code == 0, f"two bakes of {presets} do not pass verify: {verified.out} {verified.err}")
 
 
+def held_lock(lab, folder):
+    """Another program holds the lock of the manifest and never releases it."""
+    (folder / "out").mkdir()
+    if lab.user is not None:
+        os.chown(folder / "out", lab.user, lab.user)
+    with open(folder / "out" / "manifest.json.lock", "w", encoding="utf-8") as file:
+        os.fchmod(file.fileno(), 0o666)
+        fcntl.flock(file, fcntl.LOCK_EX)
+        outcome = lab.run(BAKE, folder)
+    lab.expect_documented(outcome, "a lock that is never released", {5})
+    lab.expect("another program has locked" in outcome.err, f"a held lock is not named: {outcome.err}")
+
+
 SITUATIONS = [read_only_folder, read_only_files, unreadable_inputs, file_in_the_way, folder_in_the_way,
               vanishing_folder, vanished_working_folder, two_bakes]
 MORE_SITUATIONS = [loop_of_links, long_path]
+SLOW_SITUATIONS = [held_lock]  # a minute each
 
 
 def main():
@@ -111,8 +126,8 @@ def main():
     users = [None, attack.NOBODY] if attack.is_user_root() else [None]
     for user in users:
         lab.user = user
-        for _ in range(20 if lab.long else 1):
-            for situation in situations:
+        for k in range(20 if lab.long else 1):
+            for situation in situations + (SLOW_SITUATIONS if lab.long and k == 0 else []):
                 folder = lab.folder(pathlib.Path("work"))
                 before = len(lab.faults)
                 situation(lab, folder)

@@ -26,7 +26,9 @@ COMMANDS = [
 
 @contextlib.contextmanager
 def small_disk(folder, kib):
-    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={kib}k", "tmpfs", folder], check=True, capture_output=True)
+    owner = folder.stat().st_uid
+    options = f"size={kib}k,uid={owner},gid={owner}"
+    subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", folder], check=True, capture_output=True)
     try:
         yield
     finally:

@@ -39,7 +39,8 @@ class Lab:
     def __init__(self, arguments):
         self.random = random.Random(arguments.seed)
         self.long = arguments.long
-        self.user = None  # id of the user who runs the program; None: the present user
+        # The id of the user who runs the program; None: the present user.
+        self.user = NOBODY if arguments.ordinary_user and is_user_root() else None
         self.root = pathlib.Path(tempfile.mkdtemp(prefix="foamtex-attack-"))
         self.root.chmod(0o755)
         self.program = self.root / "foamtex"
@@ -125,6 +126,7 @@ def lab_from_command_line(description, add_options=None):
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--program", required=True, help="path of foamtex")
     parser.add_argument("--long", action="store_true", help="the long form")
+    parser.add_argument("--ordinary-user", action="store_true", help="if you are root, run the program as another user")
     parser.add_argument("--seed", type=int, default=1, help="seed of the random choices")
     if add_options:
         add_options(parser)
