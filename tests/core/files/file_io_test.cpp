@@ -20,7 +20,25 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
+
+namespace {
+
+int synced_files = 0;     // number of calls of fsync
+int next_sync_error = 0;  // error of the next call of fsync, 0 for success
+
+}  // namespace
+
+// Replaces the function of the C library, because a test cannot cut the power.
+extern "C" int fsync(int file) {
+    ++synced_files;
+    if (next_sync_error != 0) {
+        errno = std::exchange(next_sync_error, 0);
+        return -1;
+    }
+    return static_cast<int>(syscall(SYS_fsync, file));
+}
 
 namespace foam {
 namespace {
@@ -52,6 +70,27 @@ std::string failure_to_write(const std::filesystem::path& path, std::size_t size
         return error.what();
     }
     return "no failure";
+}
+
+TEST(FileIo, ReachesTheDiskBeforeItGetsItsNameIfRequested) {
+    const TemporaryFolder folder;
+    const Bytes content(10, std::byte{42});
+    synced_files = 0;
+    write_file(folder.path() / "later.bin", content);
+    EXPECT_EQ(synced_files, 0);
+    write_file(folder.path() / "named.bin", content, Durability::BeforeNaming);
+    EXPECT_EQ(synced_files, 1);
+}
+
+TEST(FileIo, KeepsTheOldFileIfTheNewOneDoesNotReachTheDisk) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "a.bin";
+    const Bytes old(10, std::byte{42});
+    write_file(path, old);
+    next_sync_error = EIO;
+    EXPECT_THROW(write_file(path, Bytes(20), Durability::BeforeNaming), OutputError);
+    EXPECT_EQ(read_file(path, kImageInput), old);
+    EXPECT_EQ(folder.files().size(), 1);
 }
 
 TEST(FileIo, RoundTrips) {

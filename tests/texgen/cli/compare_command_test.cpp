@@ -55,6 +55,22 @@ TEST_F(CompareCommand, ExitCodesAreThoseOfIdiff) {
     EXPECT_EQ(compare("a.0001.png none.png").code, 4);
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
+// The exit code 1, which other commands return if there is too little memory, is a verdict of
+// `compare`. Two images of 67 million pixels do not fit into the address space.
+TEST_F(CompareCommand, TooLittleMemoryHasItsOwnExitCode) {
+    Image<std::uint8_t> large(8192, 8192, 1);
+    write_png(folder_.path() / "large.png", large.view());
+    const Outcome outcome =
+        run_program("--version >/dev/null; ulimit -v 250000; '" +
+                        foam::test::executable().string() + "' compare large.png large.png",
+                    folder_);
+    EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::CompareInternalFailure)) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("foamtex: out of memory: ")) << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+}
+#endif
+
 TEST_F(CompareCommand, PrintsTheDifferenceOnOneLine) {
     EXPECT_EQ(
         compare("a.0002.png b.0002.png").out,
