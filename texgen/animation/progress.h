@@ -9,7 +9,8 @@ namespace foam::texgen {
 
 /// The phases of a long run, in the order in which they occur. Each phase counts its progress in a
 /// unit of its own. The phases before Ranges prepare the first frame. Between Ranges and Frames,
-/// the phase States occurs again if the frames are read from a cache.
+/// the phase States occurs again if the frames are read from a cache. When a simulation is stored in
+/// a cache, States and Ranges follow Frames.
 enum class Phase {
     Seeding,      // places the bubbles of the first foam; counts nothing
     Equilibrium,  // brings the first foam to equilibrium; counts nothing
@@ -33,6 +34,7 @@ struct RunProgress {
     // complete.
     std::optional<double> measure = {};
     int cycle = 0;             // LoopClosing: number of the cycle, from 1
+    int usual_cycles = 0;      // LoopClosing: number of cycles that such loops need; 0 if unknown
     int frame = 0;             // number of the frame that was done last; 0 if there is none
     int bubbles = 0;           // number of bubbles of the foam; 0 if unknown
     double area_error = 0.0;   // of `frame`: largest |A / A_target - 1| (E2)

@@ -41,9 +41,11 @@ const PhaseWords& words_of(Phase phase) {
 
 std::string loop_closing_text(const RunProgress& progress) {
     const bool has_closing_error = progress.measure && std::isfinite(*progress.measure);
-    return fmt::format("{}: cycle {} ({}/{}){}",
+    const bool is_usual = progress.cycle <= progress.usual_cycles;
+    return fmt::format("{}: cycle {}{} ({}/{}){}",
                        words_of(progress.phase).text,
                        progress.cycle,
+                       is_usual ? fmt::format(" of about {}", progress.usual_cycles) : "",
                        progress.done,
                        progress.total,
                        has_closing_error ? fmt::format(", error {:.0e}", *progress.measure) : "");

@@ -171,7 +171,8 @@ bool Simulation::close_loop() {
     if (!is_stored) {
         cycle_.emplace(foam_, cycle_options_);
     }
-    const int needed = loop_.kind == LoopKind::Boil && !is_stored ? 2 : 1;
+    const bool is_searched = loop_.kind == LoopKind::Boil && !is_stored;
+    const int needed = is_searched ? 2 : 1;
     bool found = is_stored || step_cycle(0);
     int closed = 0;
     for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
@@ -181,7 +182,8 @@ bool Simulation::close_loop() {
         RunProgress progress{.phase = Phase::LoopClosing,
                              .total = frames_.count,
                              .measure = closing_error_,
-                             .cycle = cycle + 1};
+                             .cycle = cycle + 1,
+                             .usual_cycles = is_searched ? usual_cycles(bubble_count()) : 0};
         for (int position = 1; position <= frames_.count && found; ++position) {
             progress.done = position - 1;
             report(progress);

@@ -4,6 +4,7 @@
 
 #include "core/equilibrium/newton_system.h"
 
+#include <array>
 #include <memory>
 
 namespace foam::texgen {
@@ -15,6 +16,21 @@ CycleOptions cycle_options_of(const Preset& preset) {
     options.boiling = loop.kind == LoopKind::Boil ? loop.boiling : 0.0;
     options.boiling_rise = loop.rise;
     return options;
+}
+
+int usual_cycles(int bubbles) {
+    struct Measured {
+        int bubbles;
+        int cycles;
+    };
+    constexpr std::array<Measured, 5> kMeasured{
+        {{100, 18}, {300, 26}, {500, 28}, {1000, 37}, {2000, 38}}};
+    for (const Measured& measured : kMeasured) {
+        if (bubbles <= measured.bubbles) {
+            return measured.cycles;
+        }
+    }
+    return kMeasured.back().cycles;
 }
 
 StepOptions step_options_of(const Preset& preset, int threads) {

@@ -11,6 +11,10 @@ namespace foam::texgen {
 /// Returns the options of the cycles of a breathe, shear or boil loop.
 CycleOptions cycle_options_of(const Preset& preset);
 
+/// Returns the number of cycles after which half of the boils with so many bubbles have closed, as
+/// measured by tests/bench/boil_table (README.md).
+int usual_cycles(int bubbles);
+
 /// Returns the options of the time steps of a preset, with a new linear system, which the steps
 /// share. `threads` has the same meaning as in parallel_for.
 StepOptions step_options_of(const Preset& preset, int threads);

@@ -101,6 +101,9 @@ void ProgressReporter::take(const RunProgress& progress) {
     const std::lock_guard lock(mutex_);
     now_ = PhaseClock::Clock::now();
     const PhaseClock::News news = clock_.add(progress, now_);
+    if (news == PhaseClock::News::NewPhase) {
+        phase_begin_ = now_;
+    }
     latest_ = progress;
     is_pending_ = is_pending_ || news != PhaseClock::News::Nothing;
     note_long_run();
@@ -153,22 +156,28 @@ void ProgressReporter::print() {
 
 // The estimate multiplies the measured time of a unit, such as a step, by the number of units left.
 // Before the phase Frames, the frames are added to the units left, because a step that prepares
-// frame 1 takes about as long as the step to a later frame. In the phases before Frames, the
-// estimate is a lower bound, because it does not include drawing and further cycles of a loop.
+// frame 1 takes about as long as the step to a later frame. If the usual number of cycles of a loop
+// is known, the steps of its further cycles are added, too. Without this number, the estimate in
+// the phases before Frames is a lower bound, because it includes neither drawing nor further
+// cycles.
 void ProgressReporter::note_long_run() {
     const std::optional<double> per_unit = clock_.seconds_per_unit();
     const bool is_told = options_.verbosity == Verbosity::Normal && !options_.json;
-    if (has_noted_ || !is_told || !per_unit || clock_.seconds_in_phase() < kMeasured) {
+    if (has_noted_ || !is_told || !per_unit || seconds_since(phase_begin_) < kMeasured) {
         return;
     }
     const bool frames_follow = latest_.phase < Phase::Frames;
-    const int units = latest_.total - latest_.done + (frames_follow ? options_.frames : 0);
+    const bool knows_cycles = latest_.cycle <= latest_.usual_cycles;
+    const int cycles = knows_cycles ? latest_.usual_cycles - latest_.cycle : 0;
+    const int units =
+        (1 + cycles) * latest_.total - latest_.done + (frames_follow ? options_.frames : 0);
+    const bool is_lower_bound = frames_follow && cycles == 0;
     const double seconds = units * *per_unit;
     if (seconds >= kLongRun) {
         has_noted_ = true;
         write_stderr_without_waiting(fmt::format("{}foamtex: note: this takes {} {} more\n",
                                                  style_ == Style::Bar ? "\r\033[K" : "",
-                                                 frames_follow ? "at least" : "about",
+                                                 is_lower_bound ? "at least" : "about",
                                                  long_duration(seconds)));
     }
 }

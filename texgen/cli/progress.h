@@ -81,6 +81,7 @@ class ProgressReporter {
     PhaseClock clock_;
     PhaseClock::Clock::time_point begin_ = PhaseClock::Clock::now();
     PhaseClock::Clock::time_point now_ = begin_;  // time of the latest report or repetition
+    PhaseClock::Clock::time_point phase_begin_ = begin_;
     PhaseClock::Clock::time_point last_print_ = begin_;
     RunProgress latest_;
     bool has_printed_ = false;

@@ -22,6 +22,10 @@ TEST(ProgressText, EachPhaseHasItsOwnMeasure) {
     EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3 (12/48)");
     closing.measure = 1.2e-4;
     EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3 (12/48), error 1e-04");
+    closing.usual_cycles = 20;
+    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 3 of about 20 (12/48), error 1e-04");
+    closing.cycle = 21;
+    EXPECT_EQ(phase_text(closing), "closing the loop: cycle 21 (12/48), error 1e-04");
 }
 
 TEST(ProgressText, TheBarFillsInProportion) {

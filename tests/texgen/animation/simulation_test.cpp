@@ -517,6 +517,16 @@ TEST(Simulation, ReportsTheCyclesThatCloseALoop) {
     EXPECT_EQ(reports.back().cycle, static_cast<int>(cycles));
     EXPECT_TRUE(reports.back().finished());
     EXPECT_LT(reports.back().measure.value_or(1.0), 1e-9);
+    EXPECT_EQ(reports.back().usual_cycles, 0);
+}
+
+TEST(Simulation, ReportsHowManyCyclesABoilUsuallyNeeds) {
+    Preset preset = small_preset();
+    preset.frames.count = 24;
+    preset.loop.kind = LoopKind::Boil;
+    const std::vector<RunProgress> reports = reports_before_first_frame(preset);
+    ASSERT_EQ(reports.back().phase, Phase::LoopClosing);
+    EXPECT_EQ(reports.back().usual_cycles, 18);
 }
 
 TEST(Simulation, TheCallbackCanStopALoopThatIsBeingClosed) {

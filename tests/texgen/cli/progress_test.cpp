@@ -171,6 +171,26 @@ TEST(Progress, ALongRunIsNotedOnce) {
     EXPECT_EQ(run({.json = true}).find("note"), std::string::npos);
 }
 
+// Each step takes at least 0.3 s. The first eight steps are two of 60 cycles; 232 steps are left.
+TEST(Progress, ALongSearchForALoopIsNoted) {
+    testing::internal::CaptureStderr();
+    {
+        ProgressReporter reporter({});
+        const ProgressCallback report = reporter.callback();
+        for (int step = 0; step <= 8; ++step) {
+            report({.phase = Phase::LoopClosing,
+                    .done = step % 4,
+                    .total = 4,
+                    .cycle = 1 + step / 4,
+                    .usual_cycles = 60});
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        }
+    }
+    const std::string note = testing::internal::GetCapturedStderr();
+    EXPECT_TRUE(note.starts_with("foamtex: note: this takes about ")) << note;
+    EXPECT_EQ(std::ranges::count(note, '\n'), 1);
+}
+
 TEST(Progress, ASignalStopsEveryPhaseThatIsNotFinished) {
     testing::internal::CaptureStderr();
     for (const Phase phase : {Phase::Seeding, Phase::LoopClosing, Phase::Ranges, Phase::Files}) {
