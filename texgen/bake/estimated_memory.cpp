@@ -132,8 +132,12 @@ double vector_memory(const Preset& preset) {
 
 }  // namespace
 
+std::uint64_t estimated_foam_memory(std::size_t bubbles) {
+    return static_cast<std::uint64_t>(kProgram + kPerBubble * static_cast<double>(bubbles));
+}
+
 std::uint64_t estimated_foam_memory(const Preset& preset) {
-    return static_cast<std::uint64_t>(kProgram + kPerBubble * preset.seeding.bubbles);
+    return estimated_foam_memory(static_cast<std::size_t>(preset.seeding.bubbles));
 }
 
 std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads) {

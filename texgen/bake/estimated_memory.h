@@ -9,6 +9,10 @@
 
 namespace foam::texgen {
 
+/// Returns the estimated peak memory, in bytes, of a process that brings a foam with the given
+/// number of bubbles to equilibrium.
+std::uint64_t estimated_foam_memory(std::size_t bubbles);
+
 /// Returns the estimated peak memory, in bytes, of a process that simulates a preset and draws
 /// nothing.
 std::uint64_t estimated_foam_memory(const Preset& preset);

@@ -2,7 +2,6 @@
 
 #include "texgen/cli/image_run.h"
 
-#include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/estimated_size.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
@@ -10,11 +9,11 @@
 #include "texgen/cli/dry_run.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/memory_need.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
 #include "texgen/image/format.h"
-#include "texgen/image/memory.h"
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
@@ -32,7 +31,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <new>
 #include <span>
 #include <utility>
 #include <vector>
@@ -150,6 +148,10 @@ std::filesystem::path statistics_folder(const Preset& preset, const FilePattern&
     return image.parent_path() / (preset.name + "_stats");
 }
 
+MemoryNeed memory_of(const ImageRun& run) {
+    return memory_to_bake(run.preset, run.options.frames.size(), run.options.threads);
+}
+
 /// Draws the frames and writes the image files and their manifest. `on_frame` may be empty.
 BakeSummary bake_images(const ImageRun& run,
                         const ImageArguments& arguments,
@@ -160,19 +162,19 @@ BakeSummary bake_images(const ImageRun& run,
     if (progress.verbosity != Verbosity::Quiet && !arguments.watch) {
         on_replace = warn_of_replaced_files;
     }
-    try {
+    const auto bake = [&] {
         ProgressReporter reporter(progress);
         return bake_recorded(
             preset,
             options,
             {.on_progress = reporter.callback(), .on_frame = on_frame},
             {.resume = arguments.resume ? Resume::Yes : Resume::No, .on_replace = on_replace});
+    };
+    try {
+        return with_memory(memory_of(run), bake);
     } catch (const Interrupted&) {
         print_stderr("foamtex: to continue, run the same command with --resume");
         throw;
-    } catch (const std::bad_alloc&) {
-        throw OutOfMemory(
-            memory_needed(estimated_memory(preset, options.frames.size(), options.threads)));
     }
 }
 
@@ -201,13 +203,14 @@ void check_runs(std::span<const ImageRun> runs) {
 /// Warns of a disk or a memory that is too small for the runs, which are made one after the other.
 void warn_of_resources(std::span<const ImageRun> runs) {
     std::uint64_t size = 0;
-    std::uint64_t memory = 0;
-    for (const auto& [preset, options] : runs) {
-        size += estimated_size(preset, options.frames);
-        memory = std::max(memory, estimated_memory(preset, options.frames.size(), options.threads));
+    MemoryNeed largest;
+    for (const ImageRun& run : runs) {
+        size += estimated_size(run.preset, run.options.frames);
+        const MemoryNeed need = memory_of(run);
+        largest = need.bytes > largest.bytes ? need : largest;
     }
     warn_of_full_disk(size, manifest_folder(runs.front().preset));
-    warn_of_little_memory(memory);
+    warn_of_little_memory(largest);
 }
 
 /// Carries out a run. If it is complete, also writes its sheets and scene files. If

@@ -2,13 +2,13 @@
 
 #include "core/files/file_io.h"
 #include "core/files/scratch_folder.h"
-#include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/estimated_size.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/image_folder.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/memory_need.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
@@ -165,13 +165,13 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
         check_tiling(options, false, options.frames.front(), preset.name);
     }
     check_writable(arguments.out.value_or("out"));
+    const MemoryNeed need = memory_to_bake(preset, options.frames.size(), arguments.run.threads);
     if (!arguments.run.quiet) {
         warn_of_full_disk(estimated_size(preset, options.frames), scratch.path());
-        warn_of_little_memory(
-            estimated_memory(preset, options.frames.size(), arguments.run.threads));
+        warn_of_little_memory(need);
     }
     Shown shown{preset.name, options.frames};
-    const RunOutcome outcome = [&] {
+    const RunOutcome outcome = with_memory(need, [&] {
         ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
         const BakeSummary summary =
             bake_recorded(preset,
@@ -186,7 +186,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
                                          reporter.callback());
         }
         return summary.outcome;
-    }();
+    });
     if (!arguments.run.quiet) {
         warn_of_missing_bubbles(preset, outcome);
         note_late_events(preset, options.frames);

@@ -4,8 +4,10 @@
 #include "core/files/file_io.h"
 #include "core/io/foam_file.h"
 #include "texgen/animation/seconds_since.h"
+#include "texgen/bake/estimated_memory.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/memory_need.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/cli/standard_output.h"
@@ -52,10 +54,14 @@ const char* status_word(EquilibriumStatus status) {
     }
 }
 
+std::size_t bubble_count(const Foam& foam) {
+    return foam.network.bubble_count() + foam.lone_bubbles.size();
+}
+
 RelaxReport relax_loaded(Foam& foam, int threads) {
     const auto start = std::chrono::steady_clock::now();
     const EquilibriumSummary summary = equilibrate_given(foam, threads);
-    return {summary, foam.network.bubble_count() + foam.lone_bubbles.size(), seconds_since(start)};
+    return {summary, bubble_count(foam), seconds_since(start)};
 }
 
 void print_report(const RelaxReport& report) {
@@ -104,7 +110,12 @@ ExitCode run_relax(const RelaxArguments& arguments) {
     check_foam_name(arguments.out);
     check_writable(std::filesystem::path(arguments.out).parent_path());
     LoadedFoam loaded = load_foam(arguments.in);
-    const RelaxReport report = relax_loaded(loaded.foam, arguments.threads);
+    const MemoryNeed need{estimated_foam_memory(bubble_count(loaded.foam))};
+    if (!arguments.quiet) {
+        warn_of_little_memory(need);
+    }
+    const RelaxReport report =
+        with_memory(need, [&] { return relax_loaded(loaded.foam, arguments.threads); });
     const bool converged = report.summary.converged();
     if (converged) {
         save_foam(arguments.out, loaded.foam);

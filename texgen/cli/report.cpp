@@ -113,20 +113,6 @@ void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder) 
     }
 }
 
-std::string memory_needed(std::uint64_t bytes) {
-    return fmt::format("this needs about {}; lower --threads, image.size or foam.bubbles",
-                       amount_of_bytes(bytes));
-}
-
-void warn_of_little_memory(std::uint64_t bytes) {
-    const std::uint64_t available = available_memory();
-    if (bytes > available) {
-        print_stderr("foamtex: warning: only {} of memory are available, but {}",
-                     amount_of_bytes(available),
-                     memory_needed(bytes));
-    }
-}
-
 void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced) {
     for (const ReplacedFiles& files : replaced) {
         print_stderr(

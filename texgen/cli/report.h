@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace foam::texgen {
@@ -43,14 +42,6 @@ void warn_of_missing_bubbles(const Preset& preset, const RunOutcome& outcome);
 /// Prints a warning on stderr if files of the given total size, in bytes, do not fit on the disk of
 /// a folder. If the folder does not exist, the disk of the nearest existing folder above it counts.
 void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder);
-
-/// Returns the part of a message that says how much memory a run needs, and which option and keys
-/// the user can lower so that it needs less. `bytes` is an estimate of the memory.
-std::string memory_needed(std::uint64_t bytes);
-
-/// Prints a warning on stderr if a run needs more memory than is available (available_memory).
-/// `bytes` is an estimate of the memory that the run needs.
-void warn_of_little_memory(std::uint64_t bytes);
 
 /// Prints a warning on stderr for each element of `replaced`, that is, for each earlier bake whose
 /// images this bake replaces. The warning says how to keep the images of both bakes.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/files/file_io.h"
-#include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/interruption.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/memory_need.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
@@ -78,22 +78,23 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
     }
     check_writable(arguments.cache);
     const Verbosity verbosity = verbosity_of(arguments.run);
+    const MemoryNeed need = memory_to_simulate(preset);
     if (verbosity != Verbosity::Quiet) {
         warn_of_full_disk(estimated_cache_size(preset, options.frames, arguments.cache),
                           arguments.cache);
-        warn_of_little_memory(estimated_foam_memory(preset));
+        warn_of_little_memory(need);
     }
-    const RunOutcome outcome = [&] {
+    const RunOutcome outcome = with_memory(need, [&] {
         try {
             ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
             return simulate_into_cache(preset, options, arguments.cache, reporter.callback());
         } catch (const Interrupted&) {
             print_stderr(
-                "foamtex: the cache is incomplete; to simulate the foam again from the start, run "
-                "the same command");
+                "foamtex: the cache may be incomplete; to simulate the foam again from the start, "
+                "run the same command");
             throw;
         }
-    }();
+    });
     if (verbosity != Verbosity::Quiet) {
         warn_of_missing_bubbles(preset, outcome);
         note_late_events(preset, options.frames);

@@ -5,6 +5,7 @@
 #include "texgen/cache/cache.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/memory_need.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
@@ -63,10 +64,14 @@ ExitCode run_stats(const StatsArguments& arguments) {
     }
     check_writable(folder_of(arguments, preset));
     const Verbosity verbosity = verbosity_of(arguments.run);
-    const MeasureSummary summary = [&] {
+    const MemoryNeed need = memory_to_simulate(preset);
+    if (verbosity != Verbosity::Quiet && !cache) {
+        warn_of_little_memory(need);
+    }
+    const MeasureSummary summary = with_memory(need, [&] {
         ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
         return measure_run(preset, options, reporter.callback());
-    }();
+    });
     const StatisticsFiles statistics = write_statistics(summary.run, folder_of(arguments, preset));
     if (verbosity != Verbosity::Quiet) {
         warn_of_missing_bubbles(preset, summary.outcome);

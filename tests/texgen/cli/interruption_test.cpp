@@ -71,7 +71,7 @@ TEST(Interruption, AnIncompleteCacheIsMentioned) {
                     "kill -INT $!; wait $!; }");
     EXPECT_EQ(outcome.code, 130);
     EXPECT_TRUE(
-        outcome.err.ends_with("foamtex: the cache is incomplete; to simulate the foam again "
+        outcome.err.ends_with("foamtex: the cache may be incomplete; to simulate the foam again "
                               "from the start, run the same command\nfoamtex: interrupted\n"))
         << outcome.err;
 }

@@ -35,21 +35,6 @@ TEST(Report, WarnsOfADiskThatIsTooSmall) {
     }
 }
 
-TEST(Report, WarnsOfTooLittleMemory) {
-    const auto warning_of_memory = [](std::uint64_t bytes) {
-        testing::internal::CaptureStderr();
-        warn_of_little_memory(bytes);
-        return testing::internal::GetCapturedStderr();
-    };
-    EXPECT_EQ(warning_of_memory(1), "");
-    const std::string text = warning_of_memory(12'345'678'900'000'000);
-    EXPECT_TRUE(text.starts_with("foamtex: warning: only ")) << text;
-    EXPECT_TRUE(text.ends_with(
-        "B of memory are available, but this needs about 12345678.9 GB; lower --threads, "
-        "image.size or foam.bubbles\n"))
-        << text;
-}
-
 // No bubble of the foam has 40 sides.
 TEST(Report, WarnsOfEventsThatFindNoBubble) {
     const TemporaryFolder folder;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/image/memory.h"
+#include "texgen/preset/preset.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <string>
+#include <string_view>
+
+namespace foam::texgen {
+
+/// The estimated memory that a run needs.
+struct MemoryNeed {
+    std::uint64_t bytes = 0;
+    // The options and keys that the user can lower so that the run needs less memory, as in a
+    // message, such as "image.size or foam.bubbles". Empty if there are none.
+    std::string_view to_lower{};
+};
+
+/// Returns the memory that a run needs that simulates a preset and draws nothing
+/// (estimated_foam_memory).
+MemoryNeed memory_to_simulate(const Preset& preset);
+
+/// Returns the memory that a bake of the given number of frames of a preset needs
+/// (estimated_memory).
+MemoryNeed memory_to_bake(const Preset& preset, std::size_t frames, int threads);
+
+/// Returns the part of a message that says how much memory a run needs and what to lower.
+std::string text_of(const MemoryNeed& need);
+
+/// Prints a warning on stderr if a run needs more memory than is available (available_memory).
+void warn_of_little_memory(const MemoryNeed& need);
+
+/// Returns run(). If run() throws std::bad_alloc, throws OutOfMemory, whose message says how much
+/// memory the run needs.
+template <class Run>
+auto with_memory(const MemoryNeed& need, const Run& run) {
+    try {
+        return run();
+    } catch (const std::bad_alloc&) {
+        throw OutOfMemory(text_of(need));
+    }
+}
+
+}  // namespace foam::texgen
