@@ -24,6 +24,9 @@ struct BakeOptions {
     // The frames to which bake_recorded (manifest/recorded_bake.h) fits automatic ranges of maps;
     // if empty, the frames from 1 to frames.count. `bake` does not use it.
     std::vector<int> sequence = {};
+    // The folder of the cache from which `source` reads its frames; empty if there is none.
+    // bake_recorded stores the automatic ranges of maps there. `bake` does not use it.
+    std::filesystem::path cache = {};
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 

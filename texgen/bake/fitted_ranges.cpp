@@ -38,38 +38,13 @@ struct MeasuredMap {
     double largest = 0.0;
 };
 
-// Returns the maps whose automatic ranges a bake needs: the maps that are stored as codes and, in
-// every format, the maps in packings, because a packing stores codes or fractions of a range.
-std::vector<MeasuredMap> maps_to_measure(const Preset& preset) {
-    const FilePattern pattern(preset);
-    std::vector<MeasuredMap> measured;
-    if (pattern.is_vector()) {
-        return measured;
-    }
-    const ImageFormat& format = pattern.format();
-    for (const DrawnImage& image : drawn_images(preset)) {
-        if (format.samples != FormatSamples::Codes && image.map() != nullptr) {
-            continue;
-        }
-        for (const Map* const map : image.sources()) {
-            const AutoReal* const range = range_option_of(*map, preset.maps);
-            const bool is_known =
-                std::ranges::find(measured, map, &MeasuredMap::map) != measured.end();
-            if (range != nullptr && range->is_automatic && !is_known) {
-                measured.push_back({map});
-            }
-        }
-    }
-    return measured;
-}
-
 // Draws the maps with automatic ranges at a reduced size and measures their numbers.
 class RangeMeter {
   public:
-    explicit RangeMeter(const Preset& preset)
-        : maps_(maps_to_measure(preset)), image_(reduced_image(preset, kMeasuredSide)) {
-        for (const MeasuredMap& one : maps_) {
-            names_.emplace_back(one.map->name);
+    explicit RangeMeter(const Preset& preset) : image_(reduced_image(preset, kMeasuredSide)) {
+        for (const Map* const map : maps_with_automatic_ranges(preset)) {
+            maps_.push_back({map});
+            names_.emplace_back(map->name);
         }
     }
 
@@ -113,8 +88,32 @@ class RangeMeter {
 
 }  // namespace
 
+// These are the maps that are stored as codes and, in every format, the maps in packings, because a
+// packing stores codes or fractions of a range.
+std::vector<const Map*> maps_with_automatic_ranges(const Preset& preset) {
+    const FilePattern pattern(preset);
+    std::vector<const Map*> maps;
+    if (pattern.is_vector()) {
+        return maps;
+    }
+    const ImageFormat& format = pattern.format();
+    for (const DrawnImage& image : drawn_images(preset)) {
+        if (format.samples != FormatSamples::Codes && image.map() != nullptr) {
+            continue;
+        }
+        for (const Map* const map : image.sources()) {
+            const AutoReal* const range = range_option_of(*map, preset.maps);
+            const bool is_known = std::ranges::find(maps, map) != maps.end();
+            if (range != nullptr && range->is_automatic && !is_known) {
+                maps.push_back(map);
+            }
+        }
+    }
+    return maps;
+}
+
 bool has_automatic_ranges(const Preset& preset) {
-    return !maps_to_measure(preset).empty();
+    return !maps_with_automatic_ranges(preset).empty();
 }
 
 RunOutcome fit_automatic_ranges(Preset& preset,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "texgen/animation/simulate_frames.h"
+#include "texgen/maps/map.h"
 #include "texgen/preset/preset.h"
 
 #include <vector>
@@ -13,8 +14,11 @@ namespace foam::texgen {
 /// pixels.
 inline constexpr int kMeasuredSide = 512;
 
-/// Returns true if a map of the preset has an automatic range (AutoReal), and this range is needed
-/// because the files store codes (integers, as in a PNG), or because the map is packed.
+/// Returns the maps of the preset that have an automatic range (AutoReal) which is needed, because
+/// the files store codes (integers, as in a PNG), or because the map is packed.
+std::vector<const Map*> maps_with_automatic_ranges(const Preset& preset);
+
+/// Returns true if maps_with_automatic_ranges returns at least one map.
 bool has_automatic_ranges(const Preset& preset);
 
 /// Fits the automatic ranges of the maps of a preset to the numbers in the given frames. These are

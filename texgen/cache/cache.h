@@ -60,8 +60,10 @@ std::uint64_t estimated_cache_size(const Preset& preset,
 /// state after each frame, because some maps, such as `motion`, need it. Uses only `frames` and
 /// `threads` of the options. Creates the folder if necessary and overwrites files of an existing
 /// cache. `on_progress` receives the phases of the simulation, and then the phase Frames, which
-/// counts written states. Throws std::invalid_argument if there are no frames or a frame number is
-/// below 1, OutputError if a file cannot be written, and the exceptions of Simulation.
+/// counts written states. If the simulation is complete, also fits the automatic ranges of the maps
+/// of the preset and stores them in the cache (StoredRanges); `on_progress` then receives the
+/// phases States and Ranges. Throws std::invalid_argument if there are no frames or a frame number
+/// is below 1, OutputError if a file cannot be written, and the exceptions of Simulation.
 RunOutcome simulate_into_cache(const Preset& preset,
                                const BakeOptions& options,
                                const std::filesystem::path& folder,

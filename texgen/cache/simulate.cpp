@@ -2,9 +2,11 @@
 
 #include "texgen/animation/frame_assembly.h"
 #include "texgen/animation/progress_meter.h"
+#include "texgen/bake/fitted_ranges.h"
 #include "texgen/cache/cache.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cache/cache_writer.h"
+#include "texgen/cache/stored_ranges.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,6 +22,21 @@ void check(const BakeOptions& options) {
         throw std::invalid_argument(
             "at least one frame is needed, and frame numbers must be at least 1");
     }
+}
+
+void store_ranges(const Preset& preset,
+                  const BakeOptions& options,
+                  const std::filesystem::path& folder,
+                  const ProgressCallback& on_progress) {
+    const StoredRanges stored(preset, options.frames, folder);
+    Preset fitted = preset;
+    if (!has_automatic_ranges(preset) || stored.load(fitted)) {
+        return;
+    }
+    const Cache cache(folder);
+    fit_automatic_ranges(
+        fitted, cache.frames_of(preset), options.frames, options.threads, on_progress);
+    stored.save(fitted);
 }
 
 }  // namespace
@@ -53,7 +70,12 @@ RunOutcome simulate_into_cache(const Preset& preset,
         writer.write(state);
         meter.add(state);
     };
-    return simulate_states(preset, options.threads, states, write, meter.for_source());
+    const RunOutcome outcome =
+        simulate_states(preset, options.threads, states, write, meter.for_source());
+    if (outcome.status == RunStatus::Complete) {
+        store_ranges(preset, options, folder, on_progress);
+    }
+    return outcome;
 }
 
 }  // namespace foam::texgen

@@ -74,7 +74,8 @@ ExitCode run_render(const RenderArguments& arguments) {
                         {.frames = frames,
                          .threads = arguments.run.threads,
                          .source = cache.frames_of(preset),
-                         .sequence = info.frames}});
+                         .sequence = info.frames,
+                         .cache = arguments.run.preset}});
     }
     return run_images(runs, arguments.images, progress_options(arguments.run, frames.size()));
 }

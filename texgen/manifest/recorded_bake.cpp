@@ -8,6 +8,7 @@
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/shared_simulation.h"
+#include "texgen/cache/stored_ranges.h"
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/existing_frames.h"
@@ -86,8 +87,9 @@ BakeSummary bake_and_record(const Preset& preset,
     return bake(preset, options, recording);
 }
 
-// Fits the automatic ranges of a preset to the frames of a sequence. Precondition: if the preset
-// has automatic ranges, options.source can make frames (it is not empty).
+// Fits the automatic ranges of a preset to the frames of a sequence. If the frames come from a
+// cache that stores the ranges, takes them from there; otherwise stores them there. Precondition:
+// if the preset has automatic ranges, options.source can make frames (it is not empty).
 RunOutcome fit_ranges(Preset& preset,
                       const BakeOptions& options,
                       const std::vector<int>& sequence,
@@ -95,9 +97,19 @@ RunOutcome fit_ranges(Preset& preset,
     if (!has_automatic_ranges(preset)) {
         return {};
     }
+    const bool has_cache = !options.cache.empty();
+    const auto stored =
+        has_cache ? std::optional<StoredRanges>({preset, sequence, options.cache}) : std::nullopt;
+    if (stored && stored->load(preset)) {
+        return {};
+    }
     try {
-        return fit_automatic_ranges(
+        const RunOutcome outcome = fit_automatic_ranges(
             preset, options.source, sequence, options.threads, callbacks.on_progress);
+        if (stored && outcome.status == RunStatus::Complete) {
+            stored->save(preset);
+        }
+        return outcome;
     } catch (const InputError& error) {
         throw InputError(
             fmt::format("{}; ranges that are \"auto\", such as height.full, need all "

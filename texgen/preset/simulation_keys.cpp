@@ -40,6 +40,26 @@ bool needs_aspect(const Preset& preset) {
     return preset.shape.kind == FoamKind::Torus || needs_camera(preset);
 }
 
+bool is_table_of_map(std::string_view table) {
+    static const Keys<MapOptions> of_maps = map_keys();
+    return std::ranges::any_of(of_maps, [&](const KeyInfo& key) { return key.table() == table; });
+}
+
+// Returns the keys that `is_included` selects, with their values, one line each. A key that names a
+// file is followed by the hash of this file.
+template <class IsIncluded>
+std::string texts_of(const Preset& preset, const IsIncluded& is_included) {
+    std::string text;
+    for (const Key<Preset>& key : preset_keys()) {
+        if (is_included(key)) {
+            text += fmt::format("{} = {}\n", key.path, to_toml(*key.write(preset)));
+            const std::optional<NamedFile> file = key.file ? key.file(preset) : std::nullopt;
+            text += file ? file->hash + '\n' : "";
+        }
+    }
+    return text;
+}
+
 bool affects_simulation(const KeyInfo& key, const Preset& preset) {
     return table_affects_simulation(key.table()) ||
            (key.table() == "camera" && needs_camera(preset));
@@ -58,22 +78,22 @@ constexpr const char* kAllowed =
 }  // namespace
 
 bool table_affects_simulation(std::string_view table) {
-    static const Keys<MapOptions> of_maps = map_keys();
     return std::ranges::find(kAppearanceTables, table) == kAppearanceTables.end() &&
-           std::ranges::none_of(of_maps, [&](const KeyInfo& key) { return key.table() == table; });
+           !is_table_of_map(table);
 }
 
 std::string simulation_hash(const Preset& preset) {
-    std::string text = FOAMTEX_VERSION "\n";
-    for (const Key<Preset>& key : preset_keys()) {
-        if (affects_simulation(key, preset)) {
-            text += fmt::format("{} = {}\n", key.path, to_toml(*key.write(preset)));
-            const std::optional<NamedFile> file = key.file ? key.file(preset) : std::nullopt;
-            text += file ? file->hash + '\n' : "";
-        }
-    }
-    text += events_to_toml(preset);
-    return text_hash(text + (needs_aspect(preset) ? aspect_of(preset.image) : ""));
+    const std::string keys =
+        texts_of(preset, [&](const KeyInfo& key) { return affects_simulation(key, preset); });
+    return text_hash(FOAMTEX_VERSION "\n" + keys + events_to_toml(preset) +
+                     (needs_aspect(preset) ? aspect_of(preset.image) : ""));
+}
+
+std::string drawing_hash(const Preset& preset) {
+    const std::string keys = texts_of(preset, [](const KeyInfo& key) {
+        return key.table() == "camera" || is_table_of_map(key.table());
+    });
+    return text_hash(simulation_hash(preset) + "\n" + keys);
 }
 
 void check_same_simulation(const Preset& simulated, const Preset& changed) {

@@ -110,5 +110,21 @@ TEST_F(RenderCommand, ACacheHasStatistics) {
     EXPECT_EQ(content("a/sides.csv"), content("b/sides.csv"));
 }
 
+// The ranges are fitted by `simulate`, and again by the first `render` of another surface.
+TEST_F(RenderCommand, FitsRangesOnlyIfTheyAreNotStored) {
+    const auto fits_ranges = [&](const std::string& arguments) {
+        const Outcome outcome = run(arguments + " --progress json");
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.err.find(R"("phase":"ranges")") != std::string::npos;
+    };
+    EXPECT_TRUE(
+        fits_ranges("simulate pebbles --set foam.bubbles=16 --set frames.count=4 "
+                    "--size 32 --cache stones"));
+    const std::string render = "render stones --maps height --out '{map}.####.png'";
+    EXPECT_FALSE(fits_ranges(render));
+    EXPECT_TRUE(fits_ranges(render + " --set relief.width=0.4"));
+    EXPECT_FALSE(fits_ranges(render + " --set relief.width=0.4"));
+}
+
 }  // namespace
 }  // namespace foam::texgen

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "texgen/preset/preset.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace foam::texgen {
+
+/// The files of a cache that store automatic ranges of maps (fit_automatic_ranges), so that the
+/// ranges of a preset are fitted once and not by every program that draws frames of the cache.
+/// There is one file per map. Its name contains a hash of everything that influences the range:
+/// the simulation, the frames to which the range is fitted, and how the map is drawn.
+class StoredRanges {
+  public:
+    /// `preset` has automatic ranges that are not yet fitted, `frames` are the frames to which they
+    /// are fitted, and `folder` is the folder of the cache.
+    StoredRanges(const Preset& preset,
+                 const std::vector<int>& frames,
+                 const std::filesystem::path& folder);
+
+    /// Sets all automatic ranges of the preset to the stored ranges. Returns false and changes
+    /// nothing if one of them is not stored, or if its file is damaged.
+    bool load(Preset& preset) const;
+
+    /// Stores the automatic ranges of the preset, which have been fitted. Does nothing if the files
+    /// cannot be written: a cache may be on a disk that is full or cannot be written.
+    void save(const Preset& preset) const;
+
+  private:
+    std::map<std::string, std::filesystem::path> files_;  // by the name of the map
+};
+
+}  // namespace foam::texgen
