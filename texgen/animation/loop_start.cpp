@@ -2,6 +2,8 @@
 
 #include "texgen/animation/loop_start.h"
 
+#include "core/files/file_io.h"
+#include "core/files/input_limits.h"
 #include "core/io/foam_json.h"
 #include "texgen/json/json_value.h"
 #include "texgen/json/json_writer.h"
@@ -10,13 +12,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <set>
 
 namespace foam::texgen {
 
 namespace {
+
+// Limits of the numbers of a LoopStart, in foam units (a mean bubble has an area of about 1).
+constexpr double kLargest = 1e15;
+constexpr double kSmallestArea = 1e-15;
 
 Json boiling_to_json(const BoilingBubble& bubble) {
     return {{"bubble", bubble.identity},
@@ -28,13 +34,22 @@ Json boiling_to_json(const BoilingBubble& bubble) {
 }
 
 BubbleIdentity identity_in(const JsonValue& json) {
-    return static_cast<BubbleIdentity>(json.integer(0, std::numeric_limits<BubbleIdentity>::max()));
+    return static_cast<BubbleIdentity>(json.integer(0, kMaxIdentity - 1));
+}
+
+// Returns a number from `low` to `high`. The file may come from an untrusted source.
+double number_in(const JsonValue& json, double low, double high) {
+    const double number = json.number();
+    if (!(number >= low && number <= high)) {
+        json.reject(fmt::format("a number from {} to {}", low, high));
+    }
+    return number;
 }
 
 std::vector<double> numbers_in(const JsonValue& json) {
     std::vector<double> numbers;
     for (const JsonValue& item : json.items()) {
-        numbers.push_back(item.number());
+        numbers.push_back(number_in(item, -kLargest, kLargest));
     }
     return numbers;
 }
@@ -42,8 +57,8 @@ std::vector<double> numbers_in(const JsonValue& json) {
 BoilingBubble boiling_in(const JsonValue& json) {
     BoilingBubble bubble{.identity = identity_in(json["bubble"]),
                          .birth = json["birth"].count(),
-                         .area_rise = json["area_rise"].number(),
-                         .min_area_rise = json["min_area_rise"].number()};
+                         .area_rise = number_in(json["area_rise"], 0.0, kLargest),
+                         .min_area_rise = number_in(json["min_area_rise"], 0.0, kLargest)};
     const std::vector<double> position = numbers_in(json["last_position"]);
     if (position.size() != 2) {
         json["last_position"].reject("two numbers");
@@ -59,9 +74,9 @@ BoilingBubble boiling_in(const JsonValue& json) {
 
 OscillatingBubble oscillating_in(const JsonValue& json) {
     return {identity_in(json["bubble"]),
-            json["mean_area"].number(),
-            json["amplitude"].number(),
-            json["phase"].number()};
+            number_in(json["mean_area"], kSmallestArea, kLargest),
+            number_in(json["amplitude"], 0.0, 1.0),
+            number_in(json["phase"], 0.0, 1.0)};
 }
 
 CycleDrive drive_in(const JsonValue& json) {
@@ -111,16 +126,33 @@ LoopStart read_loop_start(std::string_view text, const std::string& file) {
     return {read_foam_json(text, file), drive_in(loop), numbers_in(loop["first_pressures"])};
 }
 
-// The content of a file of presets/loops begins with the hash, so that the search does not parse
-// whole files.
+// The content of a file of presets/loops begins with the hash, so that files of other presets are
+// not parsed.
+std::optional<LoopStart> matching_loop_start(const Preset& preset,
+                                             std::string_view text,
+                                             const std::string& file) {
+    const std::string begin = fmt::format("{{\n\"loop\": {{\"hash\":\"{}\"", loop_hash(preset));
+    if (!text.starts_with(begin)) {
+        return std::nullopt;
+    }
+    LoopStart start = read_loop_start(text, file);
+    const auto is_early = [&](const BoilingBubble& bubble) {
+        return bubble.birth < preset.frames.count;
+    };
+    if (start.foam.domain.is_plane() || !std::ranges::all_of(start.drive.boiling, is_early)) {
+        fail_to_read(file, "this is not the start of a loop of the preset");
+    }
+    return start;
+}
+
 std::optional<LoopStart> stored_loop_start(const Preset& preset) {
     if (!preset.loop.is_cycle()) {
         return std::nullopt;
     }
-    const std::string begin = fmt::format("{{\n\"loop\": {{\"hash\":\"{}\"", loop_hash(preset));
     for (const ShippedPreset& shipped : shipped_presets()) {
-        if (shipped.loop_start.starts_with(begin)) {
-            return read_loop_start(shipped.loop_start, std::string(shipped.name) + ".json");
+        const std::string file = std::string(shipped.name) + ".json";
+        if (auto start = matching_loop_start(preset, shipped.loop_start, file)) {
+            return start;
         }
     }
     return std::nullopt;

@@ -2,8 +2,10 @@
 
 #include "texgen/animation/simulate_frames.h"
 
+#include "core/files/file_io.h"
 #include "core/foam/measure.h"
 #include "core/foam/stress.h"
+#include "core/io/format_error.h"
 #include "texgen/animation/display_transform.h"
 #include "texgen/animation/loop_start.h"
 #include "texgen/animation/seconds_since.h"
@@ -58,6 +60,24 @@ SimulatedFrame state_of(const Simulation& simulation, const LoopOptions& loop, F
     return state;
 }
 
+// The name of the start of a loop that is kept outside of the program, for error messages.
+constexpr const char* kKeptLoop = "the start of the loop";
+
+// Returns the start of the loop of a preset that is stored in the program or kept in `memory`, or
+// nullopt if there is none. Ignores a text that is damaged.
+std::optional<LoopStart> known_loop_start(const Preset& preset, const LoopMemory& memory) {
+    if (auto start = stored_loop_start(preset)) {
+        return start;
+    }
+    try {
+        return matching_loop_start(preset, memory.content, kKeptLoop);
+    } catch (const InputError&) {
+        return std::nullopt;
+    } catch (const FormatError&) {
+        return std::nullopt;
+    }
+}
+
 RunOutcome failed(const Simulation& simulation, const Preset& preset) {
     return {simulation.equilibrium().converged() ? RunStatus::OpenLoop : RunStatus::NoEquilibrium,
             frame_of_state(simulation.number(), preset.loop, preset.frames.count),
@@ -110,11 +130,33 @@ RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,
                            const FrameVisitor& on_state,
-                           const ProgressCallback& on_progress) {
-    const ProgressCallback report = on_progress ? on_progress : [](const RunProgress&) {};
+                           const ProgressCallback& on_progress,
+                           const LoopMemory& memory) {
+    int cycles = 0;  // number of the last cycle that was reported
+    const ProgressCallback report = [&](const RunProgress& progress) {
+        cycles = progress.cycle;
+        if (on_progress) {
+            on_progress(progress);
+        }
+    };
     report({.phase = Phase::Seeding});
-    std::optional<LoopStart> start = stored_loop_start(preset);
-    Simulation simulation = start ? Simulation(preset, std::move(*start), threads, report)
+    std::optional<LoopStart> start = known_loop_start(preset, memory);
+    if (!start && preset.loop.kind == LoopKind::Boil) {
+        Simulation search(preset, threads, report);
+        if (!search.advance()) {
+            return failed(search, preset);
+        }
+        const std::string text = write_loop_start(search.loop_start(), loop_hash(preset));
+        if (memory.keep) {
+            memory.keep(text);
+        }
+        start = read_loop_start(text, kKeptLoop);
+    }
+    const ProgressCallback report_further = [&, searched = cycles](RunProgress progress) {
+        progress.cycle += progress.phase == Phase::LoopClosing ? searched : 0;
+        report(progress);
+    };
+    Simulation simulation = start ? Simulation(preset, std::move(*start), threads, report_further)
                                   : Simulation(preset, threads, report);
     for (const int number : states) {
         FrameEffort effort;

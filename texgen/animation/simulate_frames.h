@@ -52,17 +52,28 @@ using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
 /// `threads` is the number of threads of the simulation; 0 uses all hardware threads.
 FrameSource simulation_of(const Preset& preset, int threads);
 
+/// A place outside of the program where the start of a boil is kept, so that it is searched once.
+struct LoopMemory {
+    std::string content;  // what `keep` has received in an earlier run; empty if there is none
+    // Receives the text of the start (write_loop_start) after it has been searched. May be empty.
+    std::function<void(const std::string&)> keep = {};
+};
+
 /// Simulates a preset to the last of the given states and calls `on_state` for each of them. The
-/// simulation begins with the seeded foam or, if there is one, with the stored start of the loop
-/// (stored_loop_start). The FrameEffort of a state covers the steps since the previous state that
-/// was passed to `on_state`; for the first such state, all steps since the start of the simulation.
-/// `on_progress` receives the same reports as from a FrameSource. Throws the exceptions of
-/// Simulation and of the callbacks. Precondition: `states` is in increasing order.
+/// simulation begins with the seeded foam or, if it is known, with the start of the loop: one that
+/// is stored in the program (stored_loop_start), or the one in `memory` if it is for this preset.
+/// If the start of a boil is not known, it is searched by another simulation first. A boil
+/// therefore has the same states whether or not its start was known. The FrameEffort of a state
+/// covers the steps since the previous state that was passed to `on_state`; for the first such
+/// state, all steps since the start of the simulation. `on_progress` receives the same reports as
+/// from a FrameSource. Throws the exceptions of Simulation and of the callbacks. Precondition:
+/// `states` is in increasing order.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,
                            const FrameVisitor& on_state,
-                           const ProgressCallback& on_progress = {});
+                           const ProgressCallback& on_progress = {},
+                           const LoopMemory& memory = {});
 
 /// Simulates a preset, as simulate_states does, until all states that the frames with the given
 /// numbers need are computed. Calls `on_frame` for each frame as soon as the states that it needs

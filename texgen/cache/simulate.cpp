@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/files/content_text.h"
+#include "core/files/file_io.h"
 #include "texgen/animation/frame_assembly.h"
 #include "texgen/animation/progress_meter.h"
 #include "texgen/bake/fitted_ranges.h"
@@ -10,7 +12,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 namespace foam::texgen {
@@ -22,6 +26,24 @@ void check(const BakeOptions& options) {
         throw std::invalid_argument(
             "at least one frame is needed, and frame numbers must be at least 1");
     }
+}
+
+// Returns the memory of the start of a boil in a cache. If the file cannot be read or written, the
+// start is searched again the next time.
+LoopMemory loop_memory(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / "loop.json";
+    LoopMemory memory;
+    try {
+        const Bytes content = read_file(file, kFoamInput);
+        memory.content = as_text(content);
+    } catch (const InputError&) {
+        memory.content.clear();
+    }
+    memory.keep = [folder, file](const std::string& text) {
+        make_folders(folder);
+        write_file(file, std::as_bytes(std::span(text)));
+    };
+    return memory;
 }
 
 void store_ranges(const Preset& preset,
@@ -70,8 +92,8 @@ RunOutcome simulate_into_cache(const Preset& preset,
         writer.write(state);
         meter.add(state);
     };
-    const RunOutcome outcome =
-        simulate_states(preset, options.threads, states, write, meter.for_source());
+    const RunOutcome outcome = simulate_states(
+        preset, options.threads, states, write, meter.for_source(), loop_memory(folder));
     if (outcome.status == RunStatus::Complete) {
         store_ranges(preset, options, folder, on_progress);
     }

@@ -157,7 +157,6 @@ BakeSummary bake_images(const ImageRun& run,
                         const ImageArguments& arguments,
                         const ProgressOptions& progress,
                         const FrameVisitor& on_frame) {
-    const auto& [preset, options] = run;
     std::function<void(const std::vector<ReplacedFiles>&)> on_replace;
     if (progress.verbosity != Verbosity::Quiet && !arguments.watch) {
         on_replace = warn_of_replaced_files;
@@ -165,8 +164,8 @@ BakeSummary bake_images(const ImageRun& run,
     const auto bake = [&] {
         ProgressReporter reporter(progress);
         return bake_recorded(
-            preset,
-            options,
+            run.preset,
+            run.options,
             {.on_progress = reporter.callback(), .on_frame = on_frame},
             {.resume = arguments.resume ? Resume::Yes : Resume::No, .on_replace = on_replace});
     };

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
@@ -45,6 +46,57 @@ TEST(SimulateFrames, HandsOutTheFramesInIncreasingOrder) {
     EXPECT_EQ(all[1].number, 2);
     EXPECT_EQ(all[2].number, 4);
     EXPECT_NEAR(all[2].time, 9.0, 1e-12);
+}
+
+// Simulates a boil with a LoopMemory.
+struct RememberedBoil {
+    explicit RememberedBoil(const std::string& content) : kept(content) {
+        Preset preset;
+        preset.seeding.bubbles = 40;
+        preset.frames.count = 24;
+        preset.loop.kind = LoopKind::Boil;
+        const LoopMemory memory{content, [&](const std::string& text) { kept = text; }};
+        const auto add = [&](const SimulatedFrame& state) { states.push_back(state); };
+        const auto count = [&](const RunProgress& progress) {
+            cycles = std::max(cycles, progress.cycle);
+        };
+        EXPECT_EQ(simulate_states(preset, 1, {1, 2, 24}, add, count, memory).status,
+                  RunStatus::Complete);
+    }
+
+    std::string kept;
+    std::vector<SimulatedFrame> states;
+    int cycles = 0;
+};
+
+// The states have the same bits whether the start of the boil was searched or known.
+TEST(SimulateFrames, ABoilIsSearchedOnce) {
+    const RememberedBoil searched("");
+    const RememberedBoil known(searched.kept);
+    EXPECT_GT(searched.cycles, 2);
+    EXPECT_EQ(known.cycles, 1);
+    ASSERT_EQ(searched.states.size(), known.states.size());
+    for (std::size_t k = 0; k < known.states.size(); ++k) {
+        const SimulatedFrame& a = searched.states[k];
+        const SimulatedFrame& b = known.states[k];
+        EXPECT_TRUE(std::ranges::equal(a.frame->positions, b.frame->positions)) << k;
+        EXPECT_EQ(a.frame->time, b.frame->time) << k;
+        EXPECT_EQ(a.record->births, b.record->births) << k;
+        EXPECT_EQ(a.effort.t1, b.effort.t1) << k;
+    }
+}
+
+TEST(SimulateFrames, AnUnusableStartOfABoilIsIgnored) {
+    const RememberedBoil searched("");
+    const std::string& text = searched.kept;
+    for (const std::string& other :
+         {std::string("{}"),
+          text.substr(0, text.size() / 2),
+          std::string(text).replace(text.find("\"amplitude\":") + 12, 1, "7")}) {
+        const RememberedBoil again(other);
+        EXPECT_GT(again.cycles, 2);
+        EXPECT_EQ(again.kept, text);
+    }
 }
 
 TEST(SimulateFrames, EffortsAddUpOverFramesInBetween) {
