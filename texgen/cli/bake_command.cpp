@@ -89,6 +89,7 @@ ExitCode bake_once(const BakeArguments& arguments) {
             Preset preset = preset_of(run, assignments_of(arguments.images));
             return with_sheets_placed(std::move(preset), run, arguments.images);
         });
+    note_keys_without_maps(arguments.run, presets.front());
     const std::vector<int> frames = frames_of(arguments.run, presets.front());
     const ExitCode code = bake_sizes(presets, frames, arguments);
     if (code == ExitCode::Success && !arguments.run.quiet && !arguments.images.json) {

@@ -165,6 +165,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
         check_tiling(options, false, options.frames.front(), preset.name);
     }
     check_writable(arguments.out.value_or("out"));
+    note_keys_without_maps(arguments.run, preset);
     const MemoryNeed need = memory_to_bake(preset, options.frames.size(), arguments.run.threads);
     if (!arguments.run.quiet) {
         warn_of_full_disk(estimated_size(preset, options.frames), scratch.path());

@@ -65,6 +65,7 @@ ExitCode run_render(const RenderArguments& arguments) {
     if (!arguments.run.quiet) {
         note_other_version(info, arguments.run.preset);
     }
+    note_keys_without_maps(arguments.run, presets.front());
     const std::vector<int> frames =
         arguments.run.frames ? frames_of(arguments.run, presets.front()) : info.frames;
     std::vector<ImageRun> runs;

@@ -2,6 +2,7 @@
 
 #include "texgen/cli/run_arguments.h"
 
+#include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_range.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cli/options.h"
@@ -160,6 +161,15 @@ Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& m
 
 Preset changed(Preset preset, const RunArguments& arguments, const std::vector<Assignment>& more) {
     return assigned(std::move(preset), {}, arguments, more);
+}
+
+void note_keys_without_maps(const RunArguments& arguments, const Preset& preset) {
+    if (arguments.quiet || FilePattern(preset).is_vector()) {
+        return;
+    }
+    for (const std::string& line : keys_without_maps(preset, assignments_of(arguments))) {
+        print_stderr("foamtex: note: {}", line);
+    }
 }
 
 std::vector<int> frames_of(const RunArguments& arguments, const Preset& preset) {

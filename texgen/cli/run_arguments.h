@@ -78,6 +78,11 @@ Preset changed(Preset preset,
                const RunArguments& arguments,
                const std::vector<Assignment>& more = {});
 
+/// Prints a note on stderr for each key that the command line sets although none of the maps that
+/// the preset draws uses it (keys_without_maps). Prints nothing if -q is given, or if the files of
+/// the preset are not images.
+void note_keys_without_maps(const RunArguments& arguments, const Preset& preset);
+
 /// Returns the frames of the option --frames, or all frames of the preset if the option is not
 /// given. The option may also give frames above the last frame of the preset, whose number is
 /// frames.count. Throws std::invalid_argument if the range is malformed.

@@ -85,6 +85,30 @@ const AutoReal* range_option_of(const Map& map, const MapOptions& options) {
     return find_full(map, options);
 }
 
+// Each row has a table and the maps that use it, apart from the map with the name of the table. The
+// tables of the relief are used by all maps of which MapTraits::shows_relief is true.
+bool uses_table(const Map& map, std::string_view table) {
+    struct Users {
+        std::string_view table;
+        std::vector<std::string_view> maps;
+    };
+    static const std::vector<Users> kUsers{
+        {"albedo",
+         {"thin_film", "lit", "emission", "opacity", "film", "distance", "roughness", "metallic"}},
+        {"event_map", {"event"}},
+        {"lit", {"emission"}},
+        {"maze", {"maze_solution", "lit", "emission"}},
+        {"occlusion", {"lit"}},
+        {"pressure", {"contour"}},
+        {"relief", {}},
+        {"thin_film", {"lit", "emission"}}};
+    if (table == map.name || (map.shows_relief && (table == "relief" || table == "maze"))) {
+        return true;
+    }
+    const auto found = std::ranges::find(kUsers, table, &Users::table);
+    return found != kUsers.end() && std::ranges::find(found->maps, map.name) != found->maps.end();
+}
+
 bool shows_maze(std::span<const std::string> names, const MapOptions& options) {
     const bool has_walls = options.relief.films == ReliefFilms::Walls;
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) {

@@ -190,6 +190,10 @@ DistanceNeeds distance_needs(std::span<const std::string> names, const MapOption
 AutoReal* range_option_of(const Map& map, MapOptions& options);
 const AutoReal* range_option_of(const Map& map, const MapOptions& options);
 
+/// Returns true if the image of a map can depend on the keys of a table of map_keys, such as
+/// "relief".
+bool uses_table(const Map& map, std::string_view table);
+
 /// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).
 /// Precondition: all names are names of maps.
 bool shows_maze(std::span<const std::string> names, const MapOptions& options);

@@ -2,7 +2,11 @@
 
 #include "texgen/preset/preset_remarks.h"
 
+#include "texgen/maps/all_maps.h"
 #include "texgen/preset/conditions.h"
+#include "texgen/preset/drawn_images.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -23,6 +27,25 @@ std::vector<std::string> remarks_on(const Preset& preset, std::span<const Assign
                           std::back_inserter(remarks));
     }
     return remarks;
+}
+
+std::vector<std::string> keys_without_maps(const Preset& preset,
+                                           std::span<const Assignment> assignments) {
+    const Keys<MapOptions> of_maps = map_keys();
+    const std::vector<const Map*> drawn = source_maps(preset);
+    std::vector<std::string> lines;
+    for (const Assignment& assignment : assignments) {
+        const auto key = std::ranges::find(of_maps, assignment.key, &Key<MapOptions>::path);
+        const auto uses_key = [&](const Map* map) { return uses_table(*map, key->table()); };
+        if (key == of_maps.end() || std::ranges::any_of(drawn, uses_key)) {
+            continue;
+        }
+        lines.push_back(fmt::format("{} has no effect on the drawn map{} {}",
+                                    key->path,
+                                    drawn.size() == 1 ? "" : "s",
+                                    fmt::join(source_map_names(preset), ", ")));
+    }
+    return lines;
 }
 
 }  // namespace foam::texgen

@@ -18,9 +18,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -170,6 +173,48 @@ TEST_P(EveryMap, DoesNotDependOnThreads) {
             const MapImage many = draw_case(GetParam(), *subject, grid, threads);
             std::visit([&](const auto& image) { EXPECT_EQ(differing(image, many), 0); }, one);
         }
+    }
+}
+
+// Returns the options after all keys of a table have been changed for which one of a few values is
+// allowed that differs from the present one. Keys that name a file are left out.
+MapOptions with_changed_table(const MapOptions& options, std::string_view table) {
+    MapOptions changed = options;
+    for (const Key<MapOptions>& key : map_keys()) {
+        if (key.table() != table || key.names_file || key.path == "albedo.colors.from") {
+            continue;
+        }
+        std::vector<Value> values;
+        for (const std::string_view word : key.words) {
+            values.push_back({std::string(word)});
+        }
+        values.insert(values.end(), {{0.37}, {3.5}, {std::int64_t{3}}, {true}, {false}});
+        values.push_back({std::string("#a04080")});
+        for (const Value& value : values) {
+            const std::optional<Value> before = key.write(changed);
+            if (key.read(value, changed) && key.write(changed) != before) {
+                break;
+            }
+        }
+    }
+    return changed;
+}
+
+TEST_P(EveryMap, DependsOnlyOnTheTablesThatItUses) {
+    const MapImage image = draw_case(GetParam(), test::torus_subject(), test::torus_grid(kSize));
+    std::set<std::string> tables;
+    for (const Key<MapOptions>& key : map_keys()) {
+        tables.emplace(key.table());
+    }
+    EXPECT_EQ(tables.size(), 20U);
+    for (const std::string& table : tables) {
+        if (uses_table(find_map(GetParam().map), table)) {
+            continue;
+        }
+        MapCase other = GetParam();
+        other.options = with_changed_table(other.options, table);
+        const MapImage same = draw_case(other, test::torus_subject(), test::torus_grid(kSize));
+        std::visit([&](const auto& one) { EXPECT_EQ(differing(one, same), 0) << table; }, image);
     }
 }
 

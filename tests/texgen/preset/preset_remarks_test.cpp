@@ -2,9 +2,13 @@
 
 #include "texgen/preset/preset_remarks.h"
 
+#include "texgen/preset/preset_io.h"
+
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -29,6 +33,27 @@ TEST(PresetRemarks, AreOnKeysWithoutEffectAndOnThePicture) {
     preset.density.source = {
         "x.png", {"x.png", std::make_shared<const SourcePicture>(SourcePicture{{1, 1, 4}}), ""}};
     EXPECT_EQ(remarks_on(preset, {}).size(), 1U);
+}
+
+TEST(PresetRemarks, AreOnKeysThatNoDrawnMapUses) {
+    Preset preset;
+    preset.image.maps = {"height", "area"};
+    std::vector<Assignment> assignments;
+    for (const char* const argument : {"lit.elevation=30",
+                                       "relief.width=0.3",
+                                       "area.full=2",
+                                       "albedo.grain=0.1",
+                                       "foam.seed=2"}) {
+        assignments.push_back(read_set_argument(argument));
+    }
+    assign(preset, assignments);
+    using Lines = std::vector<std::string>;
+    EXPECT_EQ(keys_without_maps(preset, assignments),
+              (Lines{"lit.elevation has no effect on the drawn maps height, area",
+                     "albedo.grain has no effect on the drawn maps height, area"}));
+    preset.image.maps = {"lit"};
+    EXPECT_EQ(keys_without_maps(preset, assignments),
+              Lines{"area.full has no effect on the drawn map lit"});
 }
 
 }  // namespace
