@@ -26,7 +26,7 @@ done
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 
-# bake_all FOLDER COMMAND...: bakes a coarsening foam, a patch, a loop, and all maps of a torus and of a patch.
+# bake_all FOLDER COMMAND...: bakes a coarsening foam, a patch, a loop, a boil, and all maps of a torus and of a patch.
 bake_all() {
     local folder=$1 maps
     shift
@@ -40,6 +40,8 @@ bake_all() {
             --out 'patch/{map}.####.png'
         "$@" bake sea_foam -q --size 96 --set foam.bubbles=60 --set frames.count=24 --maps height,motion \
             --out 'loop/{map}.####.png'
+        "$@" bake fizz -q --size 96 --set foam.bubbles=30 --set frames.count=24 --frames 1-24 --maps height,lit \
+            --out 'boil/{map}.####.png'
         "$@" bake sea_foam -q --size 96 --set foam.bubbles=60 --set frames.count=24 --frames 3 --maps "$maps" \
             --out 'torus_maps/####.exr'
         "$@" bake soap_raft -q --size 96 --set foam.bubbles=60 --frames 3 --maps "${maps/maze,maze_solution,/}" \
