@@ -12,7 +12,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <set>
 
@@ -90,6 +89,25 @@ CycleDrive drive_in(const JsonValue& json) {
     return drive;
 }
 
+// Returns true if a start is possible for a preset. A start may come from an untrusted source:
+// simulate_states relies on these conditions.
+bool is_start_for(const Preset& preset, const LoopStart& start) {
+    const BubbleIdentity limit = start.foam.next_identity;
+    std::set<BubbleIdentity> driven;
+    bool fits = limit <= kMaxIdentity &&
+                start.foam.domain.is_plane() == (preset.shape.kind == FoamKind::Patch);
+    for (const BoilingBubble& bubble : start.drive.boiling) {
+        const auto& neighbors = *bubble.neighbors;
+        fits = fits && bubble.identity < limit && driven.insert(bubble.identity).second &&
+               bubble.birth < preset.frames.count &&
+               (neighbors.empty() || *neighbors.rbegin() < limit);
+    }
+    for (const OscillatingBubble& bubble : start.drive.oscillating) {
+        fits = fits && bubble.bubble < limit && driven.insert(bubble.bubble).second;
+    }
+    return fits;
+}
+
 }  // namespace
 
 std::string loop_hash(const Preset& preset) {
@@ -136,10 +154,7 @@ std::optional<LoopStart> matching_loop_start(const Preset& preset,
         return std::nullopt;
     }
     LoopStart start = read_loop_start(text, file);
-    const auto is_early = [&](const BoilingBubble& bubble) {
-        return bubble.birth < preset.frames.count;
-    };
-    if (start.foam.domain.is_plane() || !std::ranges::all_of(start.drive.boiling, is_early)) {
+    if (!is_start_for(preset, start)) {
         fail_to_read(file, "this is not the start of a loop of the preset");
     }
     return start;

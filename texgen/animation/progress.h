@@ -33,8 +33,10 @@ struct RunProgress {
     // (Simulation::closing_error). It may be infinite, and is nullopt until the first cycle is
     // complete.
     std::optional<double> measure = {};
-    int cycle = 0;             // LoopClosing: number of the cycle, from 1
-    int usual_cycles = 0;      // LoopClosing: number of cycles that such loops need; 0 if unknown
+    int cycle = 0;  // LoopClosing: number of the cycle, from 1
+    // LoopClosing: the number of cycles after which half of the loops like this one have closed; 0
+    // if unknown.
+    int usual_cycles = 0;
     int frame = 0;             // number of the frame that was done last; 0 if there is none
     int bubbles = 0;           // number of bubbles of the foam; 0 if unknown
     double area_error = 0.0;   // of `frame`: largest |A / A_target - 1| (E2)

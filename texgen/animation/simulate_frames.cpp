@@ -63,11 +63,14 @@ SimulatedFrame state_of(const Simulation& simulation, const LoopOptions& loop, F
 // The name of the start of a loop that is kept outside of the program, for error messages.
 constexpr const char* kKeptLoop = "the start of the loop";
 
-// Returns the start of the loop of a preset that is stored in the program or kept in `memory`, or
-// nullopt if there is none. Ignores a text that is damaged.
+// Returns the start of the loop of a preset that is stored in the program or, for a boil, kept in
+// `memory`. Returns nullopt if there is none, or if the text in `memory` is damaged.
 std::optional<LoopStart> known_loop_start(const Preset& preset, const LoopMemory& memory) {
     if (auto start = stored_loop_start(preset)) {
         return start;
+    }
+    if (preset.loop.kind != LoopKind::Boil) {
+        return std::nullopt;
     }
     try {
         return matching_loop_start(preset, memory.content, kKeptLoop);

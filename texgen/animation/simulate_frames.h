@@ -60,14 +60,13 @@ struct LoopMemory {
 };
 
 /// Simulates a preset to the last of the given states and calls `on_state` for each of them. The
-/// simulation begins with the seeded foam or, if it is known, with the start of the loop: one that
-/// is stored in the program (stored_loop_start), or the one in `memory` if it is for this preset.
-/// If the start of a boil is not known, it is searched by another simulation first. A boil
-/// therefore has the same states whether or not its start was known. The FrameEffort of a state
-/// covers the steps since the previous state that was passed to `on_state`; for the first such
-/// state, all steps since the start of the simulation. `on_progress` receives the same reports as
-/// from a FrameSource. Throws the exceptions of Simulation and of the callbacks. Precondition:
-/// `states` is in increasing order.
+/// simulation begins with the start of the loop if it is stored in the program (stored_loop_start)
+/// or, for a boil, in `memory`. Otherwise it begins with the seeded foam; for a boil, another
+/// simulation first searches for the start. A boil therefore has the same states whether or not its
+/// start was known. The FrameEffort of a state covers the steps since the previous state that was
+/// passed to `on_state`; for the first such state, all steps since the start of the simulation,
+/// without the search. `on_progress` receives the same reports as from a FrameSource. Throws the
+/// exceptions of Simulation and of the callbacks. Precondition: `states` is in increasing order.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,

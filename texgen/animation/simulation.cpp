@@ -179,11 +179,12 @@ bool Simulation::close_loop() {
         const Foam start = foam_;
         const FoamRecord record = history_.record();
         history_.renumber(-frames_.count);
-        RunProgress progress{.phase = Phase::LoopClosing,
-                             .total = frames_.count,
-                             .measure = closing_error_,
-                             .cycle = cycle + 1,
-                             .usual_cycles = is_searched ? usual_cycles(bubble_count()) : 0};
+        RunProgress progress{
+            .phase = Phase::LoopClosing,
+            .total = frames_.count,
+            .measure = closing_error_,
+            .cycle = cycle + 1,
+            .usual_cycles = is_searched ? std::min(usual_cycles(bubble_count()), loop_.cycles) : 0};
         for (int position = 1; position <= frames_.count && found; ++position) {
             progress.done = position - 1;
             report(progress);

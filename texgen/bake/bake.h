@@ -25,7 +25,8 @@ struct BakeOptions {
     // if empty, the frames from 1 to frames.count. `bake` does not use it.
     std::vector<int> sequence = {};
     // The folder of the cache from which `source` reads its frames; empty if there is none.
-    // bake_recorded stores the automatic ranges of maps there. `bake` does not use it.
+    // bake_recorded reads the automatic ranges of maps from there, or stores them there. `bake`
+    // does not use it.
     std::filesystem::path cache = {};
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };

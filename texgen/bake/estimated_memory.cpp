@@ -4,6 +4,8 @@
 
 #include "core/parallel/parallel_for.h"
 #include "texgen/bake/file_pattern.h"
+#include "texgen/bake/fitted_ranges.h"
+#include "texgen/bake/reduced_image.h"
 #include "texgen/bake/vector_files.h"
 #include "texgen/blocks/texel_block.h"
 #include "texgen/image/format.h"
@@ -138,6 +140,18 @@ std::uint64_t estimated_foam_memory(std::size_t bubbles) {
 
 std::uint64_t estimated_foam_memory(const Preset& preset) {
     return estimated_foam_memory(static_cast<std::size_t>(preset.seeding.bubbles));
+}
+
+std::uint64_t estimated_cache_memory(const Preset& preset, std::size_t frames, int threads) {
+    if (!has_automatic_ranges(preset)) {
+        return estimated_foam_memory(preset);
+    }
+    const ReducedImage reduced = reduced_image(preset, kMeasuredSide);
+    Preset measured = preset;
+    measured.image.width = reduced.width;
+    measured.image.height = reduced.height;
+    measured.output.sheets = SheetKind::None;
+    return estimated_memory(measured, frames, threads);
 }
 
 std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads) {

@@ -17,6 +17,11 @@ std::uint64_t estimated_foam_memory(std::size_t bubbles);
 /// nothing.
 std::uint64_t estimated_foam_memory(const Preset& preset);
 
+/// Returns the estimated peak memory, in bytes, of a process that simulates the given number of
+/// frames of a preset into a cache and fits the automatic ranges of maps on thread_count(threads)
+/// threads.
+std::uint64_t estimated_cache_memory(const Preset& preset, std::size_t frames, int threads);
+
 /// Returns the estimated peak memory, in bytes, of a process that bakes the given number of frames
 /// of a preset on thread_count(threads) threads and then joins the frames into the sheets that
 /// output.sheets selects. The estimate is usually right within a factor of 1.5.

@@ -61,9 +61,10 @@ std::uint64_t estimated_cache_size(const Preset& preset,
 /// `threads` of the options. Creates the folder if necessary and overwrites files of an existing
 /// cache. `on_progress` receives the phases of the simulation, and then the phase Frames, which
 /// counts written states. If the simulation is complete, also fits the automatic ranges of the maps
-/// of the preset and stores them in the cache (StoredRanges); `on_progress` then receives the
-/// phases States and Ranges. Throws std::invalid_argument if there are no frames or a frame number
-/// is below 1, OutputError if a file cannot be written, and the exceptions of Simulation.
+/// of the preset, where this is possible, and stores them in the cache (StoredRanges);
+/// `on_progress` then receives the phases States and Ranges. Throws std::invalid_argument if there
+/// are no frames or a frame number is below 1, OutputError if a file cannot be written, and the
+/// exceptions of Simulation.
 RunOutcome simulate_into_cache(const Preset& preset,
                                const BakeOptions& options,
                                const std::filesystem::path& folder,

@@ -12,8 +12,8 @@
 namespace foam::texgen {
 
 /// Writes each state to a cache as soon as the state has been simulated. The folder and cache.json
-/// are created only when the first state is written, so a simulation that fails before its first
-/// state creates no cache.
+/// are created only when the first state is written. A simulation that fails before its first state
+/// therefore leaves no cache, except for the file of the loop that it has searched.
 class CacheWriter {
   public:
     /// `frames` are the frames that can be drawn once all states have been written.

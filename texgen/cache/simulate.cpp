@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -28,9 +29,12 @@ void check(const BakeOptions& options) {
     }
 }
 
-// Returns the memory of the start of a boil in a cache. If the file cannot be read or written, the
-// start is searched again the next time.
-LoopMemory loop_memory(const std::filesystem::path& folder) {
+// Returns the memory of the start of a boil in a cache. If the file cannot be read, the start is
+// searched again.
+LoopMemory loop_memory(const Preset& preset, const std::filesystem::path& folder) {
+    if (preset.loop.kind != LoopKind::Boil) {
+        return {};
+    }
     const std::filesystem::path file = folder / "loop.json";
     LoopMemory memory;
     try {
@@ -46,19 +50,30 @@ LoopMemory loop_memory(const std::filesystem::path& folder) {
     return memory;
 }
 
+// Fits the automatic ranges of the maps of a preset and stores them in its cache. If this is not
+// possible, for example because output.pattern is malformed, the cache is complete nevertheless,
+// and `render` reports the error if it still exists.
 void store_ranges(const Preset& preset,
                   const BakeOptions& options,
                   const std::filesystem::path& folder,
                   const ProgressCallback& on_progress) {
-    const StoredRanges stored(preset, options.frames, folder);
-    Preset fitted = preset;
-    if (!has_automatic_ranges(preset) || stored.load(fitted)) {
+    try {
+        const StoredRanges stored(preset, options.frames, folder);
+        Preset fitted = preset;
+        if (!has_automatic_ranges(preset) || stored.load(fitted)) {
+            return;
+        }
+        const Cache cache(folder);
+        fit_automatic_ranges(
+            fitted, cache.frames_of(preset), options.frames, options.threads, on_progress);
+        stored.save(fitted);
+    } catch (const std::invalid_argument&) {
+        return;
+    } catch (const InputError&) {
+        return;
+    } catch (const std::bad_alloc&) {
         return;
     }
-    const Cache cache(folder);
-    fit_automatic_ranges(
-        fitted, cache.frames_of(preset), options.frames, options.threads, on_progress);
-    stored.save(fitted);
 }
 
 }  // namespace
@@ -93,7 +108,7 @@ RunOutcome simulate_into_cache(const Preset& preset,
         meter.add(state);
     };
     const RunOutcome outcome = simulate_states(
-        preset, options.threads, states, write, meter.for_source(), loop_memory(folder));
+        preset, options.threads, states, write, meter.for_source(), loop_memory(preset, folder));
     if (outcome.status == RunStatus::Complete) {
         store_ranges(preset, options, folder, on_progress);
     }

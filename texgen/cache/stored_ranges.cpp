@@ -5,7 +5,6 @@
 #include "core/files/file_io.h"
 #include "texgen/bake/fitted_ranges.h"
 #include "texgen/bake/frame_range.h"
-#include "texgen/bake/reduced_image.h"
 #include "texgen/image/pixel_hash.h"
 #include "texgen/json/json_value.h"
 #include "texgen/json/json_writer.h"
@@ -14,7 +13,7 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
+#include <algorithm>
 #include <span>
 
 namespace foam::texgen {
@@ -24,14 +23,29 @@ namespace {
 constexpr const char* kFormat = "foamtex-range";
 constexpr int kVersion = 1;
 
-double range_in(const std::filesystem::path& file) {
+// Returns the range of a map that a file stores. The file may come from an untrusted source, so the
+// range must be one that the key of the range allows.
+double range_in(const std::filesystem::path& file, const Map& map) {
     const JsonDocument document = JsonDocument::read(file);
     document.check_format("a range", kFormat, kVersion);
     const JsonValue full = document.root()["full"];
-    if (!std::isfinite(full.number()) || full.number() <= 0.0) {
-        full.reject("a positive number");
+    const Keys<MapOptions> keys = map_keys();
+    const auto key = std::ranges::find(keys, map.full_key, &Key<MapOptions>::path);
+    MapOptions options;
+    if (document.root()["map"].text() != map.name || !key->read({full.number()}, options)) {
+        full.reject(key->allowed);
     }
     return full.number();
+}
+
+// Returns a hash of everything that influences the range of a map of a preset that is fitted to
+// the given frames.
+std::string hash_of(const Preset& preset, const Map& map, const std::vector<int>& frames) {
+    return text_hash(fmt::format("{}\n{}x{}\n{}",
+                                 drawing_hash(preset, map),
+                                 preset.image.width,
+                                 preset.image.height,
+                                 format_frame_range(frames)));
 }
 
 }  // namespace
@@ -39,15 +53,10 @@ double range_in(const std::filesystem::path& file) {
 StoredRanges::StoredRanges(const Preset& preset,
                            const std::vector<int>& frames,
                            const std::filesystem::path& folder) {
-    const ReducedImage measured = reduced_image(preset, kMeasuredSide);
-    const std::string hash = text_hash(fmt::format("{}\n{}x{}\n{}",
-                                                   drawing_hash(preset),
-                                                   measured.width,
-                                                   measured.height,
-                                                   format_frame_range(frames)));
     for (const Map* const map : maps_with_automatic_ranges(preset)) {
         const std::string name(map->name);
-        files_[name] = folder / fmt::format("range.{}.{}.json", name, hash);
+        files_[name] =
+            folder / fmt::format("range.{}.{}.json", name, hash_of(preset, *map, frames));
     }
 }
 
@@ -55,7 +64,7 @@ bool StoredRanges::load(Preset& preset) const {
     Preset fitted = preset;
     try {
         for (const auto& [name, file] : files_) {
-            range_option_of(find_map(name), fitted.maps)->value = range_in(file);
+            range_option_of(find_map(name), fitted.maps)->value = range_in(file, find_map(name));
         }
     } catch (const InputError&) {
         return false;  // a file is missing or damaged

@@ -13,6 +13,10 @@ MemoryNeed memory_to_simulate(const Preset& preset) {
     return {estimated_foam_memory(preset), "foam.bubbles"};
 }
 
+MemoryNeed memory_to_fill_cache(const Preset& preset, std::size_t frames, int threads) {
+    return {estimated_cache_memory(preset, frames, threads), "--threads or foam.bubbles"};
+}
+
 MemoryNeed memory_to_bake(const Preset& preset, std::size_t frames, int threads) {
     return {estimated_memory(preset, frames, threads), "--threads, image.size or foam.bubbles"};
 }

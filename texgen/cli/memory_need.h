@@ -21,12 +21,14 @@ struct MemoryNeed {
     std::string_view to_lower{};
 };
 
-/// Returns the memory that a run needs that simulates a preset and draws nothing
-/// (estimated_foam_memory).
+/// Returns the memory of a run that simulates a preset and draws nothing (estimated_foam_memory).
 MemoryNeed memory_to_simulate(const Preset& preset);
 
-/// Returns the memory that a bake of the given number of frames of a preset needs
-/// (estimated_memory).
+/// Returns the memory of a run that simulates the given number of frames of a preset into a cache
+/// (estimated_cache_memory).
+MemoryNeed memory_to_fill_cache(const Preset& preset, std::size_t frames, int threads);
+
+/// Returns the memory of a bake of the given number of frames of a preset (estimated_memory).
 MemoryNeed memory_to_bake(const Preset& preset, std::size_t frames, int threads);
 
 /// Returns the part of a message that says how much memory a run needs and what to lower.

@@ -103,6 +103,7 @@ void ProgressReporter::take(const RunProgress& progress) {
     const PhaseClock::News news = clock_.add(progress, now_);
     if (news == PhaseClock::News::NewPhase) {
         phase_begin_ = now_;
+        has_frames_ = has_frames_ || progress.phase == Phase::Frames;
     }
     latest_ = progress;
     is_pending_ = is_pending_ || news != PhaseClock::News::Nothing;
@@ -154,6 +155,16 @@ void ProgressReporter::print() {
     is_pending_ = false;
 }
 
+// Returns the wall time per unit of the present phase. If the phase repeats a cycle, this is the
+// mean of all steps since the phase began.
+std::optional<double> ProgressReporter::seconds_per_unit() const {
+    if (latest_.cycle == 0) {
+        return clock_.seconds_per_unit();
+    }
+    const int steps = (latest_.cycle - 1) * latest_.total + latest_.done;
+    return steps > 0 ? std::optional(seconds_since(phase_begin_) / steps) : std::nullopt;
+}
+
 // The estimate multiplies the measured time of a unit, such as a step, by the number of units left.
 // Before the phase Frames, the frames are added to the units left, because a step that prepares
 // frame 1 takes about as long as the step to a later frame. If the usual number of cycles of a loop
@@ -161,12 +172,12 @@ void ProgressReporter::print() {
 // the phases before Frames is a lower bound, because it includes neither drawing nor further
 // cycles.
 void ProgressReporter::note_long_run() {
-    const std::optional<double> per_unit = clock_.seconds_per_unit();
+    const std::optional<double> per_unit = seconds_per_unit();
     const bool is_told = options_.verbosity == Verbosity::Normal && !options_.json;
     if (has_noted_ || !is_told || !per_unit || seconds_since(phase_begin_) < kMeasured) {
         return;
     }
-    const bool frames_follow = latest_.phase < Phase::Frames;
+    const bool frames_follow = latest_.phase < Phase::Frames && !has_frames_;
     const bool knows_cycles = latest_.cycle <= latest_.usual_cycles;
     const int cycles = knows_cycles ? latest_.usual_cycles - latest_.cycle : 0;
     const int units =

@@ -71,6 +71,7 @@ class ProgressReporter {
     bool is_due(PhaseClock::News news) const;
     void print();
     void note_long_run();
+    std::optional<double> seconds_per_unit() const;
     double seconds_since(PhaseClock::Clock::time_point begin) const;
 
     std::mutex mutex_;  // protects the members from clock_ to has_noted_
@@ -84,6 +85,7 @@ class ProgressReporter {
     PhaseClock::Clock::time_point phase_begin_ = begin_;
     PhaseClock::Clock::time_point last_print_ = begin_;
     RunProgress latest_;
+    bool has_frames_ = false;  // true once the phase Frames has begun
     bool has_printed_ = false;
     bool is_pending_ = false;  // true if there has been news since the last report that was printed
     bool has_noted_ = false;

@@ -164,7 +164,7 @@ Preset changed(Preset preset, const RunArguments& arguments, const std::vector<A
 }
 
 void note_keys_without_maps(const RunArguments& arguments, const Preset& preset) {
-    if (arguments.quiet || FilePattern(preset).is_vector()) {
+    if (arguments.quiet || arguments.profile || FilePattern(preset).is_vector()) {
         return;
     }
     for (const std::string& line : keys_without_maps(preset, assignments_of(arguments))) {

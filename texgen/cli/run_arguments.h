@@ -79,8 +79,9 @@ Preset changed(Preset preset,
                const std::vector<Assignment>& more = {});
 
 /// Prints a note on stderr for each key that the command line sets although none of the maps that
-/// the preset draws uses it (keys_without_maps). Prints nothing if -q is given, or if the files of
-/// the preset are not images.
+/// the preset draws uses it (keys_without_maps). Prints nothing if -q is given, if the files of the
+/// preset are not images, or if a profile selects the maps, because keys such as lit.glow influence
+/// this selection.
 void note_keys_without_maps(const RunArguments& arguments, const Preset& preset);
 
 /// Returns the frames of the option --frames, or all frames of the preset if the option is not

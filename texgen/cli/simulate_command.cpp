@@ -78,7 +78,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
     }
     check_writable(arguments.cache);
     const Verbosity verbosity = verbosity_of(arguments.run);
-    const MemoryNeed need = memory_to_simulate(preset);
+    const MemoryNeed need = memory_to_fill_cache(preset, options.frames.size(), options.threads);
     if (verbosity != Verbosity::Quiet) {
         warn_of_full_disk(estimated_cache_size(preset, options.frames, arguments.cache),
                           arguments.cache);

@@ -64,7 +64,10 @@ ExitCode run_stats(const StatsArguments& arguments) {
     }
     check_writable(folder_of(arguments, preset));
     const Verbosity verbosity = verbosity_of(arguments.run);
-    const MemoryNeed need = memory_to_simulate(preset);
+    MemoryNeed need = memory_to_simulate(preset);
+    if (cache) {
+        need.to_lower = "";  // the number of bubbles of a cache cannot be changed
+    }
     if (verbosity != Verbosity::Quiet && !cache) {
         warn_of_little_memory(need);
     }

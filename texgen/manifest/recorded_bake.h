@@ -38,7 +38,8 @@ struct RecordOptions {
 /// BakeOptions::sequence. If this sequence is the whole animation and the bake has nothing to do,
 /// nothing is fitted. If the sequence is not the whole animation, as in a cache of some frames, the
 /// ranges are recorded as numbers instead of "auto", so that the images belong to a set of their
-/// own.
+/// own. If the frames come from a cache (BakeOptions::cache), ranges that it stores are not fitted
+/// again (StoredRanges).
 ///
 /// Before anything is simulated, throws the exceptions of check_bake, std::invalid_argument if the
 /// name of a file is not UTF-8 or is the name of the manifest, and OutputError if the manifest

@@ -86,7 +86,7 @@ const AutoReal* range_option_of(const Map& map, const MapOptions& options) {
 }
 
 // Each row has a table and the maps that use it, apart from the map with the name of the table. The
-// tables of the relief are used by all maps of which MapTraits::shows_relief is true.
+// tables relief and maze are also used by all maps of which MapTraits::shows_relief is true.
 bool uses_table(const Map& map, std::string_view table) {
     struct Users {
         std::string_view table;
@@ -100,7 +100,6 @@ bool uses_table(const Map& map, std::string_view table) {
         {"maze", {"maze_solution", "lit", "emission"}},
         {"occlusion", {"lit"}},
         {"pressure", {"contour"}},
-        {"relief", {}},
         {"thin_film", {"lit", "emission"}}};
     if (table == map.name || (map.shows_relief && (table == "relief" || table == "maze"))) {
         return true;

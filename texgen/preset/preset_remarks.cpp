@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace foam::texgen {
 
@@ -40,10 +41,13 @@ std::vector<std::string> keys_without_maps(const Preset& preset,
         if (key == of_maps.end() || std::ranges::any_of(drawn, uses_key)) {
             continue;
         }
-        lines.push_back(fmt::format("{} has no effect on the drawn map{} {}",
-                                    key->path,
-                                    drawn.size() == 1 ? "" : "s",
-                                    fmt::join(source_map_names(preset), ", ")));
+        std::string line = fmt::format("{} has no effect on the drawn map{} {}",
+                                       key->path,
+                                       drawn.size() == 1 ? "" : "s",
+                                       fmt::join(source_map_names(preset), ", "));
+        if (std::ranges::find(lines, line) == lines.end()) {
+            lines.push_back(std::move(line));
+        }
     }
     return lines;
 }

@@ -20,8 +20,8 @@ DensityDomain density_domain(const Preset& preset);
 /// Precondition: the assignments have been stored in the preset.
 std::vector<std::string> remarks_on(const Preset& preset, std::span<const Assignment> assignments);
 
-/// Returns a line for each key that the assignments set although none of the maps that are drawn
-/// (source_maps) uses it, such as: lit.elevation has no effect on the drawn map height.
+/// Returns a line for each key of maps that the assignments set although none of the maps that are
+/// drawn (source_maps) uses it, such as "lit.elevation has no effect on the drawn map height".
 std::vector<std::string> keys_without_maps(const Preset& preset,
                                            std::span<const Assignment> assignments);
 

@@ -89,9 +89,9 @@ std::string simulation_hash(const Preset& preset) {
                      (needs_aspect(preset) ? aspect_of(preset.image) : ""));
 }
 
-std::string drawing_hash(const Preset& preset) {
-    const std::string keys = texts_of(preset, [](const KeyInfo& key) {
-        return key.table() == "camera" || is_table_of_map(key.table());
+std::string drawing_hash(const Preset& preset, const Map& map) {
+    const std::string keys = texts_of(preset, [&](const KeyInfo& key) {
+        return key.table() == "camera" || uses_table(map, key.table());
     });
     return text_hash(simulation_hash(preset) + "\n" + keys);
 }

@@ -16,6 +16,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -68,6 +69,35 @@ TEST(LoopStart, RejectsOtherFiles) {
     std::string text = write_loop_start(start, "hash");
     text.replace(text.find("\"phase\":"), 8, "\"phrase\"");
     EXPECT_THROW(read_loop_start(text, "loop.json"), InputError);
+}
+
+// A file in a cache may come from a stranger, who can write the right hash into it.
+TEST(LoopStart, MatchesOnlyAPresetForWhichItIsPossible) {
+    const Preset preset = small_boil();
+    Simulation simulation(preset, 1);
+    ASSERT_TRUE(simulation.advance());
+    const LoopStart start = simulation.loop_start();
+    const auto match = [&](const LoopStart& other) {
+        const std::string text = write_loop_start(other, loop_hash(preset));
+        return matching_loop_start(preset, text, "loop.json").has_value();
+    };
+    EXPECT_TRUE(match(start));
+    EXPECT_FALSE(matching_loop_start(preset, write_loop_start(start, "hash"), "loop.json"));
+    const auto expect_impossible = [&](const std::function<void(LoopStart&)>& change) {
+        LoopStart other = start;
+        change(other);
+        EXPECT_THROW(match(other), InputError);
+    };
+    const BubbleIdentity none = start.foam.next_identity;
+    expect_impossible([&](LoopStart& other) { other.drive.boiling[0].identity = none; });
+    expect_impossible([&](LoopStart& other) { other.drive.boiling[0].neighbors->insert(none); });
+    expect_impossible([&](LoopStart& other) { other.drive.boiling[0].birth = 24; });
+    expect_impossible([&](LoopStart& other) { other.drive.oscillating[0].bubble = none; });
+    expect_impossible([](LoopStart& other) {
+        other.drive.oscillating[0].bubble = other.drive.oscillating[1].bubble;
+    });
+    expect_impossible([](LoopStart& other) { other.drive.oscillating[0].amplitude = 2.0; });
+    expect_impossible([](LoopStart& other) { other.foam.next_identity = 1U << 31U; });
 }
 
 TEST(LoopStart, HashIgnoresHowTheLoopIsShown) {

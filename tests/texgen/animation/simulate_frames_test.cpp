@@ -50,8 +50,10 @@ TEST(SimulateFrames, HandsOutTheFramesInIncreasingOrder) {
 
 // Simulates a boil with a LoopMemory.
 struct RememberedBoil {
-    explicit RememberedBoil(const std::string& content) : kept(content) {
+    explicit RememberedBoil(const std::string& content, FoamKind shape = FoamKind::Torus)
+        : kept(content) {
         Preset preset;
+        preset.shape.kind = shape;
         preset.seeding.bubbles = 40;
         preset.frames.count = 24;
         preset.loop.kind = LoopKind::Boil;
@@ -69,10 +71,16 @@ struct RememberedBoil {
     int cycles = 0;
 };
 
+class ShapesOfBoils : public testing::TestWithParam<FoamKind> {};
+
+INSTANTIATE_TEST_SUITE_P(SimulateFrames,
+                         ShapesOfBoils,
+                         testing::Values(FoamKind::Torus, FoamKind::Patch));
+
 // The states have the same bits whether the start of the boil was searched or known.
-TEST(SimulateFrames, ABoilIsSearchedOnce) {
-    const RememberedBoil searched("");
-    const RememberedBoil known(searched.kept);
+TEST_P(ShapesOfBoils, AreSearchedOnce) {
+    const RememberedBoil searched("", GetParam());
+    const RememberedBoil known(searched.kept, GetParam());
     EXPECT_GT(searched.cycles, 2);
     EXPECT_EQ(known.cycles, 1);
     ASSERT_EQ(searched.states.size(), known.states.size());

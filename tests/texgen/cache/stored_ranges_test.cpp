@@ -56,7 +56,11 @@ TEST(StoredRanges, BelongToAFoamItsFramesAndTheLookOfItsMaps) {
     EXPECT_TRUE(is_stored([](Preset& preset) { preset.image.maps = {"height"}; }));
     EXPECT_FALSE(is_stored([](Preset& preset) { preset.seeding.seed += 1; }));
     EXPECT_FALSE(is_stored([](Preset& preset) { preset.maps.relief.width *= 2.0; }));
-    EXPECT_FALSE(is_stored([](Preset& preset) { preset.image.width *= 2; }));
+    EXPECT_TRUE(is_stored([](Preset& preset) { preset.maps.lit.light.elevation += 5.0; }));
+    EXPECT_FALSE(is_stored([](Preset& preset) {  // ranges may be in pixels
+        preset.image.width *= 2;
+        preset.image.height *= 2;
+    }));
     Preset preset = ranges.preset;
     EXPECT_FALSE(StoredRanges(preset, {1, 2}, folder.path()).load(preset));
 }
@@ -66,7 +70,11 @@ TEST(StoredRanges, OfADamagedFileAreNotLoaded) {
     const Ranges ranges;
     const StoredRanges stored = ranges.in(folder.path());
     for (const std::string_view text :
-         {"", "{}", R"({"format":"foamtex-range","version":1,"map":"height","full":-1})"}) {
+         {"",
+          "{}",
+          R"({"format":"foamtex-range","version":1,"map":"height","full":-1})",
+          R"({"format":"foamtex-range","version":1,"map":"height","full":1e300})",
+          R"({"format":"foamtex-range","version":1,"map":"area","full":1})"}) {
         stored.save(ranges.fitted);
         for (const std::string& name : folder.files()) {
             if (name.starts_with("range.height.")) {

@@ -176,8 +176,8 @@ TEST_P(EveryMap, DoesNotDependOnThreads) {
     }
 }
 
-// Returns the options after all keys of a table have been changed for which one of a few values is
-// allowed that differs from the present one. Keys that name a file are left out.
+// Returns the options with every key of a table changed to the first of a few trial values that is
+// allowed and differs from the present value. Keys that name a file are left out.
 MapOptions with_changed_table(const MapOptions& options, std::string_view table) {
     MapOptions changed = options;
     for (const Key<MapOptions>& key : map_keys()) {

@@ -40,6 +40,7 @@ TEST(PresetRemarks, AreOnKeysThatNoDrawnMapUses) {
     preset.image.maps = {"height", "area"};
     std::vector<Assignment> assignments;
     for (const char* const argument : {"lit.elevation=30",
+                                       "lit.elevation=31",
                                        "relief.width=0.3",
                                        "area.full=2",
                                        "albedo.grain=0.1",
