@@ -107,7 +107,7 @@ RunOutcome simulate_into_cache(const Preset& preset,
         writer.write(state);
         meter.add(state);
     };
-    const RunOutcome outcome = simulate_states(
+    RunOutcome outcome = simulate_states(
         preset, options.threads, states, write, meter.for_source(), loop_memory(preset, folder));
     if (outcome.status == RunStatus::Complete) {
         store_ranges(preset, options, folder, on_progress);

@@ -20,14 +20,14 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr const char* kFormat = "foamtex-range";
-constexpr int kVersion = 1;
+constexpr const char* kRangeFormat = "foamtex-range";
+constexpr int kRangeVersion = 1;
 
 // Returns the range of a map that a file stores. The file may come from an untrusted source, so the
 // range must be one that the key of the range allows.
 double range_in(const std::filesystem::path& file, const Map& map) {
     const JsonDocument document = JsonDocument::read(file);
-    document.check_format("a range", kFormat, kVersion);
+    document.check_format("a range", kRangeFormat, kRangeVersion);
     const JsonValue full = document.root()["full"];
     const Keys<MapOptions> keys = map_keys();
     const auto key = std::ranges::find(keys, map.full_key, &Key<MapOptions>::path);
@@ -76,8 +76,8 @@ bool StoredRanges::load(Preset& preset) const {
 void StoredRanges::save(const Preset& preset) const {
     try {
         for (const auto& [name, file] : files_) {
-            const Json range{{"format", kFormat},
-                             {"version", kVersion},
+            const Json range{{"format", kRangeFormat},
+                             {"version", kRangeVersion},
                              {"map", name},
                              {"full", range_option_of(find_map(name), preset.maps)->value}};
             const std::string text = indented(range);

@@ -104,7 +104,7 @@ RunOutcome fit_ranges(Preset& preset,
         return {};
     }
     try {
-        const RunOutcome outcome = fit_automatic_ranges(
+        RunOutcome outcome = fit_automatic_ranges(
             preset, options.source, sequence, options.threads, callbacks.on_progress);
         if (stored && outcome.status == RunStatus::Complete) {
             stored->save(preset);

@@ -92,7 +92,7 @@ bool uses_table(const Map& map, std::string_view table) {
         std::string_view table;
         std::vector<std::string_view> maps;
     };
-    static const std::vector<Users> kUsers{
+    static const std::vector<Users> users{
         {"albedo",
          {"thin_film", "lit", "emission", "opacity", "film", "distance", "roughness", "metallic"}},
         {"event_map", {"event"}},
@@ -104,8 +104,8 @@ bool uses_table(const Map& map, std::string_view table) {
     if (table == map.name || (map.shows_relief && (table == "relief" || table == "maze"))) {
         return true;
     }
-    const auto found = std::ranges::find(kUsers, table, &Users::table);
-    return found != kUsers.end() && std::ranges::find(found->maps, map.name) != found->maps.end();
+    const auto found = std::ranges::find(users, table, &Users::table);
+    return found != users.end() && std::ranges::find(found->maps, map.name) != found->maps.end();
 }
 
 bool shows_maze(std::span<const std::string> names, const MapOptions& options) {
