@@ -108,6 +108,27 @@ bool is_start_for(const Preset& preset, const LoopStart& start) {
     return fits;
 }
 
+// Returns how the text of a start begins that was written for the loop_hash of a preset. The hash
+// comes first, so that texts for other presets are not parsed.
+std::string opening_for(const Preset& preset) {
+    return fmt::format("{{\n\"loop\": {{\"hash\":\"{}\"", loop_hash(preset));
+}
+
+// Returns the start that a text describes if the text begins with `opening`.
+std::optional<LoopStart> start_in(std::string_view text,
+                                  std::string_view opening,
+                                  const Preset& preset,
+                                  const std::string& file) {
+    if (!text.starts_with(opening)) {
+        return std::nullopt;
+    }
+    LoopStart start = read_loop_start(text, file);
+    if (!is_start_for(preset, start)) {
+        fail_to_read(file, "this is not the start of a loop of the preset");
+    }
+    return start;
+}
+
 }  // namespace
 
 std::string loop_hash(const Preset& preset) {
@@ -144,29 +165,20 @@ LoopStart read_loop_start(std::string_view text, const std::string& file) {
     return {read_foam_json(text, file), drive_in(loop), numbers_in(loop["first_pressures"])};
 }
 
-// The content of a file of presets/loops begins with the hash, so that files of other presets are
-// not parsed.
 std::optional<LoopStart> matching_loop_start(const Preset& preset,
                                              std::string_view text,
                                              const std::string& file) {
-    const std::string begin = fmt::format("{{\n\"loop\": {{\"hash\":\"{}\"", loop_hash(preset));
-    if (!text.starts_with(begin)) {
-        return std::nullopt;
-    }
-    LoopStart start = read_loop_start(text, file);
-    if (!is_start_for(preset, start)) {
-        fail_to_read(file, "this is not the start of a loop of the preset");
-    }
-    return start;
+    return start_in(text, opening_for(preset), preset, file);
 }
 
 std::optional<LoopStart> stored_loop_start(const Preset& preset) {
     if (!preset.loop.is_cycle()) {
         return std::nullopt;
     }
+    const std::string opening = opening_for(preset);
     for (const ShippedPreset& shipped : shipped_presets()) {
         const std::string file = std::string(shipped.name) + ".json";
-        if (auto start = matching_loop_start(preset, shipped.loop_start, file)) {
+        if (auto start = start_in(shipped.loop_start, opening, preset, file)) {
             return start;
         }
     }

@@ -5,7 +5,6 @@
 #include "core/parallel/parallel_for.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/fitted_ranges.h"
-#include "texgen/bake/reduced_image.h"
 #include "texgen/bake/vector_files.h"
 #include "texgen/blocks/texel_block.h"
 #include "texgen/image/format.h"
@@ -143,15 +142,9 @@ std::uint64_t estimated_foam_memory(const Preset& preset) {
 }
 
 std::uint64_t estimated_cache_memory(const Preset& preset, std::size_t frames, int threads) {
-    if (!has_automatic_ranges(preset)) {
-        return estimated_foam_memory(preset);
-    }
-    const ReducedImage reduced = reduced_image(preset, kMeasuredSide);
-    Preset measured = preset;
-    measured.image.width = reduced.width;
-    measured.image.height = reduced.height;
-    measured.output.sheets = SheetKind::None;
-    return estimated_memory(measured, frames, threads);
+    const auto drawn = std::min(frames, static_cast<std::size_t>(thread_count(threads)));
+    const double pixels = static_cast<double>(drawn) * kMeasuredSide * kMeasuredSide;
+    return estimated_foam_memory(preset) + static_cast<std::uint64_t>(pixels * kOther.png);
 }
 
 std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads) {

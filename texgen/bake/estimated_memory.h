@@ -18,8 +18,9 @@ std::uint64_t estimated_foam_memory(std::size_t bubbles);
 std::uint64_t estimated_foam_memory(const Preset& preset);
 
 /// Returns the estimated peak memory, in bytes, of a process that simulates the given number of
-/// frames of a preset into a cache and fits the automatic ranges of maps on thread_count(threads)
-/// threads.
+/// frames of a preset into a cache and then draws reduced images on thread_count(threads) threads,
+/// in order to fit the automatic ranges of maps. The estimate is too large by the memory of these
+/// images if there are no such ranges.
 std::uint64_t estimated_cache_memory(const Preset& preset, std::size_t frames, int threads);
 
 /// Returns the estimated peak memory, in bytes, of a process that bakes the given number of frames

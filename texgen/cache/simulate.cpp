@@ -60,7 +60,7 @@ void store_ranges(const Preset& preset,
     try {
         const StoredRanges stored(preset, options.frames, folder);
         Preset fitted = preset;
-        if (!has_automatic_ranges(preset) || stored.load(fitted)) {
+        if (stored.load(fitted)) {
             return;
         }
         const Cache cache(folder);

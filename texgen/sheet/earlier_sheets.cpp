@@ -3,6 +3,7 @@
 #include "texgen/sheet/earlier_sheets.h"
 
 #include "core/files/file_io.h"
+#include "texgen/json/json_value.h"
 
 #include <algorithm>
 #include <system_error>
@@ -11,20 +12,16 @@ namespace foam::texgen {
 
 namespace {
 
-// The description of a flipbook is less deeply nested. Deeper values could exhaust the stack when
-// they are copied or compared.
-constexpr int kDeepest = 16;
-
-// Parses the description of a flipbook (flipbook_json). Returns null if the text is not one.
+// Parses the description of a flipbook (flipbook_json). Returns null if the text is not one, or if
+// JsonDocument rejects it, for example because it is nested too deeply to be copied.
 Json parsed_description(std::string_view text) {
-    bool is_too_deep = false;
-    const auto check_depth = [&](int depth, Json::parse_event_t, const Json&) {
-        is_too_deep = is_too_deep || depth > kDeepest;
-        return !is_too_deep;  // the parser leaves out values for which this returns false
-    };
-    const Json json = Json::parse(text, check_depth, false);
-    const bool is_description = json.is_object() && json.value("images", Json()).is_array();
-    return is_description && !is_too_deep ? json : Json();
+    try {
+        const JsonDocument checked(text, "the earlier flipbook");
+    } catch (const InputError&) {
+        return nullptr;
+    }
+    const Json json = Json::parse(text);
+    return json.is_object() && json.value("images", Json()).is_array() ? json : Json();
 }
 
 std::string text_of(const Json& image, const char* member) {

@@ -35,6 +35,8 @@ TEST(MemoryNeed, GrowsWithTheFoamAndTheImages) {
     const MemoryNeed to_bake = memory_to_bake(preset, 1, 1);
     EXPECT_LT(to_simulate.bytes, to_bake.bytes);
     EXPECT_EQ(text_of(to_simulate).substr(text_of(to_simulate).find(';')), "; lower foam.bubbles");
+    const std::string advice = "; lower --threads, image.size or foam.bubbles";
+    EXPECT_TRUE(text_of(to_bake).ends_with(advice)) << text_of(to_bake);
     preset.seeding.bubbles *= 100;
     EXPECT_LT(to_simulate.bytes, memory_to_simulate(preset).bytes);
     preset.image.width *= 2;

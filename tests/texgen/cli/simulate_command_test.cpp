@@ -55,6 +55,16 @@ TEST(SimulateCommand, SaysThatAPictureHasChanged) {
               "cache\n");
 }
 
+// `simulate` writes no images: `render --out` may replace the pattern later.
+TEST(SimulateCommand, AMalformedPatternOfImagesIsNoError) {
+    const TemporaryFolder folder;
+    const std::string images = "--set image.maps=height --set output.pattern=";
+    const Outcome outcome = run_program(kSmall + images + "x.foo --cache foam", folder);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome drawn = run_program("render foam --out '{map}.####.png' -q", folder);
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+}
+
 TEST(SimulateCommand, FindsAnOutputThatCannotBeWrittenBeforeItSimulates) {
     const Outcome outcome = run_program(std::string(kSmall) + "--cache /dev/null/foam");
     EXPECT_EQ(outcome.code, 5);
