@@ -91,7 +91,7 @@ void check_size(const std::filesystem::path& path, std::uint64_t size, const Inp
 std::filesystem::path unique_sibling(const std::filesystem::path& target) {
     static std::atomic<unsigned> count{0};
     std::filesystem::path sibling = target;
-    sibling += fmt::format(".{}-{}.part", getpid(), ++count);
+    sibling += fmt::format(".foamtex-{}-{}.part", getpid(), ++count);
     return sibling;
 }
 
@@ -157,8 +157,11 @@ void StagedFile::open() {
         return;
     }
     close();
-    std::filesystem::path temporary = unique_sibling(target_);
-    file_ = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMode);
+    std::filesystem::path temporary;
+    do {  // a killed program with the same process identifier may have left a file of this name
+        temporary = unique_sibling(target_);
+        file_ = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMode);
+    } while (file_ < 0 && errno == EEXIST);
     if (file_ < 0) {
         fail(errno);
     }
@@ -184,10 +187,9 @@ void StagedFile::publish() {
     if (name_.empty()) {
         std::filesystem::path name = target_;
         if (!link_as(name)) {
-            name = unique_sibling(target_);
-            if (!link_as(name)) {
-                fail(EEXIST);
-            }
+            do {
+                name = unique_sibling(target_);
+            } while (!link_as(name));
         }
         name_ = std::move(name);
     }

@@ -56,8 +56,9 @@ enum class Durability {
 /// A file whose content is written before it gets its name, so that no reader sees a partial file.
 /// On a file system that supports files without names, the file has no name before `publish`, and
 /// the system removes it if the program is killed. On other file systems, the file is in the folder
-/// of the target under a temporary name, which ends in ".part". The destructor removes the file if
-/// it has not been published.
+/// of the target under a temporary name such as NAME.foamtex-123-4.part, and stays there if the
+/// program is killed (remove_abandoned_files). The destructor removes the file if it has not been
+/// published.
 class StagedFile {
   public:
     /// Writes the content. Precondition: the folder of `target` exists. Throws OutputError if

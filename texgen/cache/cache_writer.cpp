@@ -2,6 +2,7 @@
 
 #include "texgen/cache/cache_writer.h"
 
+#include "core/files/abandoned_files.h"
 #include "texgen/cache/packed_file.h"
 #include "texgen/cache/state_codec.h"
 #include "texgen/preset/simulation_keys.h"
@@ -41,6 +42,7 @@ void CacheWriter::begin(const std::optional<double>& closing_error) {
     begun_ = true;
     info_.closing_error = closing_error;
     make_folders(folder_);
+    remove_abandoned_files(folder_);
     write_info(info_, folder_);
 }
 

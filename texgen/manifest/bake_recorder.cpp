@@ -2,10 +2,14 @@
 
 #include "texgen/manifest/bake_recorder.h"
 
+#include "core/files/abandoned_files.h"
 #include "texgen/bake/file_pattern.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/manifest/describe.h"
 #include "texgen/manifest/manifest_file.h"
+
+#include <set>
+#include <string_view>
 
 namespace foam::texgen {
 
@@ -47,6 +51,13 @@ BakeRecorder::BakeRecorder(const Preset& preset, const BakeOptions& options)
 void BakeRecorder::begin() {
     if (begun_) {
         return;
+    }
+    std::set<std::string_view> subfolders{""};
+    for (const std::string_view path : paths_) {
+        subfolders.insert(path.substr(0, path.rfind('/') + 1));
+    }
+    for (const std::string_view subfolder : subfolders) {
+        remove_abandoned_files(folder_ / subfolder);
     }
     update_manifest(folder_, [&](Manifest& manifest) {
         remove_files(manifest, paths_);

@@ -35,7 +35,8 @@ class BakeRecorder {
     BakeRecorder(const Preset& preset, const BakeOptions& options);
 
     /// Removes from the manifest the files that the bake will write, and adds the set of the bake.
-    /// Only the first call has an effect.
+    /// Removes the temporary files of killed programs from the folders of these files. Only the
+    /// first call has an effect.
     void begin();
 
     /// Adds a frame, whose files have been written, to the set. Writes the manifest if enough time

@@ -3,7 +3,7 @@
 #include "core/files/input_limits.h"
 
 #include "core/geometry/domain.h"
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 
 #include <gtest/gtest.h>
 

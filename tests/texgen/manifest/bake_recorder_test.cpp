@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace foam::texgen {
@@ -25,6 +27,17 @@ TEST(BakeRecorder, BeginsOnce) {
     recorder.begin();
     EXPECT_TRUE(recorder.begun());
     EXPECT_EQ(read_manifest(folder.path()).sets.size(), 1U);
+}
+
+TEST(BakeRecorder, RemovesTemporaryFilesOfAKilledProgram) {
+    const TemporaryFolder folder;
+    BakeRecorder recorder(small_preset(folder.path() / kPattern), {.frames = {1}});
+    const std::filesystem::path abandoned = folder.path() / "albedo.0001.png.foamtex-4711-1.part";
+    std::ofstream(abandoned) << "the beginning of an image";
+    std::filesystem::last_write_time(
+        abandoned, std::filesystem::file_time_type::clock::now() - std::chrono::hours(25));
+    recorder.begin();
+    EXPECT_FALSE(std::filesystem::exists(abandoned));
 }
 
 // After a failure to get the lock, a second attempt must not take as long as the first one.
