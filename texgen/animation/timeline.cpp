@@ -30,6 +30,18 @@ DrivenBubble driven_at(int frame, BubbleIdentity bubble, const DrivenSchedule& d
 
 }  // namespace
 
+double strain_of_events(const Preset& preset, int state) {
+    double strain = 0.0;
+    for (const Event& event : preset.events) {
+        if (event.kind == kShearEvent.name) {
+            const FrameSpan frames = *frames_of(event, preset.frames);
+            const int passed = std::clamp(state - frames.first + 1, 0, frames.length());
+            strain += event.shear.strain * passed / frames.length();
+        }
+    }
+    return strain;
+}
+
 Timeline::Timeline(const Preset& preset)
     : t2_area_(preset.thresholds.t2_area), image_size_(preset.image.width, preset.image.height) {
     if (preset.loop.kind == LoopKind::Flow) {

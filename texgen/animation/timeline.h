@@ -14,6 +14,10 @@
 
 namespace foam::texgen {
 
+/// Returns the sum of the strains by which the shear events of a preset have sheared the foam at a
+/// state of the simulation. Precondition: the preset is valid (check_events does not throw).
+double strain_of_events(const Preset& preset, int state);
+
 /// Applies the events of a preset, frame by frame. In a flow (a loop of the kind "flow"), also
 /// replaces bubbles that have vanished.
 class Timeline {

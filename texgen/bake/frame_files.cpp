@@ -17,6 +17,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -78,7 +79,9 @@ std::optional<NumberExtent> extent_in(const DrawnImage& image, const MapImage& p
 }  // namespace
 
 bool tiles(const Domain& domain) {
-    return !domain.is_plane() && domain.shear == 0.0;
+    constexpr double kRounding = 1e-9;  // an event shears in steps, whose strains are rounded
+    return !domain.is_plane() &&
+           std::abs(std::remainder(domain.shear, domain.width)) <= kRounding * domain.width;
 }
 
 FrameFiles::FrameFiles(const Preset& preset)

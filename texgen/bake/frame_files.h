@@ -19,7 +19,8 @@
 
 namespace foam::texgen {
 
-/// Returns true if the domain is a torus without shear. Only the images of such a domain tile.
+/// Returns true if the images of a domain tile: it is a torus whose shear is a multiple of its
+/// width, up to rounding errors.
 bool tiles(const Domain& domain);
 
 /// Writes the files of a bake. Thread-safe: all functions may be called from several threads

@@ -2,6 +2,8 @@
 
 #include "core/files/file_io.h"
 #include "core/files/scratch_folder.h"
+#include "texgen/animation/shown_states.h"
+#include "texgen/animation/timeline.h"
 #include "texgen/bake/estimated_size.h"
 #include "texgen/bake/frame_files.h"
 #include "texgen/bake/frame_range.h"
@@ -15,6 +17,7 @@
 #include "texgen/cli/watch.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
+#include "texgen/maps/all_maps.h"
 #include "texgen/sheet/preview.h"
 #include "texgen/sheet/video.h"
 
@@ -133,27 +136,25 @@ Preset preset_to_bake(const PreviewArguments& arguments, const std::filesystem::
     return preset;
 }
 
-/// Returns callbacks that end a bake with std::invalid_argument as soon as its first frames show
-/// that the previews are impossible, before the whole animation has been baked.
-BakeCallbacks checks_of(const PreviewOptions& options,
-                        const Preset& preset,
-                        const ProgressCallback& on_progress) {
-    return {.on_progress = on_progress,
-            .on_frame =
-                [&](const SimulatedFrame& shown) {
-                    if (shown.frame->number == options.frames.front()) {
-                        check_tiling(
-                            options, tiles(shown.frame->domain), shown.frame->number, preset.name);
-                    }
-                },
-            .on_baked =
-                [](const BakedFrame& baked) {
-                    for (const WrittenFile& file : baked.files) {
-                        for (const auto& [image, samples] : file.images) {
-                            check_shown_map(std::string(image.name()), samples.kind);
-                        }
-                    }
-                }};
+/// Returns true if a frame tiles. Only events can shear a foam that is drawn: in a loop of the kind
+/// `shear`, the shear is removed before the foam is drawn.
+bool frame_tiles(const Preset& preset, int frame) {
+    const int state = shown_states(frame, preset.loop, preset.frames.count).state;
+    const double height = preset.image.height;
+    return preset.shape.kind == FoamKind::Torus &&
+           tiles({.width = static_cast<double>(preset.image.width),
+                  .height = height,
+                  .shear = height * strain_of_events(preset, state)});
+}
+
+/// Throws std::invalid_argument if the previews of a preset are impossible, before anything is
+/// simulated.
+void check_possible(const PreviewOptions& options, const Preset& preset) {
+    const int first = options.frames.front();
+    check_tiling(options, frame_tiles(preset, first), first, preset.name);
+    for (const std::string& map : preset.image.maps) {
+        check_shown_map(map, drawn_traits(find_map(map), preset.maps).kind == MapKind::Id);
+    }
 }
 
 ExitCode preview_preset(const PreviewArguments& arguments) {
@@ -161,9 +162,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
     const Preset preset = preset_to_bake(arguments, scratch.path());
     PreviewOptions options = options_of(arguments);
     options.frames = frames_of(arguments.run, preset);
-    if (preset.shape.kind == FoamKind::Patch) {
-        check_tiling(options, false, options.frames.front(), preset.name);
-    }
+    check_possible(options, preset);
     check_writable(arguments.out.value_or("out"));
     note_keys_without_maps(arguments.run, preset);
     const MemoryNeed need = memory_to_bake(preset, options.frames.size(), arguments.run.threads);
@@ -177,7 +176,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
         const BakeSummary summary =
             bake_recorded(preset,
                           {.frames = options.frames, .threads = arguments.run.threads},
-                          checks_of(options, preset, reporter.callback()));
+                          {.on_progress = reporter.callback()});
         if (summary.outcome.status == RunStatus::Complete) {
             const Manifest manifest = read_manifest(scratch.path());
             shown.files = write_previews(manifest.sets.front(),

@@ -118,7 +118,7 @@ class Previews {
              const PreviewOptions& options,
              const std::string& map)
         : set_(set), options_(options), sequence_(map_sequence(set, folder, map, options.frames)) {
-        check_shown_map(map, sequence_.map.samples->kind);
+        check_shown_map(map, sequence_.map.samples->kind == "id");
         const MapFile& first = sequence_.files.front();
         check_tiling(options, first.tiles, first.frame, set.preset);
     }
@@ -220,14 +220,14 @@ void check_tiling(const PreviewOptions& options, bool tiles, int frame, const st
     if (!tiles && std::ranges::count(options.kinds, PreviewKind::Tiling) > 0) {
         throw std::invalid_argument(
             fmt::format("frame {} of preset '{}' does not tile; the preview 'tiling' needs a torus "
-                        "without shear",
+                        "that is not sheared, or sheared by whole widths",
                         frame,
                         preset));
     }
 }
 
-void check_shown_map(const std::string& map, std::string_view kind) {
-    if (kind == "id") {
+void check_shown_map(const std::string& map, bool stores_ids) {
+    if (stores_ids) {
         throw std::invalid_argument(
             fmt::format("map '{}' stores whole numbers, which cannot be shown as a picture; "
                         "the map 'id_color' shows bubbles by color",

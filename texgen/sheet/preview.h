@@ -42,9 +42,9 @@ struct PreviewOptions {
 /// `preset` the name of its preset, both for the message.
 void check_tiling(const PreviewOptions& options, bool tiles, int frame, const std::string& preset);
 
-/// Throws std::invalid_argument if a map cannot be shown as a picture. `kind` is the kind of its
-/// samples (MapSamples::kind); only "id" cannot be shown.
-void check_shown_map(const std::string& map, std::string_view kind);
+/// Throws std::invalid_argument if the samples of a map are whole numbers, such as ids, which
+/// cannot be shown as a picture.
+void check_shown_map(const std::string& map, bool stores_ids);
 
 /// Writes previews of a baked set into the folder `to`, and returns their paths:
 /// {preset}_{map}_contact.png, {preset}_{map}_tiling.png, {preset}_{map}_loop.png,

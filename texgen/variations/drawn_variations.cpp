@@ -62,7 +62,7 @@ DrawnVariation drawn(const Preset& preset,
         const Manifest manifest = read_manifest(scratch.path());
         const MapSequence sequence = map_sequence(
             manifest.sets.front(), scratch.path(), drawing.map, std::array{drawing.frame});
-        check_shown_map(drawing.map, sequence.map.samples->kind);
+        check_shown_map(drawing.map, sequence.map.samples->kind == "id");
         variation.pixels = codes_of(read_display_frame(sequence.files.front(), sequence.map));
     }
     return variation;

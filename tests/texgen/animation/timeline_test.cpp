@@ -34,6 +34,19 @@ Foam foam_of(const Preset& preset) {
     return foam;
 }
 
+// Two events: one with frames, one with a time that overlaps the steps to the frames 3 and 4.
+TEST(Timeline, TheStrainOfEventsIsThatOfTheSimulation) {
+    const Preset preset = preset_with(
+        "[frames]\ncount = 6\n[[event]]\nkind = \"shear\"\nframes = [2, 5]\n"
+        "strain = 0.3\n[[event]]\nkind = \"shear\"\ntime = [1.1, 2.9]\nstrain = -0.2\n");
+    Simulation simulation(preset, 1);
+    for (int state = 1; state <= 6; ++state) {
+        ASSERT_TRUE(simulation.advance());
+        EXPECT_NEAR(strain_of_events(preset, state), simulation.strain(), 1e-12) << state;
+    }
+    EXPECT_NEAR(strain_of_events(preset, 6), 0.1, 1e-12);
+}
+
 TEST(Timeline, WithoutEventsChangesNothing) {
     const Preset preset = preset_with("");
     Timeline timeline(preset);

@@ -34,6 +34,16 @@ std::vector<std::string> channel_names(const Picture& image) {
 }
 
 // If the file pattern has no {map}, all maps are layers of one EXR, in the order of their names.
+TEST(Tiles, ATorusWhoseShearIsAMultipleOfItsWidthTiles) {
+    const Domain torus{3.0, 2.0};
+    for (const double shear : {0.0, 3.0 - 4e-16, -6.0 + 1e-15}) {
+        EXPECT_TRUE(tiles({torus.width, torus.height, shear})) << shear;
+    }
+    EXPECT_FALSE(tiles({torus.width, torus.height, 1e-6}));
+    EXPECT_FALSE(tiles({torus.width, torus.height, 1.5}));
+    EXPECT_FALSE(tiles({0.0, 0.0, 0.0}));  // the plane
+}
+
 TEST(FrameFiles, AnExrHoldsAllMapsOfAFrame) {
     const TemporaryFolder folder;
     Preset preset = small_preset(folder.path() / kPattern);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/cli/run_program.h"
 #include "tests/texgen/pictures.h"
 #include "texgen/image/png.h"
@@ -77,16 +77,26 @@ TEST(PreviewCommand, ABadRequestIsOneLine) {
     EXPECT_EQ(run_program("preview .", folder).code, static_cast<int>(ExitCode::BadInput));
 }
 
-// What the preset alone shows is said before anything is simulated, the rest at the first frame: a
-// bake of all of these frames would take hours.
-TEST(PreviewCommand, AnImpossiblePreviewIsSaidEarly) {
-    const std::string frames = " --set foam.bubbles=16 --set loop.kind=none --frames 1-100000 ";
+// The preset alone shows that each of these previews is impossible. A bake of all of the frames
+// would take hours, and that of a million bubbles minutes even for one frame.
+TEST(PreviewCommand, AnImpossiblePreviewIsReportedBeforeTheSimulation) {
+    const std::string frames =
+        " --set foam.bubbles=1000000 --set loop.kind=none --frames 20-100000 ";
     for (const char* const arguments :
-         {"soap_raft --as contact,tiling", "sea_foam --maps id --size 8"}) {
+         {"soap_raft --as contact,tiling", "shear --as tiling", "sea_foam --maps id --size 8"}) {
         const Outcome outcome = run_program("preview " + std::string(arguments) + frames);
         EXPECT_EQ(outcome.code, 2) << outcome.err;
         EXPECT_TRUE(outcome.written.empty());
     }
+}
+
+// The last frame of the preset `shear` is sheared by a whole width, in steps that are rounded.
+TEST(PreviewCommand, AFoamThatIsShearedByAWholeWidthTiles) {
+    const TemporaryFolder folder;
+    const std::string eight = "--set frames.count=8 --set 'event[1].frames=[2, 8]' --size 64 ";
+    const std::string small = "preview shear --set foam.bubbles=40 --as tiling -q " + eight;
+    EXPECT_EQ(run_program(small + "--frames 8", folder).code, 0);
+    EXPECT_EQ(run_program(small + "--frames 7", folder).code, 2);
 }
 
 // This PATH hides ffmpeg even if it is installed.
