@@ -18,7 +18,8 @@
 // A bake holds the foam and the solver's matrices, and one frame per thread that draws. The memory
 // of a frame is in proportion to its pixels. If each map has a file of its own, the maps are drawn
 // one after the other, so the map that needs the most memory determines the peak. If all maps share
-// a file, the images of all maps are in memory at the same time.
+// a file, the images of all maps are in memory at the same time. The grains of colors and of the
+// relief (maps/grain.h) are kept until all maps of the frame are drawn.
 
 namespace foam::texgen {
 
@@ -35,16 +36,21 @@ struct MeasuredMemory {
 // memory from 512 x 512 to 1024 x 1024 pixels, divided by the number of added pixels:
 //   foamtex bake sea_foam --set loop.kind=none --set frames.count=1 --set frames.warm_up=0
 //     --set foam.bubbles=100 --threads 1 --size 512 --maps ... --out '{map}.png' (or '{map}.exr')
-constexpr std::array<MeasuredMemory, 26> kMeasured{
-    {{"albedo", 29, 41},    {"thin_film", 34, 43}, {"lit", 50, 50},       {"opacity", 4, 8},
-     {"film", 24, 28},      {"distance", 12, 23},  {"height", 26, 33},    {"normal", 40, 66},
-     {"normal_gl", 40, 66}, {"normal_dx", 40, 66}, {"occlusion", 24, 35}, {"curvature", 26, 35},
-     {"roughness", 31, 32}, {"pressure", 4, 8},    {"area", 5, 8},        {"sides", 12, 15},
-     {"id", 13, 15},        {"id_color", 8, 19},   {"age", 5, 8},         {"growth", 5, 8},
-     {"motion", 13, 31},    {"event", 15, 24},     {"maze", 13, 22},      {"maze_solution", 18, 23},
-     {"contour", 10, 18},   {"caustics", 260, 260}}};
+constexpr std::array<MeasuredMemory, 28> kMeasured{
+    {{"albedo", 29, 41},    {"thin_film", 34, 43},  {"lit", 50, 50},
+     {"opacity", 4, 8},     {"film", 24, 28},       {"distance", 12, 23},
+     {"height", 26, 33},    {"normal", 40, 66},     {"normal_gl", 40, 66},
+     {"normal_dx", 40, 66}, {"occlusion", 24, 35},  {"curvature", 26, 35},
+     {"roughness", 31, 32}, {"pressure", 4, 8},     {"area", 5, 8},
+     {"sides", 12, 15},     {"id", 13, 15},         {"id_color", 8, 19},
+     {"age", 5, 8},         {"growth", 5, 8},       {"motion", 13, 31},
+     {"event", 15, 24},     {"maze", 13, 22},       {"maze_solution", 18, 23},
+     {"contour", 10, 18},   {"caustics", 260, 260}, {"emission", 34, 42},
+     {"metallic", 34, 34}}};
 // Used for maps that are not in the table above, because they were added after the measurement.
 constexpr MeasuredMemory kOther{"", 40, 50};
+
+constexpr double kGrain = 12.0;  // bytes per pixel of a grain: three floats
 
 constexpr double kProgram = 10e6;      // bytes of the process without a foam
 constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
@@ -131,6 +137,16 @@ double vector_memory(const Preset& preset) {
                : kVectorBytesPerBubble * preset.seeding.bubbles;
 }
 
+// Returns the memory, in bytes per pixel, of the grains that the maps of a preset draw.
+double grain_bytes_per_pixel(const Preset& preset) {
+    const std::vector<const Map*> maps = source_maps(preset);
+    const auto grain = [&](double strength, std::string_view table) {
+        const auto uses = [&](const Map* map) { return uses_table(*map, table); };
+        return strength > 0.0 && std::ranges::any_of(maps, uses) ? kGrain : 0.0;
+    };
+    return grain(preset.maps.albedo.grain, "albedo") + grain(preset.maps.relief.grain, "relief");
+}
+
 }  // namespace
 
 std::uint64_t estimated_foam_memory(std::size_t bubbles) {
@@ -162,7 +178,8 @@ std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int thr
         shared += channel_count(image.traits()) * bytes_per_layer_sample(preset.output.exr_numbers);
     }
     const double per_pixel = (preset.loop.is_cross_faded() ? kCrossFade : 1.0) *
-                             (largest + (pattern.stores_all_maps_in_one_file() ? shared : 0.0));
+                             (largest + grain_bytes_per_pixel(preset) +
+                              (pattern.stores_all_maps_in_one_file() ? shared : 0.0));
     const double pixels = static_cast<double>(preset.image.width) * preset.image.height;
     const auto drawn =
         static_cast<double>(std::min(frames, static_cast<std::size_t>(thread_count(threads))));

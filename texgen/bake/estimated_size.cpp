@@ -39,7 +39,7 @@ struct MeasuredSize {
 //   foamtex bake PRESET --set loop.kind=none --set frames.count=1 --set frames.warm_up=0
 //     --set output.texts=left-out --maps ... --out '{map}.png' (or '{map}.exr')
 // The sizes of most maps varied by less than 20 % between the presets.
-constexpr std::array<MeasuredSize, 12> kVaried{{{"albedo", 1.0, 2.3},
+constexpr std::array<MeasuredSize, 13> kVaried{{{"albedo", 1.0, 2.3},
                                                 {"thin_film", 1.4, 3.1},
                                                 {"lit", 1.0, 2.7},
                                                 {"distance", 1.0, 3.9},
@@ -50,7 +50,8 @@ constexpr std::array<MeasuredSize, 12> kVaried{{{"albedo", 1.0, 2.3},
                                                 {"occlusion", 0.32, 3.7},
                                                 {"curvature", 1.5, 3.8},
                                                 {"motion", 2.6, 7.7},
-                                                {"caustics", 1.1, 2.9}}};
+                                                {"caustics", 1.1, 2.9},
+                                                {"emission", 0.8, 2.8}}};
 
 // All other maps consist of large areas of one value. In the same measurement, the files of these
 // maps had on average 0.1 (PNG) and 0.3 (EXR) bytes per pixel. The files of `maze` were the

@@ -28,7 +28,7 @@ ColorPixels draw_flat(FrameLayers& layers, const AlbedoOptions& options) {
 
 // Multiplies each color by 1 plus `options.grain` times the value of the grain.
 void add_grain(FrameLayers& layers, const AlbedoOptions& options, ColorPixels& colors) {
-    const Grain grain = draw_grain(layers, options.grain_size, GrainUse::Albedo);
+    const Grain& grain = layers.grain({options.grain_size, GrainUse::Albedo});
     change_colors(
         colors.pixels,
         [values = grain.value.samples().data(), strength = static_cast<float>(options.grain)](

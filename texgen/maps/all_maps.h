@@ -198,7 +198,7 @@ bool uses_table(const Map& map, std::string_view table);
 /// Precondition: all names are names of maps.
 bool shows_maze(std::span<const std::string> names, const MapOptions& options);
 
-/// Returns a Markdown table of all maps, which texgen/maps/README.md contains.
+/// Returns a Markdown table of all maps, which texgen/maps/MAPS.md contains.
 std::string describe_maps_in_markdown();
 
 }  // namespace foam::texgen

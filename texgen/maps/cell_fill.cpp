@@ -182,11 +182,11 @@ std::vector<double> radii_by_cell_id(const FrameLayers& layers, double around) {
             return scale * std::sqrt(frame.bubbles[bubble].area / std::numbers::pi);
         },
         [&](const LoneBubble& bubble) { return scale * lone_radius(bubble); });
-    return by_cell_id(layers, radii, around);
+    return by_cell_id(frame, radii, around);
 }
 
 IdPixels paint_ids(FrameLayers& layers, const PerBubble<std::uint32_t>& ids) {
-    const std::vector<std::uint32_t> by_id = by_cell_id(layers, ids, 0U);
+    const std::vector<std::uint32_t> by_id = by_cell_id(layers.frame(), ids, 0U);
     IdPixels image{layers.distance().ids};
     for (std::uint32_t& id : image.pixels.samples()) {
         id = by_id[id];

@@ -43,18 +43,6 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
 /// visible.
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles);
 
-/// Returns a table of values indexed by the ids of a DistanceField. The values of the bubbles of
-/// the network come first. In a patch they are followed by `around`, the value of the surroundings,
-/// and by the values of the lone bubbles.
-template <class Value>
-std::vector<Value> by_cell_id(const FrameLayers& layers, PerBubble<Value> values, Value around) {
-    if (layers.is_patch()) {
-        const auto bubbles = static_cast<std::ptrdiff_t>(layers.frame().bubbles.size());
-        values.insert(values.begin() + bubbles, around);
-    }
-    return values;
-}
-
 /// Returns a table with one radius per bubble, in pixels: that of a circle with the area of the
 /// bubble. The table is indexed by the ids of a DistanceField and contains `around` for the
 /// surroundings of a patch.

@@ -26,7 +26,7 @@ struct BubbleValues {
     friend bool operator==(const BubbleValues&, const BubbleValues&) = default;
 };
 
-/// Averages over recent frames. In each frame, an average moves towards the present value by the
+/// Averages over recent frames. In each frame, an average moves toward the present value by the
 /// fraction 1 / (1 + FramesOptions::smoothing) of the difference. The first averages of a bubble
 /// are its first values.
 ///

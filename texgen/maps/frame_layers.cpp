@@ -65,6 +65,15 @@ const CellArcs& FrameLayers::arcs(double film_width) {
     return arcs_.emplace(film_width, cell_arcs(frame(), grid_, film_width, threads_)).first->second;
 }
 
+const Grain& FrameLayers::grain(const GrainRule& rule) {
+    const auto known = grains_.find(rule);
+    if (known != grains_.end()) {
+        return known->second;
+    }
+    Grain grain = draw_grain(frame(), grid_, distance().ids, rule, threads_);
+    return grains_.emplace(rule, std::move(grain)).first->second;
+}
+
 const Maze& FrameLayers::maze(const MazeRule& rule) {
     const auto known = mazes_.find(rule);
     return known != mazes_.end() ? known->second

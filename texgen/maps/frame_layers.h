@@ -7,6 +7,7 @@
 #include "texgen/maps/fade_border.h"
 #include "texgen/maps/foam_record.h"
 #include "texgen/maps/frame_one.h"
+#include "texgen/maps/grain.h"
 #include "texgen/maps/maze_graph.h"
 #include "texgen/raster/distance/distance_field.h"
 #include "texgen/raster/outline/cell_arcs.h"
@@ -69,6 +70,9 @@ class FrameLayers {
     /// (distances_to_arcs). Throws std::invalid_argument if the grid does not fit the domain, for
     /// example if pixels on a torus are not square (pixels_per_unit).
     const ArcDistances& wall_distances(const MazeRule& rule, const ArcDistanceNeeds& needs);
+    /// Returns a grain (draw_grain). Throws std::invalid_argument if the grid does not fit the
+    /// domain (diameters_in_pixels).
+    const Grain& grain(const GrainRule& rule);
     /// Returns true if `id`, a sample of DistanceField::ids, denotes the surroundings of a patch.
     bool is_surroundings(std::uint32_t id) const {
         return is_patch() && id == frame().bubbles.size();
@@ -84,6 +88,7 @@ class FrameLayers {
     std::optional<DistanceField> distance_;
     std::optional<FadeBorder> border_;
     std::map<MazeRule, Maze> mazes_;
+    std::map<GrainRule, Grain> grains_;
     std::map<std::pair<MazeRule, ArcDistanceNeeds>, ArcDistances> wall_distances_;
 };
 

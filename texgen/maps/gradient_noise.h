@@ -34,8 +34,8 @@ inline std::uint32_t scrambled(std::uint32_t x) {
 /// Returns the largest integer that is not above x. Loops that call this function can be vectorized
 /// for every SimdLevel. Precondition: the integer fits into 32 bits.
 inline std::int32_t floor_of(double x) {
-    const auto towards_zero = static_cast<std::int32_t>(x);
-    return towards_zero - (x < towards_zero ? 1 : 0);
+    const auto toward_zero = static_cast<std::int32_t>(x);
+    return toward_zero - (x < toward_zero ? 1 : 0);
 }
 
 namespace detail {

@@ -2,15 +2,24 @@
 
 #include "texgen/maps/grain.h"
 
+#include "core/parallel/parallel_for.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/maps/albedo_options.h"
-#include "texgen/maps/cell_fill.h"
 #include "texgen/maps/gradient_noise.h"
+#include "texgen/maps/per_bubble.h"
 
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
+
+// The grain is fractal noise: octaves of gradient noise (K. Perlin, "Improving noise", 2002), each
+// with half the size and half the height of the preceding one. Octaves that the pixels cannot
+// resolve, except the first one, are left out, which prevents aliasing (A. Norton, A. P. Rockwood
+// and P. T. Skolmoski, "Clamping: a method of antialiasing textured surfaces by bandwidth limiting
+// in object space", 1982). The origin of the noise in a bubble is its centroid, rounded to
+// subpixels. Positions relative to it are whole numbers of subpixels, so that a shift of the grid
+// shifts the grain without changing a bit. These origins are our own.
 
 namespace foam::texgen {
 
@@ -69,15 +78,14 @@ struct Origins {
     std::vector<std::uint32_t> seeds;  // 0 around a patch
 };
 
-Origins origins_of(FrameLayers& layers, GrainUse use) {
-    const Frame& frame = layers.frame();
+Origins origins_of(const Frame& frame, const RasterGrid& grid, GrainUse use) {
     const Domain& domain = frame.domain;
     const auto position = [&](const Vec2& center) {
         if (domain.is_plane()) {
-            return rounded_to_subpixels(pixel_in_view(layers.grid(), center));
+            return rounded_to_subpixels(pixel_in_view(grid, center));
         }
         const Vec2 wrapped = center - domain.translation(domain.cell_of(center));
-        const SubpixelPoint rounded = Snap(layers.grid(), domain)(wrapped);
+        const SubpixelPoint rounded = Snap(grid, domain)(wrapped);
         return Vec2(rounded.x, rounded.y);
     };
     const auto centers = per_bubble<Vec2>(
@@ -89,11 +97,11 @@ Origins origins_of(FrameLayers& layers, GrainUse use) {
         [&](BubbleId bubble) { return seed_of_grain(frame.bubbles[bubble].identity, use); },
         [&](const LoneBubble& bubble) { return seed_of_grain(bubble.identity, use); });
     Origins origins;
-    for (const Vec2& center : by_cell_id(layers, centers, Vec2(0.0, 0.0))) {
+    for (const Vec2& center : by_cell_id(frame, centers, Vec2(0.0, 0.0))) {
         origins.x.push_back(center.x());
         origins.y.push_back(center.y());
     }
-    origins.seeds = by_cell_id(layers, seeds, std::uint32_t{0});
+    origins.seeds = by_cell_id(frame, seeds, std::uint32_t{0});
     return origins;
 }
 
@@ -133,24 +141,28 @@ struct RowPoints {
     std::vector<std::uint32_t> seeds;
 };
 
+// The values that all rows of an image share.
+struct GrainPlan {
+    Origins origins;
+    Periods periods;
+    SubpixelPoint shift;  // RasterGrid::shift_x and shift_y; 0 in the plane
+    double size;          // of the largest features, pixels
+};
+
 // Sets the points of the row `y`.
-void set_points(const FrameLayers& layers,
+void set_points(const GrainPlan& plan,
                 std::span<const std::uint32_t> ids,
-                const Origins& origins,
-                double size,
                 int y,
                 RowPoints& points) {
-    const bool is_plane = layers.is_patch();
-    const SubpixelPoint shift = is_plane ? SubpixelPoint{} : shift_of(layers.grid());
     at_simd_level([count = ids.size(),
                    ids = ids.data(),
-                   origins_x = origins.x.data(),
-                   origins_y = origins.y.data(),
-                   seeds = origins.seeds.data(),
-                   periods = periods_of(layers.grid(), layers.frame().domain),
-                   left = kSubpixel / 2 - shift.x,
-                   bottom = y * kSubpixel + kSubpixel / 2 - shift.y,
-                   scale = 1.0 / (size * kSubpixel),
+                   origins_x = plan.origins.x.data(),
+                   origins_y = plan.origins.y.data(),
+                   seeds = plan.origins.seeds.data(),
+                   periods = plan.periods,
+                   left = kSubpixel / 2 - plan.shift.x,
+                   bottom = y * kSubpixel + kSubpixel / 2 - plan.shift.y,
+                   scale = 1.0 / (plan.size * kSubpixel),
                    to_x = points.x.data(),
                    to_y = points.y.data(),
                    to_seeds = points.seeds.data()] {
@@ -208,27 +220,35 @@ std::uint32_t seed_of_grain(BubbleIdentity identity, GrainUse use) {
     return scrambled(2U * number + static_cast<std::uint32_t>(use)) | 1U;
 }
 
-Grain draw_grain(FrameLayers& layers, double size, GrainUse use, double mean) {
-    const RasterGrid& grid = layers.grid();
-    const double pixels = diameters_in_pixels(size, grid, layers.frame().domain);
-    const Image<std::uint32_t>& ids = layers.distance().ids;
-    const Origins origins = origins_of(layers, use);
+Grain draw_grain(const Frame& frame,
+                 const RasterGrid& grid,
+                 const Image<std::uint32_t>& ids,
+                 const GrainRule& rule,
+                 int threads) {
+    const double pixels = diameters_in_pixels(rule.size, grid, frame.domain);
+    const GrainPlan plan{
+        origins_of(frame, grid, rule.use),
+        periods_of(grid, frame.domain),
+        frame.domain.is_plane() ? SubpixelPoint{} : shift_of(grid),
+        pixels,
+    };
     const auto blank = [&] { return Image<float>(grid.width, grid.height, 1); };
     Grain grain{blank(), blank(), blank()};
     const int octaves = octaves_of(pixels);
-    RowPoints points(static_cast<std::size_t>(grid.width));
-    for (int y = 0; y < grid.height; ++y) {
-        set_points(layers, ids.row(y), origins, pixels, y, points);
+    std::vector<RowPoints> workers(static_cast<std::size_t>(thread_count(threads)),
+                                   RowPoints(static_cast<std::size_t>(grid.width)));
+    parallel_for(grid.height, workers, [&](RowPoints& points, int y) {
+        set_points(plan, ids.row(y), y, points);
         const GrainRow row{grain.value.row(y), grain.slope_x.row(y), grain.slope_y.row(y)};
         for (std::size_t k = 0; k < row.value.size(); ++k) {
-            row.value[k] = points.seeds[k] == 0 ? 0.0F : static_cast<float>(mean);
+            row.value[k] = points.seeds[k] == 0 ? 0.0F : static_cast<float>(rule.mean);
         }
         double height = kNoiseScale;
         for (int octave = 0; octave < octaves; ++octave) {
             add_octave(points, octave, height, kNoiseScale / pixels, row);
             height *= 0.5;
         }
-    }
+    });
     return grain;
 }
 

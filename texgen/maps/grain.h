@@ -2,9 +2,11 @@
 
 #pragma once
 
+#include "core/foam/frame.h"
 #include "texgen/image/image.h"
-#include "texgen/maps/frame_layers.h"
+#include "texgen/raster/coords/raster_grid.h"
 
+#include <compare>
 #include <cstdint>
 
 namespace foam::texgen {
@@ -27,13 +29,26 @@ struct Grain {
     Image<float> slope_y;
 };
 
+/// Tells which grain to draw.
+struct GrainRule {
+    double size;  // of the largest features, in diameters of a mean bubble of the seeded foam
+    GrainUse use;
+    double mean = 0.0;  // of the values in bubbles
+
+    friend auto operator<=>(const GrainRule&, const GrainRule&) = default;
+};
+
 /// Draws a fine texture of noise in every bubble. It moves with the centroid of the bubble, does
 /// not turn or stretch, and differs from bubble to bubble. There is no noise around a patch: the
 /// values there are 0. There are up to five octaves: the first one, and further ones whose features
 /// are not smaller than two pixels. If a bubble of a torus extends farther from its centroid than
-/// half the width or height of the image, the noise has a visible step at this distance. `size` is
-/// the size of the largest features, in diameters of a mean bubble of the seeded foam. `mean` is
-/// the mean of the values in bubbles.
-Grain draw_grain(FrameLayers& layers, double size, GrainUse use, double mean = 0.0);
+/// half the width or height of the image, the noise has a visible step at this distance. `ids` are
+/// the ids of the distance field of the frame (DistanceField::ids). Maps get their grain from
+/// FrameLayers::grain, which draws each grain only once.
+Grain draw_grain(const Frame& frame,
+                 const RasterGrid& grid,
+                 const Image<std::uint32_t>& ids,
+                 const GrainRule& rule,
+                 int threads);
 
 }  // namespace foam::texgen

@@ -140,6 +140,7 @@ class MotionPainter {
             paint_pixels(
                 image, first, [&](MovingPoints& points) { set_motions(boundary, points); });
         } else {
+            // Ids of regions: the bubbles, then the surroundings (one id), then the lone bubbles.
             const LoneBubble& lone = layers_.frame().lone_bubbles[index - bubbles - 1];
             const CircleMotion circle(lone, layers_.next(), scale_);
             const Vec2 center = pixel_in_view(layers_.grid(), lone.center);
@@ -160,9 +161,8 @@ class MotionPainter {
         return Vec2(first.x, first.y) / kSubpixel;
     }
 
-    // Paints the pixels that `pixels_` contains. The points are the centers of these pixels, and
-    // their positions are relative to `origin`. set_motions(points) sets the motions of many points
-    // at once.
+    // Paints the pixels that `pixels_` contains. Collects the centers of many of them, relative to
+    // `origin`, and calls set_motions(points), which must set the motions at these points.
     template <class SetMotions>
     void paint_pixels(ImageView<float> image, const Vec2& origin, const SetMotions& set_motions) {
         constexpr std::size_t kBatch = 1024;

@@ -48,7 +48,7 @@ struct NormalOptions {
 Keys<NormalOptions> normal_keys();
 
 /// Draws the unit normals of the relief, computed from its slopes: x to the right, y up or down
-/// (options.y), z towards the viewer. The image has three channels with values from -1 to 1; they
+/// (options.y), z toward the viewer. The image has three channels with values from -1 to 1; they
 /// are (0, 0, 1) where the relief is flat.
 NumberPixels draw_normal(FrameLayers& layers,
                          const ReliefSource& source,

@@ -29,6 +29,18 @@ PerBubble<Value> per_bubble(const Frame& frame, const Of& of, const OfLone& of_l
     return values;
 }
 
+/// Returns a table of values indexed by the ids of a DistanceField. The values of the bubbles of
+/// the network come first. In a patch they are followed by `around`, the value of the surroundings,
+/// and by the values of the lone bubbles.
+template <class Value>
+std::vector<Value> by_cell_id(const Frame& frame, PerBubble<Value> values, Value around) {
+    if (frame.domain.is_plane()) {
+        const auto bubbles = static_cast<std::ptrdiff_t>(frame.bubbles.size());
+        values.insert(values.begin() + bubbles, around);
+    }
+    return values;
+}
+
 /// Returns the identities of all bubbles.
 inline PerBubble<BubbleIdentity> identities_of(const Frame& frame) {
     return per_bubble<BubbleIdentity>(

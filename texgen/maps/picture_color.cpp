@@ -86,14 +86,15 @@ class PlacedPicture {
 
   private:
     LinearRgb at(const Vec2& point) const {
-        const Vec2 place = (point - low_).cwiseQuotient(size_);
-        return color_on_white(pixel_of(
-            picture_, pixel(place.x(), picture_.width()), pixel(place.y(), picture_.height())));
+        const Vec2 position = (point - low_).cwiseQuotient(size_);
+        return color_on_white(pixel_of(picture_,
+                                       pixel(position.x(), picture_.width()),
+                                       pixel(position.y(), picture_.height())));
     }
-    // Returns the index of the pixel at `place` along one axis of the repeated picture. The picture
-    // has `pixels` pixels along this axis. The unit of `place` is its width or height.
-    static int pixel(double place, int pixels) {
-        return std::min(static_cast<int>((place - std::floor(place)) * pixels), pixels - 1);
+    // Returns the index of the pixel at `position` along one axis of the repeated picture. The
+    // picture has `pixels` pixels along this axis. The unit of `position` is its width or height.
+    static int pixel(double position, int pixels) {
+        return std::min(static_cast<int>((position - std::floor(position)) * pixels), pixels - 1);
     }
 
     const SourcePicture& picture_;

@@ -20,6 +20,14 @@
 #include <utility>
 #include <vector>
 
+// The map draws bubbles in flat tones that exaggerate the differences of pressure, like Figure 8 of
+// the paper. Percentiles are interpolated between two pressures (definition 7 of R. J. Hyndman and
+// Y. Fan, "Sample quantiles in statistical packages", 1996). The scalings Rank and Share are
+// histogram equalization (R. C. Gonzalez and R. E. Woods, "Digital Image Processing"), by the
+// number and by the area of bubbles. Smoothing and flattening together are a band-pass filter on
+// the graph of neighbors, a difference of two averages like that of D. Marr and E. Hildreth
+// ("Theory of edge detection", 1980).
+
 namespace foam::texgen {
 
 namespace {

@@ -30,7 +30,7 @@ struct ReflectionOptions {
 
 Keys<ReflectionOptions> reflection_keys();
 
-/// A direction: a vector of length 1 with the components right, up, and towards the viewer.
+/// A direction: a vector of length 1 with the components right, up, and toward the viewer.
 using Direction = Eigen::Vector3d;
 
 /// Returns the direction with the given azimuth and elevation in degrees (LightOptions).

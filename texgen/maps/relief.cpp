@@ -6,6 +6,14 @@
 #include "texgen/maps/degree.h"
 #include "texgen/maps/smooth_step.h"
 
+// The relief is a height field: the height is a function, the section of the profile
+// (relief_section.h), of the smooth distance from films (A. Biswas and V. Shapiro, "Approximate
+// distance fields with non-vanishing gradients", 2004) or of the distance from the walls of a maze.
+// Slopes follow from the gradient of the distance by the chain rule, and slopes of the faded grain
+// by the product rule. They are exact derivatives, as in bump mapping (J. F. Blinn, "Simulation of
+// wrinkled surfaces", 1978); differences between pixels would depend on the size of the image. The
+// choice of these distances is our own.
+
 namespace foam::texgen {
 
 namespace {
@@ -17,7 +25,8 @@ constexpr double kGrainFade = 0.12;
 }  // namespace
 
 Relief::Relief(FrameLayers& layers, const ReliefSource& source, double reach)
-    : section_(source.relief.profile, source.relief.angle * kDegree),
+    : layers_(layers),
+      section_(source.relief.profile, source.relief.angle * kDegree),
       strength_(source.relief.strength),
       diameter_(diameter_of(source.relief.mean_bubble, layers.frame()) *
                 pixels_per_unit(layers.grid(), layers.frame().domain)),
@@ -41,16 +50,16 @@ Relief::Relief(FrameLayers& layers, const ReliefSource& source, double reach)
         // With ridges and wet films, the bubbles between the films are flat and have the height 0.
         // With the mean kGrainBound the grain is never negative, so that no height is negative.
         const double mean = source.relief.profile == ReliefProfile::Dome ? 0.0 : kGrainBound;
-        grain_ = draw_grain(layers, source.relief.grain_size, GrainUse::Relief, mean);
+        grain_ = {source.relief.grain_size, GrainUse::Relief, mean};
     }
 }
 
 // The grain is multiplied by a factor that rises smoothly from 0 on films to 1 at the smooth
 // distance kGrainFade.
-void Relief::add_grain(Image<float>& heights) const {
+void Relief::add_grain(const Grain& grain, Image<float>& heights) const {
     at_simd_level([count = heights.samples().size(),
                    to = heights.samples().data(),
-                   values = grain_->value.samples().data(),
+                   values = grain.value.samples().data(),
                    distances = smooth_->samples().data(),
                    range = kGrainFade * diameter_,
                    height = grain_height_] {
@@ -62,13 +71,13 @@ void Relief::add_grain(Image<float>& heights) const {
     });
 }
 
-void Relief::add_grain(PixelSlopes& slopes) const {
+void Relief::add_grain(const Grain& grain, PixelSlopes& slopes) const {
     at_simd_level([count = slopes.x.samples().size(),
                    to_x = slopes.x.samples().data(),
                    to_y = slopes.y.samples().data(),
-                   values = grain_->value.samples().data(),
-                   slopes_x = grain_->slope_x.samples().data(),
-                   slopes_y = grain_->slope_y.samples().data(),
+                   values = grain.value.samples().data(),
+                   slopes_x = grain.slope_x.samples().data(),
+                   slopes_y = grain.slope_y.samples().data(),
                    distances = smooth_->samples().data(),
                    gradient = gradient_->samples().data(),
                    range = kGrainFade * diameter_,
@@ -94,7 +103,7 @@ Image<float> Relief::heights() const {
         heights[k] = static_cast<float>(unit > 0.0 ? height : 0.0);
     });
     if (grain_) {
-        add_grain(image);
+        add_grain(layers_.grain(*grain_), image);
     }
     return image;
 }
@@ -112,7 +121,7 @@ PixelSlopes Relief::slopes() const {
             y[k] = static_cast<float>(slope * static_cast<double>(gradient[2 * k + 1]));
         });
     if (grain_) {
-        add_grain(image);
+        add_grain(layers_.grain(*grain_), image);
     }
     return image;
 }

@@ -33,7 +33,7 @@ struct PixelSlopes {
 /// The relief of a frame: a surface whose height varies over the foam, at the centers of pixels.
 /// Heights come from the smooth distance (DistanceField::smooth), which has no creases within a
 /// bubble, and slopes come from its gradient. There are therefore creases only along films. A grain
-/// (grain.h), which fades out towards films, is added if ReliefOptions::grain is above 0. With the
+/// (grain.h), which fades out toward films, is added if ReliefOptions::grain is above 0. With the
 /// profiles Ridge and Wet, where bubbles are flat, the grain is never negative: it raises the
 /// bubbles between the films. If only the walls of a maze shape the relief (ReliefFilms::Walls),
 /// there is no grain, and the distance to the nearest wall replaces the smooth distance. There are
@@ -83,13 +83,14 @@ class Relief {
     double diameter() const { return diameter_; }
 
   private:
-    void add_grain(Image<float>& heights) const;
-    void add_grain(PixelSlopes& slopes) const;
+    void add_grain(const Grain& grain, Image<float>& heights) const;
+    void add_grain(const Grain& grain, PixelSlopes& slopes) const;
     template <class Kernel>
     void visit_domes(const DomeSection& section, const Kernel& kernel) const;
     template <class Section, class Kernel>
     void visit_films(const Section& section, const Kernel& kernel) const;
 
+    FrameLayers& layers_;
     ReliefSection section_;
     double strength_;
     double diameter_;
@@ -98,7 +99,7 @@ class Relief {
     const Image<float>* gradient_ = nullptr;     // of `smooth_`
     const Image<std::uint32_t>* ids_ = nullptr;  // of the distance field; only for domes
     std::vector<double> radii_;                  // units of domes, indexed by these ids
-    std::optional<Grain> grain_;
+    std::optional<GrainRule> grain_;
     double grain_height_;  // factor on the values of the grain, pixels
 };
 

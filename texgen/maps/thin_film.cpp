@@ -27,10 +27,10 @@ namespace {
 
 // The thickness of the soap film that spans a bubble depends on the position in the bubble: liquid
 // gathers at the rim and at the bottom, and swirls. A table contains the color for every nanometer
-// of thickness. In this file, the place of a point is its position in the bubble, as a vector that
-// is zero in the middle of the bubble and has length 1 at its rim: the negative gradient of the
-// smooth distance (raster/distance/distance_field.h). In a circle of radius R, this is the position
-// relative to the center, divided by R.
+// of thickness. In this file, the position of a point in its bubble is a vector that is zero in the
+// middle of the bubble and has length 1 at its rim: the negative gradient of the smooth distance
+// (raster/distance/distance_field.h). In a circle of radius R, this is the vector from the center
+// to the point, divided by R.
 
 constexpr int kThickest = 4000;  // nanometers; thicker films are practically gray
 
@@ -87,15 +87,15 @@ Films films_of(FrameLayers& layers, const ThinFilmOptions& options) {
             [&](BubbleId bubble) { return number_of(frame.bubbles[bubble].identity); },
             [&](const LoneBubble& bubble) { return number_of(bubble.identity); });
     };
-    return {by_cell_id(layers, of_identity(thickness_of), 0.0),
+    return {by_cell_id(layers.frame(), of_identity(thickness_of), 0.0),
             radii_by_cell_id(layers, 1.0),
-            by_cell_id(layers, of_identity(phase_of), 0.0)};
+            by_cell_id(layers.frame(), of_identity(phase_of), 0.0)};
 }
 
 // Returns a number from -1 to 1 that varies smoothly over a bubble: the sum of two crossed waves,
 // one of which bends the other. The pattern is twisted about the middle of the bubble, so that the
-// waves wind around it. (x, y) is the place in the bubble. `phase` turns the pattern and shifts the
-// waves, so that bubbles differ.
+// waves wind around it. (x, y) is the position in the bubble. `phase` turns the pattern and shifts
+// the waves, so that bubbles differ.
 double swirl_at(double x, double y, double phase) {
     // The angle by which the pattern at the rim is turned relative to the middle, in radians.
     constexpr double kTwist = 2.2;

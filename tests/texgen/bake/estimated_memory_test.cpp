@@ -2,9 +2,9 @@
 
 #include "texgen/bake/estimated_memory.h"
 
-#include "tests/support/places.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -27,6 +27,7 @@ struct Subject {
     int frames;
     int threads;
     SheetKind sheets = SheetKind::None;
+    double grain = 0.0;  // albedo.grain and relief.grain
 };
 
 Preset preset_of(const Subject& subject) {
@@ -36,6 +37,7 @@ Preset preset_of(const Subject& subject) {
     preset.image.width = preset.image.height = subject.size;
     preset.output.pattern = subject.name;
     preset.output.sheets = subject.sheets;
+    preset.maps.albedo.grain = preset.maps.relief.grain = subject.grain;
     return preset;
 }
 
@@ -71,6 +73,10 @@ double measured_memory(const Subject& subject) {
         std::to_string(subject.threads),
         "--set",
         std::string("output.sheets=") + (subject.sheets == SheetKind::None ? "none" : "ktx2"),
+        "--set",
+        "albedo.grain=" + std::to_string(subject.grain),
+        "--set",
+        "relief.grain=" + std::to_string(subject.grain),
         "--set",
         "output.sheet_pattern=" + (folder.path() / "{map}").string(),
         "--out",
@@ -110,6 +116,7 @@ TEST(EstimatedMemory, IsRightWithinAFactorOfOneAndAHalf) {
     const std::vector<Subject> subjects{
         {"{map}.#.png", {"albedo"}, 100, 1024, 1, 1},
         {"{map}.#.png", {"lit"}, 100, 512, 4, 2},
+        {"{map}.#.png", {"lit"}, 100, 1024, 1, 1, SheetKind::None, 0.05},
         {"{map}.#.png", {"id", "film", "normal"}, 100, 1024, 4, 4},
         {"{map}.#.exr", {"height", "distance"}, 100, 1024, 1, 1},
         {"all.#.exr", {"albedo", "height", "id", "normal"}, 100, 1024, 2, 2},

@@ -28,7 +28,7 @@ TEST(BoundaryMotion, IsExactOnThePolygonAndKeepsLinearMotion) {
     for (const Vec2& point : {Vec2(1.0, 1.0), Vec2(3.5, 0.3), Vec2(0.2, 3.9), Vec2(2.0, 0.0)}) {
         EXPECT_LT((motion_at(l_shape, point) - linear(point)).norm(), 1e-12);
     }
-    // From a side over a corner to a side.
+    // The points lead from one side of the boundary across a corner to another side.
     MovingPoints points{{0.0, 1.0, 2.0, 3.0, 4.0}, std::vector<double>(5, 2.0), {}, {}};
     set_motions(l_shape, points);
     for (std::size_t k = 0; k < 5; ++k) {

@@ -71,7 +71,7 @@ TEST(Caustics, NoLightIsLostOnATorus) {
 }
 
 // A spherical dome is a lens. A ray at a distance x from its axis meets the slope x / r, where r is
-// the radius of the sphere (for gentle slopes), and moves towards the axis by
+// the radius of the sphere (for gentle slopes), and moves toward the axis by
 // depth * (1 - 1/1.33) * x / r. All lengths are divided by 1 minus this factor, so the light in the
 // middle is divided by its square.
 TEST(Caustics, ADomeGathersLightInItsMiddle) {

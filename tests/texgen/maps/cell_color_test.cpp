@@ -29,7 +29,7 @@ TEST(CellColor, AreasAndSidesOfAHoneycombAreInTheMiddleOfTheScale) {
     }
 }
 
-TEST(CellColor, ChanceIsOfABubbleAndDoesNotChangeWithTheFoam) {
+TEST(CellColor, ARandomColorStaysWithItsBubble) {
     AlbedoOptions options;
     options.color_by = ColorBy::Random;
     const PerBubble<double> before = scale_positions(test::torus_subject().frame, {}, options);

@@ -62,7 +62,7 @@ TEST(CellFill, CoversAreAreas) {
 // bubbles.
 TEST(CellFill, ValuesByIdHaveTheSurroundingInBetween) {
     LoneCircle circle(20.0);
-    EXPECT_EQ(by_cell_id(circle.layers, PerBubble<int>{7}, -1), (std::vector<int>{-1, 7}));
+    EXPECT_EQ(by_cell_id(circle.layers.frame(), PerBubble<int>{7}, -1), (std::vector<int>{-1, 7}));
 }
 
 }  // namespace

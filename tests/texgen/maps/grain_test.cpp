@@ -21,18 +21,26 @@ constexpr auto kMiddle = static_cast<std::size_t>(32 * test::kCircleImage + 30);
 // The mean is added to every value in the bubble, but not around the patch.
 TEST(Grain, ItsMeanIsAdded) {
     test::LoneCircle circle(25.0);
-    const Grain plain = draw_grain(circle.layers, 0.2, GrainUse::Relief);
-    const Grain raised = draw_grain(circle.layers, 0.2, GrainUse::Relief, 3.0);
+    const Grain& plain = circle.layers.grain({0.2, GrainUse::Relief});
+    const Grain& raised = circle.layers.grain({0.2, GrainUse::Relief, 3.0});
     EXPECT_NEAR(raised.value.samples()[kMiddle], plain.value.samples()[kMiddle] + 3.0F, 1e-6F);
     EXPECT_EQ(raised.slope_x, plain.slope_x);
     EXPECT_EQ(raised.slope_y, plain.slope_y);
     EXPECT_EQ(raised.value.samples()[0], 0.0F);
 }
 
+TEST(Grain, IsDrawnOnceForAllMaps) {
+    test::LoneCircle circle(25.0);
+    const GrainRule rule{0.2, GrainUse::Relief};
+    const Grain& first = circle.layers.grain(rule);
+    EXPECT_EQ(&circle.layers.grain(rule), &first);
+    EXPECT_NE(&circle.layers.grain({0.2, GrainUse::Albedo}), &first);
+}
+
 // A lone bubble has its grain in its circle, relative to its center.
 TEST(Grain, ThereIsNoneAroundAPatch) {
     test::LoneCircle circle(25.0);
-    const Grain grain = draw_grain(circle.layers, 0.2, GrainUse::Relief);
+    const Grain& grain = circle.layers.grain({0.2, GrainUse::Relief});
     EXPECT_EQ(grain.value.samples()[0], 0.0F);
     EXPECT_EQ(grain.slope_x.samples()[0], 0.0F);
     EXPECT_EQ(grain.slope_y.samples()[0], 0.0F);
@@ -47,7 +55,7 @@ TEST(Grain, IsTheSumOfOctavesAtTheCentersOfPixels) {
     test::LoneCircle circle(kRadius);
     const double pixels =
         diameters_in_pixels(kSize, circle.layers.grid(), circle.layers.frame().domain);
-    const Grain grain = draw_grain(circle.layers, kSize, GrainUse::Albedo);
+    const Grain& grain = circle.layers.grain({kSize, GrainUse::Albedo});
     test::for_each_inside(kRadius - 1.0, [&](int x, int y, const Vec2& point) {
         const auto index = static_cast<std::size_t>(y * test::kCircleImage + x);
         const NoiseValue noise =
@@ -70,7 +78,7 @@ TEST(Grain, OfAFarBubbleIsRelativeToItsCenter) {
                        {kImage, kImage, 0, 0, View{middle, kRadius}},
                        1);
     const double pixels = diameters_in_pixels(kSize, layers.grid(), frame.domain);
-    const Grain grain = draw_grain(layers, kSize, GrainUse::Albedo);
+    const Grain& grain = layers.grain({kSize, GrainUse::Albedo});
     for (int k = 0; k < kImage; ++k) {
         const Vec2 point = kRadius * middle + Vec2::Constant(k + 0.5 - 0.5 * kImage);
         const NoiseValue noise =
@@ -84,8 +92,8 @@ TEST(Grain, OfAFarBubbleIsRelativeToItsCenter) {
 TEST(Grain, UsesAreIndependent) {
     const test::MapSubject& subject = test::torus_subject();
     FrameLayers layers(subject.input(), test::torus_grid(64), 1);
-    const Grain relief = draw_grain(layers, 0.5, GrainUse::Relief);
-    const Grain albedo = draw_grain(layers, 0.5, GrainUse::Albedo);
+    const Grain& relief = layers.grain({0.5, GrainUse::Relief});
+    const Grain& albedo = layers.grain({0.5, GrainUse::Albedo});
     double products = 0.0;
     double squares = 0.0;
     for (std::size_t k = 0; k < 64U * 64U; ++k) {

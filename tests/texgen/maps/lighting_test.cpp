@@ -31,7 +31,7 @@ TEST(Lighting, FlatGroundUnderTheWholeSkyKeepsItsColor) {
     EXPECT_EQ(shine, 0.0);
 }
 
-// Lambert's law: a slope of 30 degrees towards a light from the right, at an elevation of 50
+// Lambert's law: a slope of 30 degrees toward a light from the right, at an elevation of 50
 // degrees, is at 10 degrees from the light. Flat ground is at 40 degrees from it.
 TEST(Lighting, DirectLightFollowsTheCosine) {
     constexpr double kDegree = std::numbers::pi / 180.0;

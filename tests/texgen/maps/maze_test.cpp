@@ -2,9 +2,9 @@
 
 #include "texgen/maps/maze.h"
 
-#include "tests/support/places.h"
 #include "tests/support/sample_foams.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/keys/limits.h"
 #include "tests/texgen/maps/lone_circle.h"
 #include "texgen/image/external_program.h"

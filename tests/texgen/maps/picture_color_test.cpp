@@ -74,7 +74,7 @@ TEST(PictureColor, IsKeptForLifeOrSampledInEachFrame) {
 }
 
 // A bubble that is not in frame 1 has the color under it.
-TEST(PictureColor, OfALaterBubbleIsThatUnderIt) {
+TEST(PictureColor, OfALaterBubbleIsSampledUnderIt) {
     const AlbedoOptions options = steps(64);
     Frame later = hexagons();
     later.bubbles[id_at<BubbleId>(3)].identity = 100;
@@ -99,7 +99,7 @@ TEST(PictureColor, CoversTheBoundingBoxOfAPatch) {
 }
 
 // The colors of frame 1 are computed once per picture.
-TEST(PictureColor, OfFrameOneAreShared) {
+TEST(PictureColor, IsComputedOncePerPicture) {
     const FrameOne first = first_frame(hexagons());
     const AlbedoOptions options = steps(8);
     int computed = 0;

@@ -46,7 +46,7 @@ TEST(Relief, SlopesAndHeightsAreThoseOfACap) {
 }
 
 // The slope of a relief with grain is the derivative of its height, also in the ring where the
-// grain fades towards the film. A difference of heights at neighboring pixels reduces the slope of
+// grain fades toward the film. A difference of heights at neighboring pixels reduces the slope of
 // the finest octave, whose features are 3 pixels wide, by about a fifth, and those of the four
 // others by less: by about 1 % of the squares in all.
 class ReliefOfEveryProfile : public testing::TestWithParam<ReliefProfile> {};
