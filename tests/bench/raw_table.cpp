@@ -6,11 +6,13 @@
 #include "tests/bench/bench_foams.h"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -18,50 +20,89 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace foam::bench {
 
 namespace {
 
-constexpr const char* kUsage = R"(Usage: raw_table [--patch] [--first SEED] SEEDS BUBBLES...
+constexpr const char* kUsage =
+    R"(Usage: raw_table [--patch] [--first SEED] [--frames N] SEEDS BUBBLES...
 
 For each number of bubbles, makes raw diagrams with the seeds SEED (1 by default) to SEED + SEEDS - 1, on a
 torus or as a patch with the outline of a disc, and brings each to equilibrium in a process of its own. Prints
 a row with the processor times of all threads and the peak memory. Each foam also prints a line on stderr.
+With --frames, the times are instead the mean wall times of the next N coarsening frames of the foam, in
+each of which the area of a bubble of five or seven sides changes by 1 % of the mean area.
 )";
 
 struct Arguments {
     bool patch = false;
     int first = 1;
+    int frames = 0;  // 0: measures the way to equilibrium
     int seeds = 0;
     std::vector<int> sizes;
 };
 
-// The work of one foam: making the diagram, and bringing it to equilibrium.
+// The work of one foam: making the diagram and bringing it to equilibrium, or its next frames.
 struct Work {
-    double seconds = 0.0;    // processor time of all threads
+    double seconds = 0.0;    // processor time of all threads, or wall time of a frame
     double megabytes = 0.0;  // peak memory of the process
     bool converged = false;  // to the default tolerance, 1e-9
 };
 
-bool reaches_equilibrium(int bubbles, std::uint64_t seed, bool patch) {
-    Foam foam = patch ? raw_patch(bubbles, seed) : seed_foam({.bubbles = bubbles, .seed = seed});
-    return equilibrate(foam, {}).converged();
+// Brings a raw diagram to equilibrium, and makes `frames` coarsening frames. Stores the mean wall
+// time of a frame in `frame_seconds`. Returns false if an equilibrium is not found.
+bool reaches_equilibrium(Foam foam, int frames, double& frame_seconds) {
+    using Clock = std::chrono::steady_clock;
+    bool converged = equilibrate(foam, {}).converged();
+    const Clock::time_point begin = Clock::now();
+    for (int frame = 0; frame < frames && converged; ++frame) {
+        converged = step(foam, ordinary_frame_time(foam, {}), {}).equilibrium.converged();
+    }
+    frame_seconds =
+        std::chrono::duration<double>(Clock::now() - begin).count() / std::max(frames, 1);
+    return converged;
 }
+
+// A number that the process shares with the processes that it starts.
+class SharedNumber {
+  public:
+    SharedNumber()
+        : memory_(mmap(
+              nullptr, sizeof(double), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+        if (memory_ == MAP_FAILED) {
+            throw std::runtime_error("no shared memory");
+        }
+    }
+    ~SharedNumber() { munmap(memory_, sizeof(double)); }
+    SharedNumber(const SharedNumber&) = delete;
+    SharedNumber& operator=(const SharedNumber&) = delete;
+
+    double& value() const { return *static_cast<double*>(memory_); }
+
+  private:
+    void* memory_;
+};
 
 double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-Work measure(int bubbles, std::uint64_t seed, bool patch) {
+Work measure(int bubbles, std::uint64_t seed, const Arguments& arguments) {
+    const SharedNumber frame_seconds;
     const pid_t child = fork();
     if (child < 0) {
         throw std::runtime_error("no process can be started");
     }
     if (child == 0) {  // ends with _exit, so that it does not print the parent's buffered rows
         try {
-            _exit(reaches_equilibrium(bubbles, seed, patch) ? EXIT_SUCCESS : EXIT_FAILURE);
+            Foam foam = arguments.patch ? raw_patch(bubbles, seed)
+                                        : seed_foam({.bubbles = bubbles, .seed = seed});
+            _exit(reaches_equilibrium(std::move(foam), arguments.frames, frame_seconds.value())
+                      ? EXIT_SUCCESS
+                      : EXIT_FAILURE);
         } catch (const std::exception& error) {
             fmt::print(stderr, "{}\n", error.what());
             _exit(EXIT_FAILURE);
@@ -70,27 +111,33 @@ Work measure(int bubbles, std::uint64_t seed, bool patch) {
     int status = 0;
     rusage usage{};
     wait4(child, &status, 0, &usage);
-    return {.seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime),
+    return {.seconds = arguments.frames > 0 ? frame_seconds.value()
+                                            : seconds(usage.ru_utime) + seconds(usage.ru_stime),
             .megabytes = static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6,
             .converged = WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS};
 }
 
 void print_row(int bubbles, const Arguments& arguments) {
-    std::vector<double> times;
+    std::vector<double> times;  // without those of frames that were not reached
     double memory = 0.0;
     std::size_t converged = 0;
     for (int seed = arguments.first; seed < arguments.first + arguments.seeds; ++seed) {
-        const Work work = measure(bubbles, static_cast<std::uint64_t>(seed), arguments.patch);
+        const Work work = measure(bubbles, static_cast<std::uint64_t>(seed), arguments);
         fmt::print(stderr,
-                   "{} bubbles, seed {}: {:.1f} s, {:.0f} MB{}\n",
+                   "{} bubbles, seed {}: {:.3g} s, {:.0f} MB{}\n",
                    bubbles,
                    seed,
                    work.seconds,
                    work.megabytes,
                    work.converged ? "" : ", no equilibrium");
-        times.push_back(work.seconds);
+        if (work.converged || arguments.frames == 0) {
+            times.push_back(work.seconds);
+        }
         memory = std::max(memory, work.megabytes);
         converged += work.converged ? 1 : 0;
+    }
+    if (times.empty()) {
+        throw std::runtime_error(fmt::format("no foam of {} bubbles reached its frames", bubbles));
     }
     std::ranges::sort(times);
     const double median = times[times.size() / 2];
@@ -98,7 +145,7 @@ void print_row(int bubbles, const Arguments& arguments) {
                bubbles,
                arguments.patch ? "in a patch" : "on a torus",
                converged,
-               times.size(),
+               arguments.seeds,
                median,
                times.back(),
                times.back() / median,
@@ -123,6 +170,8 @@ Arguments parse(int argc, char** argv) {
             arguments.patch = true;
         } else if (option == "--first" && k + 1 < argc) {
             arguments.first = positive(argv[++k]);
+        } else if (option == "--frames" && k + 1 < argc) {
+            arguments.frames = positive(argv[++k]);
         } else {
             throw std::invalid_argument(kUsage);
         }
