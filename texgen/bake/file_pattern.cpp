@@ -26,7 +26,8 @@ std::string_view take(std::string_view& rest, std::size_t count) {
     return taken;
 }
 
-std::string_view take_run(std::string_view& rest) {
+// Removes the first character and the equal characters that follow it, and returns them.
+std::string_view take_repeated(std::string_view& rest) {
     return take(rest, rest.find_first_not_of(rest.front()));
 }
 
@@ -80,7 +81,9 @@ FilePattern::FilePattern(std::string_view pattern)
 FilePattern::FilePattern(std::string_view pattern, const Placeholders& placeholders)
     : pattern_(pattern), format_(find_format(pattern)) {
     if (format_ == nullptr && find_vector_format(pattern) == nullptr) {
-        reject(fmt::format("must end in {}, or in {}", format_suffixes(), vector_suffixes()));
+        reject(fmt::format("must end in {}, or in {}; an example is 'x/{{map}}.####.png'",
+                           format_suffixes(),
+                           vector_suffixes()));
     }
     const std::string complete = with_table(pattern);
     for (std::string_view rest = complete; !rest.empty();) {
@@ -96,13 +99,13 @@ FilePattern::Piece FilePattern::take_piece(std::string_view& rest,
         case '%':
             return take_format(rest);
         case '#': {
-            const std::string_view run = take_run(rest);
-            return FrameNumber{run.size() == 1 ? 4 : static_cast<int>(run.size()),
-                               std::string(run)};
+            const std::string_view digits = take_repeated(rest);
+            return FrameNumber{digits.size() == 1 ? 4 : static_cast<int>(digits.size()),
+                               std::string(digits)};
         }
         case '@': {
-            const std::string_view run = take_run(rest);
-            return FrameNumber{static_cast<int>(run.size()), std::string(run)};
+            const std::string_view digits = take_repeated(rest);
+            return FrameNumber{static_cast<int>(digits.size()), std::string(digits)};
         }
         default:
             return std::string(take(rest, rest.find_first_of(kSpecial)));

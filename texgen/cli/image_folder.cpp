@@ -47,6 +47,22 @@ void choose_size(SetChoice& choice, const std::string& size) {
     }
 }
 
+// Returns a part of a message that suggests the first subfolder with a manifest, by name, or an
+// empty text if no subfolder has one.
+std::string suggested_subfolder(const std::filesystem::path& folder) {
+    std::optional<std::filesystem::path> first;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        std::error_code ignored;
+        const bool has_manifest = std::filesystem::exists(manifest_path(entry->path()), ignored);
+        if (has_manifest && (!first || entry->path() < *first)) {
+            first = entry->path();
+        }
+    }
+    return first ? fmt::format("; did you mean '{}'?", first->string()) : "";
+}
+
 }  // namespace
 
 bool is_preset_name(const std::string& path) {
@@ -96,8 +112,11 @@ Manifest read_image_manifest(const std::filesystem::path& path) {
                         given));
     }
     if (std::filesystem::is_directory(path)) {
-        throw InputError(fmt::format(
-            "'{}' has no {}: foamtex has baked no images into this folder", given, kManifestName));
+        throw InputError(
+            fmt::format("'{}' has no {}: foamtex has baked no images into this folder{}",
+                        given,
+                        kManifestName,
+                        suggested_subfolder(path)));
     }
     if (is_preset_name(given)) {
         throw InputError(

@@ -78,7 +78,7 @@ TEST(FilePattern, RejectsUnknownPlaceholdersAndOtherFormats) {
     }
     EXPECT_EQ(failure("a.####.jpg"),
               "file name pattern 'a.####.jpg': must end in " + format_suffixes() + ", or in " +
-                  vector_suffixes());
+                  vector_suffixes() + "; an example is 'x/{map}.####.png'");
 }
 
 TEST(FilePattern, TwoImagesMayNotShareAFile) {
@@ -105,7 +105,7 @@ TEST(FilePattern, OnlyAnExrHoldsSeveralMaps) {
 }
 
 // The result does not depend on which maps and frames are baked.
-TEST(FilePattern, FilesLieInTheDeepestFolderThatHoldsThemAll) {
+TEST(FilePattern, FilesAreInTheDeepestFolderThatHoldsThemAll) {
     const auto folder = [](const char* pattern) {
         return FilePattern(preset_with(pattern, "foam")).folder().string();
     };

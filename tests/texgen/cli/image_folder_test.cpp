@@ -83,6 +83,16 @@ TEST(ImageFolder, VerifyChecksTheNewestImagesUnlessOthersAreChosen) {
     EXPECT_EQ(report["unchecked"].size(), 0U);
 }
 
+// Profiles such as `unreal` put the frames and their manifest into a subfolder.
+TEST(ImageFolder, ASubfolderWithAManifestIsSuggested) {
+    const TemporaryFolder folder;
+    bake(folder, "--size 8 --frames 1 --out 'out/b/{map}.#.png'");
+    bake(folder, "--size 8 --frames 1 --out 'out/a/{map}.#.png'");
+    EXPECT_EQ(run_program("verify out", folder).err,
+              "foamtex: 'out' has no manifest.json: foamtex has baked no images into this folder; "
+              "did you mean 'out/a'?\n");
+}
+
 TEST(ImageFolder, WrongFoldersGetAHint) {
     const TemporaryFolder folder;
     ASSERT_EQ(run_program("simulate sea_foam -q --cache foam --frames 1 --size 64 --set "
