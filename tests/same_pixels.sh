@@ -4,8 +4,8 @@
 # Bakes the same presets with several builds of foamtex, at each SIMD level, and with versions of the C library's
 # functions for older processors, and checks that all pixels are the same.
 #
-#     tests/same_pixels.sh PRESET...       builds the programs of CMake presets first, for example release plain clang:
-#                                          GCC with -O3, GCC with -O0, and Clang with -O0
+#     tests/same_pixels.sh PRESET...       builds the programs of CMake presets first, for example
+#                                          release plain clang_release clang: GCC with -O3 and -O0, Clang with -O2 and -O0
 #     FOAM_RUNNER="qemu-aarch64 -L ..." tests/same_pixels.sh release aarch64
 #
 # FOAM_RUNNER runs all programs but the first one. The first program also compares the pictures.
