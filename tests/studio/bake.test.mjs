@@ -62,13 +62,13 @@ test("each set of a folder can be shown", () =>
         assert.deepEqual(errors, []);
     }));
 
-test("a bake can be cancelled", () =>
+test("a bake can be canceled", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page } = await open_studio(browser, studio.url);
         await fill_bake_form(page, "long", 4096);
         await page.click("#bake-start");
         await page.locator("#bake-cancel").click();
-        await page.locator("#bake-status").filter({ hasText: /cancelled/i }).waitFor({ timeout: 60_000 });
+        await page.locator("#bake-status").filter({ hasText: /canceled/i }).waitFor({ timeout: 60_000 });
         // Images that are complete stay, and none is half-written.
         // The bake makes the folder only when it writes its first frame.
         const files = await readdir(path.join(folder, "long")).catch(() => []);

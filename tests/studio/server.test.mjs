@@ -138,7 +138,7 @@ test("memory stays flat while 10,000 pictures are drawn", async () => {
                     }
                 }),
             );
-        // What is kept of recent frames has filled its place after the first draws.
+        // The cache of recent frames is full after the first draws.
         await draw_until(3000);
         const before = await memory_of(studio.pid);
         await draw_until(10_000);

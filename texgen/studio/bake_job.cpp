@@ -25,8 +25,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Ends a bake that a page has cancelled.
-class Cancelled : public std::exception {};
+/// Ends a bake that a page has canceled.
+class Canceled : public std::exception {};
 
 }  // namespace
 
@@ -35,7 +35,7 @@ struct BakeJobs::Job {
     Preset preset;
     std::vector<int> frames;
     bool resume = false;
-    std::atomic<bool> is_cancelled = false;
+    std::atomic<bool> is_canceled = false;
 
     std::mutex mutex = {};  // protects the members below, except the thread
     std::string status = "running";
@@ -49,8 +49,8 @@ struct BakeJobs::Job {
     std::thread thread = {};
 
     void report(const RunProgress& latest) {
-        if (is_cancelled) {
-            throw Cancelled();
+        if (is_canceled) {
+            throw Canceled();
         }
         const std::scoped_lock lock(mutex);
         progress = latest;
@@ -82,7 +82,7 @@ Json BakeJobs::start(const BakeRequest& request) {
     if (job_) {
         const std::scoped_lock job_lock(job_->mutex);
         if (job_->status == "running") {
-            throw BakeRuns("another bake is running; wait for it or cancel it");
+            throw BakeIsRunning("another bake is running; wait for it or cancel it");
         }
     }
     if (job_ && job_->thread.joinable()) {
@@ -125,8 +125,8 @@ void BakeJobs::run(Job& job) {
         }
         const std::string failure = failure_of(summary.outcome);
         job.finish(failure.empty() ? "complete" : "failed", failure);
-    } catch (const Cancelled&) {
-        job.finish("cancelled", "");
+    } catch (const Canceled&) {
+        job.finish("canceled", "");
     } catch (const std::bad_alloc&) {
         job.finish("failed", "out of memory: use smaller images, fewer maps or fewer bubbles");
     } catch (const std::exception& error) {
@@ -167,7 +167,7 @@ Json BakeJobs::status(int bake) {
 
 void BakeJobs::cancel(int bake) {
     const std::scoped_lock lock(mutex_);
-    job(bake).is_cancelled = true;
+    job(bake).is_canceled = true;
 }
 
 bool BakeJobs::is_running() {
@@ -182,7 +182,7 @@ bool BakeJobs::is_running() {
 void BakeJobs::stop() {
     const std::scoped_lock lock(mutex_);
     if (job_ && job_->thread.joinable()) {
-        job_->is_cancelled = true;
+        job_->is_canceled = true;
         job_->thread.join();
     }
 }

@@ -14,7 +14,7 @@
 namespace foam::texgen {
 
 /// Reports that a bake cannot start while another one runs.
-class BakeRuns : public std::runtime_error {
+class BakeIsRunning : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
@@ -28,7 +28,7 @@ class BakeJobs {
     BakeJobs(const BakeJobs&) = delete;
     BakeJobs& operator=(const BakeJobs&) = delete;
 
-    /// Starts a bake. Returns the answer to /api/bake (README.md). Throws BakeRuns,
+    /// Starts a bake. Returns the answer to /api/bake (REQUESTS.md). Throws BakeIsRunning,
     /// SettingsRejected, PathRejected, and the exceptions of check_bake, check_sheets,
     /// check_sheet_folder, check_scenes and parse_frame_range.
     Json start(const BakeRequest& request);

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// Returns the answer to /api/bakes (README.md): the sets of images (BakedSet) that the manifests
+/// Returns the answer to /api/bakes (REQUESTS.md): the sets of images (BakedSet) that the manifests
 /// in `folder` and below it list. A manifest that cannot be read, or whose folder
 /// StudioFolder::below rejects, is left out.
 Json describe_baked_sets(const StudioFolder& folder);

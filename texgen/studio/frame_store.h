@@ -46,11 +46,11 @@ struct SimulationState {
 };
 
 /// Simulates presets in the background, one at a time, and keeps the states of their foams, so that
-/// any frame can be drawn immediately, with any colors. Each page of the studio wants one foam; the
-/// foam that was wanted last is simulated first, and a simulation that no page wants any more is
-/// stopped. At most eight foams are kept, or fewer if the memory does not suffice. Complete foams
-/// are forgotten before others. In each of these two groups, the foam that was wanted longest ago
-/// is forgotten first. Thread-safe.
+/// any frame can be drawn immediately, with any colors. Each page of the studio wants one foam.
+/// When a simulation ends, the foam that was wanted last is simulated next; a simulation that no
+/// page wants any more is stopped. At most eight foams are kept, or fewer if the memory does not
+/// suffice. Foams whose simulation is complete or has failed are forgotten before others. In each
+/// of these two groups, the foam that was wanted longest ago is forgotten first. Thread-safe.
 class FrameStore {
   public:
     /// Keeps states of at most `bytes` bytes, approximately, and drafts of at most a quarter of
@@ -61,7 +61,7 @@ class FrameStore {
     FrameStore& operator=(const FrameStore&) = delete;
 
     /// Makes the foam of a preset the one that a page wants, and returns the progress of its
-    /// simulation. `page` is the word that the page has chosen (README.md).
+    /// simulation. `page` identifies the page: a random word (REQUESTS.md).
     SimulationState want(const Preset& preset, const std::string& page);
 
     /// Does what `want` does, waits until a frame can be drawn, and returns this frame. With
@@ -82,8 +82,8 @@ class FrameStore {
     /// function unless all frames are kept.
     FrameSource source(const Preset& preset);
 
-    /// Stops all simulations except drafts. Calls of `frame`, running or later, throw
-    /// FrameReplaced.
+    /// Stops all simulations except drafts. Calls of `frame` that wait for a frame, or that would
+    /// wait later, throw FrameReplaced.
     void stop();
 
   private:

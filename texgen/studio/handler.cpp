@@ -59,7 +59,7 @@ HttpResponse guarded(const std::function<HttpResponse()>& answer) {
         return error_response(HttpStatus::Unprocessable, error.what(), error.key());
     } catch (const FrameReplaced& error) {
         return error_response(HttpStatus::Conflict, error.what());
-    } catch (const BakeRuns& error) {
+    } catch (const BakeIsRunning& error) {
         return error_response(HttpStatus::Conflict, error.what());
     } catch (const OutOfMemory& error) {
         return error_response(HttpStatus::InternalError, error.what());

@@ -15,7 +15,7 @@
 
 namespace foam::texgen {
 
-/// A studio: answers the requests of its pages (README.md). Needs no socket. Thread-safe.
+/// A studio: answers the requests of its pages (REQUESTS.md). Needs no socket. Thread-safe.
 class Studio {
   public:
     /// `folder` is the folder below which files are read and written; `port` is the port of the
@@ -29,10 +29,12 @@ class Studio {
     const std::string& token() const { return access_.token(); }
     const StudioFolder& folder() const { return folder_; }
 
-    /// Returns the time since a page last sent a request or a bake last ran.
+    /// Returns the time since a page with access last sent a request to the program, or since a
+    /// bake ran at a call of this function; at first, the time since the start.
     std::chrono::steady_clock::duration idle_time();
 
-    /// Stops all work. Requests that wait for it end with an error.
+    /// Stops the bake and all simulations except drafts. Requests that wait for a simulation end
+    /// with an error.
     void stop();
 
   private:

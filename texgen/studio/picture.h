@@ -29,7 +29,7 @@ enum class PictureQuality {
 
 /// A picture that a page asks for.
 struct PictureRequest {
-    std::string page;  // the word that the page has chosen (README.md)
+    std::string page;  // the word that the page has chosen (REQUESTS.md)
     int frame = 1;
     std::string map;
     int side = kLargestPicture;  // largest width and height in pixels (reduced_image)
@@ -47,8 +47,8 @@ class Painter {
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    /// Returns the answer to /api/picture (README.md). Throws std::invalid_argument if the map does
-    /// not exist, and the exceptions of FrameStore.
+    /// Returns the answer to /api/picture (REQUESTS.md). Throws std::invalid_argument if the map
+    /// does not exist, and the exceptions of FrameStore.
     HttpResponse draw(const Preset& preset, const PictureRequest& request);
 
     /// Returns the answer to /api/pick for the pixel in column x and row y, counted from the upper

@@ -7,7 +7,7 @@
 
 namespace foam::texgen {
 
-/// Returns the answer to the request GET /api/program (texgen/studio/README.md): what a page must
+/// Returns the answer to the request GET /api/program (texgen/studio/REQUESTS.md): what a page must
 /// know about the program, such as its presets and maps, and the preset files in `folder`.
 Json describe_program(const StudioFolder& folder);
 

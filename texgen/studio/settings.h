@@ -72,7 +72,7 @@ std::optional<std::string> bake_command(const PageSettings& settings,
 /// otherwise it contains all keys.
 std::string preset_file(const PageSettings& settings, const PagePreset& loaded);
 
-/// Returns the answer to a request to /api/settings (README.md).
+/// Returns the answer to a request to /api/settings (REQUESTS.md).
 Json describe_settings(const PageSettings& settings, const StudioFolder& folder);
 
 }  // namespace foam::texgen

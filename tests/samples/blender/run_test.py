@@ -79,7 +79,7 @@ class RunOfAProgram(support.FolderTest):
         self.assertEqual(run.progress, Progress("drawing frames: 1 of 2", 0.5))
         run.cancel()
         run.wait(30)
-        with self.assertRaisesRegex(Fault, "^cancelled$"):
+        with self.assertRaisesRegex(Fault, "^canceled$"):
             run.manifest()
 
 

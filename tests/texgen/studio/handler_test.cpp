@@ -342,13 +342,13 @@ TEST_F(StudioTest, BakesStayInTheFolder) {
         HttpStatus::Unprocessable);
 }
 
-TEST_F(StudioTest, ABakeCanBeCancelled) {
+TEST_F(StudioTest, ABakeCanBeCanceled) {
     const Json large = settings({"foam.bubbles=2000", "frames.count=5000"});
     const Json bake = answer("/api/bake", {{"settings", large}, {"folder", "out"}});
     EXPECT_EQ(post("/api/bake", {{"settings", settings()}, {"folder", "out"}}).status,
               HttpStatus::Conflict);
     EXPECT_EQ(post("/api/bake/cancel", {{"bake", bake["bake"]}}).status, HttpStatus::NoContent);
-    EXPECT_EQ(ended_bake(bake["bake"])["status"], "cancelled");
+    EXPECT_EQ(ended_bake(bake["bake"])["status"], "canceled");
     EXPECT_EQ(post("/api/bake/status", {{"bake", 99}}).status, HttpStatus::Unprocessable);
 }
 

@@ -204,7 +204,7 @@ TEST(HttpServer, ClosesAConnectionThatSendsTooSlowly) {
 }
 
 TEST(HttpServer, ClosesAConnectionThatReadsTooSlowly) {
-    // More than the buffers of the sockets hold.
+    // The text is larger than the buffers of the sockets.
     const std::string large(64 * 1024 * 1024, 'x');
     const RunningServer server([&](const HttpRequest&) { return HttpResponse{.body = large}; },
                                {.transfer = milliseconds(200)});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Sends the requests of the page to the server. ../README.md describes them.
+// Sends the requests of the page to the server. ../REQUESTS.md describes them.
 
 import {Signal} from "./signal.js";
 

@@ -189,7 +189,7 @@ export class BakeDialog {
         $("bake-chip").hidden = true;
         const texts = {
             complete: "The bake is complete.",
-            cancelled: "The bake was cancelled.",
+            canceled: "The bake was canceled.",
             failed: `The bake failed. ${message ?? ""}`,
         };
         this.#studio.status.say(texts[status]);
@@ -201,7 +201,7 @@ export class BakeDialog {
         const {status, phase, done, total, seconds, seconds_left, files, first_file, message} = progress;
         const running = status === "running";
         const part = total > 0 ? done / total : running ? 0 : 1;
-        const titles = {running: "Baking", complete: "Complete", failed: "Failed", cancelled: "Cancelled"};
+        const titles = {running: "Baking", complete: "Complete", failed: "Failed", canceled: "Canceled"};
         $("bake-status").textContent = running && phase ? `Baking: ${phase}` : titles[status];
         $("bake-bar").value = status === "complete" ? 1 : part;
         $("bake-numbers").textContent = total > 0 && running ? `${done} of ${total}` : "";

@@ -40,7 +40,7 @@ export class Painter {
     #order = 0;
     #shown = [0, 0];
     #fullTime = 0;
-    #settled = false;
+    #showsFrame = false;
     #rest = debounce(kRest, () => this.#paint());
     #sharpen = debounce(kSharpen, () => this.#paintSharp());
     #load = debounce(kLoad, (picture) => this.#loadLoop(picture));
@@ -64,9 +64,9 @@ export class Painter {
         this.#source = source;
     }
 
-    /** True if a picture of the current foam that is not a draft has been shown. */
-    get settled() {
-        return this.#settled;
+    /** True if a simulated frame of the current foam, not only a draft, has been shown. */
+    get showsFrame() {
+        return this.#showsFrame;
     }
 
     /**
@@ -79,8 +79,8 @@ export class Painter {
         this.#sharpen.cancel();
         this.#sharp.stop();
         this.#load.cancel();
-        this.#settled &&= !foam;
-        if (!this.#settled && this.#source.drafts) {
+        this.#showsFrame &&= !foam;
+        if (!this.#showsFrame && this.#source.drafts) {
             this.#paintDraft(live);
         }
         if (!live) {
@@ -89,7 +89,7 @@ export class Painter {
             return;
         }
         this.#rest();
-        if (this.#settled) {
+        if (this.#showsFrame) {
             this.#paint(this.#fullTime > kSlow ? Math.min(kSmall, this.width) : this.width, true);
         } else {
             this.#full.stop();
@@ -98,8 +98,8 @@ export class Painter {
 
     /** Requests a draft as well. Called when the last edit turns out to change the foam. */
     addDraft() {
-        if (this.#settled && this.#shown[0] < this.#order) {
-            this.#settled = false;
+        if (this.#showsFrame && this.#shown[0] < this.#order) {
+            this.#showsFrame = false;
             this.#paintDraft(false);
         }
     }
@@ -131,8 +131,8 @@ export class Painter {
                 this.#fullTime = performance.now() - start;
             }
             if (picture && order === this.#order) {
-                const first = !this.#settled;
-                this.#settled = true;
+                const first = !this.#showsFrame;
+                this.#showsFrame = true;
                 this.status.emit({busy: false, message: null});
                 this.painted.emit(picture);
                 if (rank === kFull && !live) {
@@ -209,7 +209,7 @@ export class Painter {
     #paintSharp() {
         const source = this.#source;
         const shown = this.#view.picture;
-        if (!source || !shown || !shown.exact || this.#player.playing || this.#full.busy || !this.#settled) {
+        if (!source || !shown || !shown.exact || this.#player.playing || this.#full.busy || !this.#showsFrame) {
             return;
         }
         const full = Math.min(source.size[0], source.largestWidth);

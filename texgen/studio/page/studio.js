@@ -214,7 +214,7 @@ export class Studio {
             before.frame !== this.player.frame ||
             (before.answer ? before.answer.tiles !== answer.tiles : !answer.tiles);
         if (wrong) {
-            this.#refresh({foam: !this.painter.settled});
+            this.#refresh({foam: !this.painter.showsFrame});
         } else if (before.answer && before.answer.simulation !== answer.simulation) {
             this.painter.addDraft();
         }

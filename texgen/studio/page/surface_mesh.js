@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Meshes of the shapes that the lit preview shows. All shapes use one coordinate system: x to the right, y up, and z
-// towards a viewer who looks at the front. A mesh is an array of floats, kFloatsPerVertex for each vertex, and an
+// toward a viewer who looks at the front. A mesh is an array of floats, kFloatsPerVertex for each vertex, and an
 // array of indices of triangles.
 //
 // The texture coordinate u grows to the right and v grows up; both are 0 at the middle of the
@@ -83,7 +83,7 @@ function plane(cells) {
     return {builder, tiles: 1, tileWidth: 2, cellsPerTurn: cells};
 }
 
-// A sphere of radius 1 in the Mercator projection, which preserves angles: bubbles become smaller towards the poles,
+// A sphere of radius 1 in the Mercator projection, which preserves angles: bubbles become smaller toward the poles,
 // but they are not pinched. The displacement shrinks with them.
 function sphere(columns) {
     const rows = columns / 2;

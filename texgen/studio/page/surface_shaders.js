@@ -144,7 +144,7 @@ vec3 ambient_light(Material material, vec3 normal, vec3 view) {
     return (diffuse + mirrored * albedo * visible) * u_ambient;
 }
 
-// The fraction of the light that the relief lets through. Marches through the height map from the surface towards the
+// The fraction of the light that the relief lets through. Marches through the height map from the surface toward the
 // light, until the ray has risen to the largest height or by a quarter of a tile width. The penumbra grows with the
 // distance to the blocker.
 float visible_light(vec3 tangent, vec3 bitangent, vec3 normal, float start) {
@@ -168,7 +168,7 @@ float visible_light(vec3 tangent, vec3 bitangent, vec3 normal, float start) {
     return 1.0 - clamp(blocked, 0.0, 1.0);
 }
 
-// Nearly keeps colors up to 0.8 and compresses brighter ones towards white: "PBR Neutral" of the
+// Nearly keeps colors up to 0.8 and compresses brighter ones toward white: "PBR Neutral" of the
 // Khronos Group (2024). This function removes kVeil, the brightness that reflected surroundings add
 // to every color. The original has 0.04 instead of kVeil, for brighter surroundings.
 vec3 tone_mapped(vec3 color) {

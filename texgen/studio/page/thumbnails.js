@@ -50,7 +50,7 @@ export class Thumbnails {
         for (const {target, isIntersecting} of entries) {
             isIntersecting ? this.#visible.add(target) : this.#visible.delete(target);
         }
-        if (this.#studio.painter.settled) {
+        if (this.#studio.painter.showsFrame) {
             this.start();
         }
     }

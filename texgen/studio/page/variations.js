@@ -190,7 +190,7 @@ export class Variations {
     // simulation of the edited preset.
     async #drawCell(key, cell, signal) {
         const {state, map, player} = this.#studio;
-        const foam = changesFoam(key.path) || !this.#studio.painter.settled;
+        const foam = changesFoam(key.path) || !this.#studio.painter.showsFrame;
         const body = {
             settings: state.settings([[key.path, cell.text]]),
             frame: foam ? 1 : player.frame,

@@ -90,7 +90,7 @@ class Run:
         self.progress = Progress()
         self._lines = []
         self._new_lines = queue.SimpleQueue()
-        self._cancelled = False
+        self._canceled = False
         self._results = tempfile.TemporaryFile()
         try:
             self._process = subprocess.Popen(
@@ -125,7 +125,7 @@ class Run:
 
     def cancel(self):
         """Asks the program to stop after its present step. It then records in the manifest that it was interrupted."""
-        self._cancelled = True
+        self._canceled = True
         if self._process.poll() is None:
             self._process.send_signal(signal.SIGTERM if os.name == "nt" else signal.SIGINT)
 
@@ -136,7 +136,7 @@ class Run:
         text = self._results.read()
         self._results.close()
         if code != 0:
-            raise Fault("cancelled" if self._cancelled else error_of(self._lines, code))
+            raise Fault("canceled" if self._canceled else error_of(self._lines, code))
         return pathlib.Path(json.loads(text)["manifest"])
 
 
