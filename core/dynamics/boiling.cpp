@@ -13,11 +13,13 @@
 #include <limits>
 #include <numbers>
 
-// A bubble that shrinks to nothing and grows again at the same place needs no T1 if it is always
-// surrounded by the same bubbles: its birth is the inverse of its T2. While a bubble is large, T1s
-// give it further neighbors. When it shrinks, some of these T1s are not undone. Therefore boiling
-// bubbles are chosen far from each other, and where neighbors keep changing from cycle to cycle,
-// Cycle::calm makes the boiling bubbles nearby grow less large.
+// The boil (E9) is our own. A bubble that shrinks to nothing and grows again at the same point
+// needs no T1 if it is always surrounded by the same bubbles: its birth is the inverse of its T2.
+// While a bubble is large, T1s give it further neighbors. When it shrinks, some of these T1s are
+// not undone. Therefore boiling bubbles are chosen far from each other, by farthest-point sampling
+// (T. F. Gonzalez, Clustering to minimize the maximum intercluster distance, Theoretical Computer
+// Science 38, 1985), and where neighbors keep changing from cycle to cycle, Cycle::calm makes the
+// boiling bubbles nearby grow less large. Stratified sampling spreads the births over the cycle.
 
 namespace foam {
 

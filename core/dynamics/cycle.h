@@ -16,12 +16,12 @@ namespace foam {
 /// periodically, the foam returns to the same state after each cycle, once the T1s and T2s of the
 /// first cycles have happened. If bubbles boil, some regions may not return to the same state;
 /// `calm` weakens the periodic change there. No gas diffuses. After each step, a torus as a whole,
-/// or each raft of a patch, is moved back to the place where it was at the start.
+/// or each raft of a patch, is moved back to its position at the start.
 class Cycle {
   public:
     /// Starts a cycle with a random drive (random_drive). If the drive changes target areas, the
     /// foam is not at position 0 of the cycle until step_to has been called with the position 0.
-    /// Each step moves the foam back to the place where it is now, when the Cycle is constructed.
+    /// Each step moves the foam back to the position that it has when the Cycle is constructed.
     Cycle(const Foam& foam, const CycleOptions& options);
 
     /// Starts a cycle with the given drive, for example the drive of an earlier Cycle. Of the

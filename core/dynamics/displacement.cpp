@@ -11,8 +11,8 @@ namespace foam {
 
 namespace {
 
-// Largest step of a push (E9 in core/README.md), in units of the radius R of the push. The slope of
-// (1 - u²)² with u = r/R is at most 1.54. A step of less than 0.64 radii therefore does not fold
+// Largest step of a push (E9 in core/EQUATIONS.md), in units of the radius R of the push. The slope
+// of (1 - u²)² with u = r/R is at most 1.54. A step of less than 0.64 radii therefore does not fold
 // the plane: points keep their order along the push. The step is much smaller because films flip
 // only between steps.
 constexpr double kLargestStep = 0.1;

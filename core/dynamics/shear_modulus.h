@@ -8,10 +8,10 @@
 
 namespace foam {
 
-/// Returns the shear modulus of a torus (E11 in core/README.md): the derivative of the shear stress
-/// with respect to the strain, in equilibrium and without T1s. Its unit is the unit of the film
-/// tension divided by the unit of length. The shear modulus is computed from the stresses of two
-/// copies of the foam, which are sheared by plus and minus 1e-4 and brought to equilibrium by
+/// Returns the shear modulus of a torus (E11 in core/EQUATIONS.md): the derivative of the shear
+/// stress with respect to the strain, in equilibrium and without T1s. Its unit is the unit of the
+/// film tension divided by the unit of length. The shear modulus is computed from the stresses of
+/// two copies of the foam, which are sheared by plus and minus 1e-4 and brought to equilibrium by
 /// Newton's method. Its relative error is about 1e-7, more if films are nearly short enough for a
 /// T1. `threads` has the same meaning as in parallel_for; the result has the same bits for any
 /// number of threads.

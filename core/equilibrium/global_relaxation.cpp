@@ -9,6 +9,13 @@
 
 namespace foam {
 
+// Newton's method (E3) converges reliably only near equilibrium. Relaxation (E4) reaches such a
+// state from a raw diagram, but converges slowly, so it is ended after a fixed number of sweeps.
+// Further passes, which keep the pressures found so far, follow in two cases in which Newton's
+// method sometimes finds no equilibrium: many films are at the limit of their half angle, where the
+// clamped arc no longer satisfies Laplace-Young's law, or a patch has large errors. The criteria
+// for further passes are our own (measurements: NOTES.md).
+
 namespace {
 
 // A pass is one call of `relax` for the whole foam. If the first pass leaves at most this many

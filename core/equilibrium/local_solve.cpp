@@ -13,6 +13,13 @@
 
 namespace foam {
 
+// After a T1, a few equations are strongly nonlinear and would shorten the steps of Newton's method
+// for the whole foam. Solving such equations first, with all other unknowns held, is nonlinear
+// elimination (P. J. Lanzkron, D. J. Rose and J. T. Wilkes, An analysis of approximate nonlinear
+// elimination, SIAM Journal on Scientific Computing 17, 1996). The equations are chosen by their
+// residuals (defect_regions.h). Relaxation (E4) of a region in which Newton's method stalls is our
+// own addition.
+
 namespace {
 
 // Force tolerance, in film tensions, and relative area tolerance. They are loose, since the

@@ -18,13 +18,15 @@
 
 namespace foam {
 
-// Relaxation (E4) is a nonlinear Gauss-Seidel method. A sweep makes a Newton step for each junction
-// in turn, and then one for the half angle of each film in turn. All other unknowns are held during
-// a step, except that the step of a junction also changes the half angles of its outer films. The
+// Relaxation (E4) is a nonlinear Gauss-Seidel method (Ortega and Rheinboldt, Iterative Solution of
+// Nonlinear Equations in Several Variables, 1970). A sweep makes a Newton step for each junction in
+// turn, and then one for the half angle of each film in turn. All other unknowns are held during a
+// step, except that the step of a junction also changes the half angles of its outer films. The
 // areas of the adjacent bubbles are updated after each step. The pressure of a bubble is the sum of
 // a multiplier of its area constraint and a penalty on its area error. After every kSweepsPerUpdate
-// sweeps, the present pressure becomes the multiplier (method of multipliers), so that the areas
-// converge to their targets without a large stiffness.
+// sweeps, the present pressure becomes the multiplier, so that the areas converge to their targets
+// without a large stiffness. This is the method of multipliers (Hestenes 1969; Powell 1969; Nocedal
+// and Wright, Numerical Optimization, 2006, chapter 17).
 
 namespace {
 

@@ -28,8 +28,8 @@ struct ResidualNorms {
     double squares = 0.0;  // sum of all squares; the merit function of the line search
 };
 
-/// Returns the norms of a residual of the unknowns. Precondition: `residual` belongs to the present
-/// state of the foam.
+/// Returns the norms of a residual. Precondition: it is the residual of the foam in its present
+/// state, for these unknowns.
 ResidualNorms norms(const Foam& foam, const Unknowns& unknowns, const Eigen::VectorXd& residual);
 
 }  // namespace foam

@@ -13,6 +13,13 @@
 
 namespace foam {
 
+// Tutte's embedding (W. T. Tutte, How to draw a graph, Proceedings of the London Mathematical
+// Society 13, 1963) is the solution of a linear system: every junction is at the mean of its
+// neighbors. The system is not solved exactly. Each sweep is a sweep of Gauss-Seidel, and only
+// junctions near tangled ones move, so that the rest of the foam keeps its shape. This restriction
+// is our own. Tutte's theorem assumes a fixed convex outline, which the moved junctions need not
+// have, so that success is not guaranteed. Relaxation (E4), which follows, needs no exact solution.
+
 namespace {
 
 // Largest number of films between a tangled junction (is_tangled) and a junction moved with it.

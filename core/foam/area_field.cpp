@@ -10,6 +10,14 @@
 #include <stdexcept>
 #include <utility>
 
+// A field is constant in each cell of its grid. A random point is drawn by inversion (L. Devroye,
+// Non-Uniform Random Variate Generation, 1986): a binary search in the cumulative sums of 1 / area
+// finds the cell, in which the point is uniformly distributed. Integrals over polygons are sums
+// over sample points (polygon_samples.h), so that a polygon need not be clipped to the cells of the
+// grid. The mean over a polygon is harmonic because the integral of 1 / area is the number of
+// bubbles in the polygon, and the mean area of a bubble is the area of the polygon divided by this
+// number.
+
 namespace foam {
 
 AreaField::AreaField(int columns, int rows, std::vector<double> areas) {

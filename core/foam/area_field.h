@@ -11,7 +11,7 @@
 
 namespace foam {
 
-/// The relative areas that bubbles should have at every place of a rectangle. The rectangle is
+/// The relative areas that bubbles should have at every point of a rectangle. The rectangle is
 /// divided into a grid of equal cells, and the area is constant within a cell. The number of
 /// bubbles per unit area is proportional to 1 / area. Copies of an AreaField share one grid.
 class AreaField {

@@ -22,7 +22,7 @@ struct LoneBubble {
 
 /// The whole state of a dry foam, in foam units (the mean bubble area of a seeded foam is 1). On a
 /// torus, the positions of all junctions are in the fundamental cell, [0, width) x [0, height), up
-/// to rounding (geometry/domain.h). E1 and E7 are equations in core/README.md.
+/// to rounding (geometry/domain.h). E1 and E7 are equations in core/EQUATIONS.md.
 ///
 /// A patch is in the plane and has a ghost bubble, which represents the atmosphere. The pressure of
 /// the ghost is 0. Its target area is infinite, because the atmosphere gives and takes any amount

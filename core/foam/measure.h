@@ -6,7 +6,7 @@
 
 namespace foam {
 
-/// Returns the area of a bubble within its arcs (E1 in core/README.md). The area of an inverted
+/// Returns the area of a bubble within its arcs (E1 in core/EQUATIONS.md). The area of an inverted
 /// bubble is negative.
 double bubble_area(const Foam& foam, BubbleId bubble);
 
@@ -35,8 +35,8 @@ double energy(const Foam& foam);
 /// (kLargestSine). A foam with such a film is not in equilibrium.
 int films_at_limit(const Foam& foam);
 
-/// Distance from equilibrium (E2 in core/README.md). If a value of the foam is NaN, the errors that
-/// depend on this value are NaN. are_below then returns false for any tolerance.
+/// Distance from equilibrium (E2 in core/EQUATIONS.md). If a value of the foam is NaN, the errors
+/// that depend on this value are NaN. are_below then returns false for any tolerance.
 struct EquilibriumErrors {
     double area = 0.0;   // largest |A / A_target - 1|
     double angle = 0.0;  // largest |angle between two films - 120 degrees|, radians

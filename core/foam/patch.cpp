@@ -19,10 +19,11 @@
 // outline are scaled to a total area of 1 per bubble. Each part is seeded separately, with its
 // share of the bubbles (prepare_parts). It is placed in the middle of a square torus, whose side is
 // twice the longer side of the bounding box of the part. Random sites are drawn within the part
-// and, as an option, moved by Lloyd's algorithm (explained in seeding.cpp). Their Voronoi diagram
-// on the torus is clipped to the part (clipped_cells.h). If a draw gives no valid foam, new sites
-// are drawn. The cells of all parts together are converted to a foam (polygon_mesh.h). A part whose
-// share is rounded to one bubble becomes a lone bubble.
+// and, as an option, moved by Lloyd's algorithm (Lloyd 1982, explained in seeding.cpp). Their
+// Voronoi diagram on the torus is clipped to the part (clipped_cells.h). If a draw gives no valid
+// foam, new sites are drawn. The cells of all parts together are converted to a foam
+// (polygon_mesh.h). A part whose share is rounded to one bubble becomes a lone bubble. The division
+// of an outline into parts is our own.
 
 namespace foam {
 

@@ -14,6 +14,14 @@
 #include <string>
 #include <utility>
 
+// Divides the bubbles among the parts of an outline, and draws the cells of a part. Random sites
+// are drawn by rejection: points outside of the part are dropped. Lloyd's algorithm (S. P. Lloyd,
+// Least squares quantization in PCM, IEEE Transactions on Information Theory 28, 1982) moves each
+// site to the centroid of its clipped cell. An outline need not be convex, so the centroid may be
+// outside; the site then stays where it is, which is our own rule. The integral of 1 / field over a
+// part, to which its number of bubbles is proportional, is approximated by a sum over the points of
+// a grid.
+
 namespace foam {
 
 namespace {

@@ -21,7 +21,7 @@ struct SeedingOptions {
                                    // Voronoi cells (see `areas` for the case with a field)
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma
     std::uint64_t seed = 1;
-    /// The field of the relative areas of bubbles at every place. It is stretched over the torus;
+    /// The field of the relative areas of bubbles at every point. It is stretched over the torus;
     /// in PatchOptions::areas, over the bounding box of the outline of the patch. Sites are denser
     /// where bubbles are small, and Lloyd's algorithm is weighted. Every target area is
     /// proportional to the value of the field at its cell and, if `area_ratio` is not 0, also to a

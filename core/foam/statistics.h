@@ -16,7 +16,7 @@ struct SidesStatistics {
     double mean_area = 0.0;      // of the areas bounded by the arcs, not by their chords
     double mean_pressure = 0.0;  // on a torus determined only up to a common constant
     // The mean rate at which gas enters a bubble through its films, divided by the diffusion
-    // constant kappa (E6 in core/README.md). The rate of one bubble is the sum over its films of
+    // constant kappa (E6 in core/EQUATIONS.md). The rate of one bubble is the sum over its films of
     // (outside pressure - own pressure) times length. In equilibrium, von Neumann's law (E6) gives
     // (2 pi / 3) gamma (n - 6) for n sides, where gamma is half of the film tension.
     double mean_inflow = 0.0;

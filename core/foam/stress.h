@@ -6,8 +6,8 @@
 
 namespace foam {
 
-/// Returns the mean stress of the foam (E11 in core/README.md) as a symmetric matrix: a force per
-/// length, in the unit of Frame::film_tension divided by the foam unit of length. Tension is
+/// Returns the mean stress of the foam (E11 in core/EQUATIONS.md) as a symmetric matrix: a force
+/// per length, in the unit of Frame::film_tension divided by the foam unit of length. Tension is
 /// positive, pressure negative. The mean is taken over the torus, or over the area of all bubbles
 /// of a patch, including lone bubbles.
 ///

@@ -11,10 +11,10 @@
 #include <cmath>
 
 // The paper flips every film below the T1 distance (paper eq. 2). This rule adds a test of forces,
-// so that a flip does not have to be undone (E7 in core/README.md). In units of the film tension,
-// the flipped film pulls the junctions at its ends together with a force of 1, and the neighboring
-// films pull them apart. The flipped film stays open if the neighboring films pull harder. The same
-// forces decide whether a collapsed film is flipped before it is reopened.
+// so that a flip does not have to be undone (E7 in core/EQUATIONS.md). In units of the film
+// tension, the flipped film pulls the junctions at its ends together with a force of 1, and the
+// neighboring films pull them apart. The flipped film stays open if the neighboring films pull
+// harder. The same forces decide whether a collapsed film is flipped before it is reopened.
 
 namespace foam {
 

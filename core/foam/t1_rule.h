@@ -10,10 +10,10 @@
 
 namespace foam {
 
-/// Applies the T1 rule (E7 in core/README.md): decides whether a film flips, tears or is reopened,
-/// or whether the hole beside the film closes, and performs the change. The functions that change
-/// the network are in core/network (t1.h, split.h, t2.h) and rafts.h. The first case that applies
-/// is decisive:
+/// Applies the T1 rule (E7 in core/EQUATIONS.md): decides whether a film flips, tears or is
+/// reopened, or whether the hole beside the film closes, and performs the change. The functions
+/// that change the network are in core/network (t1.h, split.h, t2.h) and rafts.h. The first case
+/// that applies is decisive:
 /// - A film that can tear (can_tear) tears or does not change. It never flips, because the flipped
 ///   film would have the ghost on both sides. It tears if it is shorter than its T1 distance
 ///   (t1_distance_at) and its neighboring films would pull its two sides apart

@@ -7,7 +7,8 @@
 // The energy of an outer film is T c q(alpha) - delta c² h(alpha) / 4. Here T is the film tension,
 // c the length of the chord, delta the pressure difference and alpha the half angle; q, h and w are
 // the functions of ArcShape. The derivatives of the energy with respect to the chord, the pressure
-// difference and the half angle (E3 in core/README.md) follow from q' = sin(alpha) w and h' = 2 w.
+// difference and the half angle (E3 in core/EQUATIONS.md) follow from
+// q' = sin(alpha) w and h' = 2 w.
 
 namespace foam {
 

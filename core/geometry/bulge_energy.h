@@ -6,7 +6,7 @@
 
 namespace foam {
 
-/// The contribution of an outer film of a patch to the function L of E3 in core/README.md:
+/// The contribution of an outer film of a patch to the function L of E3 in core/EQUATIONS.md:
 ///     energy(d, alpha, delta) = T length - delta segment_area
 /// Equilibrium is a stationary point of L. T is the film tension, d the chord, c its length, and
 /// delta = p_left - p_right the pressure difference. The half angle alpha in (-pi, pi) is an

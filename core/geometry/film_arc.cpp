@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-// In the closed forms of most functions of an arc (E1 and E3 in core/README.md), terms nearly
+// In the closed forms of most functions of an arc (E1 and E3 in core/EQUATIONS.md), terms nearly
 // cancel if the film is nearly straight, that is, if its half angle alpha is near 0. The functions
 // of such films are evaluated as power series in s = sin alpha. The coefficients of these series
 // follow from the coefficients of the binomial series of 1/sqrt(1 - s²).

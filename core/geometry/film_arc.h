@@ -6,7 +6,7 @@
 
 namespace foam {
 
-/// A film as a circular arc from its tail to its head (E1 in core/README.md). An arc with a
+/// A film as a circular arc from its tail to its head (E1 in core/EQUATIONS.md). An arc with a
 /// positive half angle bulges to the right of the chord and adds to the area on its left. In
 /// equilibrium, the pressure on its left is then the higher one. The half angle is in (-pi, pi). If
 /// the chord is zero, the length of the arc is zero, too.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The derivatives are given by E3 in core/README.md. The energy of a Laplace-Young arc is
+// The derivatives are given by E3 in core/EQUATIONS.md. The energy of a Laplace-Young arc is
 // stationary in the half angle, so the gradient of the energy is its partial derivative at a fixed
 // half angle. At the limit (kLargestSine) the half angle is constant, so the second derivatives are
 // taken at a fixed half angle, too.

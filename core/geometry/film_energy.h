@@ -6,7 +6,7 @@
 
 namespace foam {
 
-/// The contribution of one film to the function L of E3 in core/README.md:
+/// The contribution of one film to the function L of E3 in core/EQUATIONS.md:
 ///     energy(d, delta) = T length - delta segment_area
 /// Equilibrium is a stationary point of L. T is the film tension, d the chord, and
 /// delta = p_left - p_right the pressure difference. The film is a Laplace-Young arc: the arc that

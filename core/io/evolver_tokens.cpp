@@ -265,7 +265,7 @@ void TokenReader::lex_text() {
     next_.text = text_.substr(start, end - start);
     line_ += static_cast<int>(std::count(next_.text.begin(), next_.text.end(), '\n'));
     position_ = end + 1;
-    next_.precedes_space = is_space(at(0));
+    next_.precedes_space = position_ == text_.size() || is_space(at(0));
 }
 
 }  // namespace foam::evolver

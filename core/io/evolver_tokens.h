@@ -23,12 +23,11 @@ struct Token {
     double number = 0.0;          // value of a Number
     bool is_integer = false;      // true for a Number in hexadecimal, or without point and exponent
     int line = 1;                 // line of the file; the first is 1
-    bool starts_line = false;     // true for the first token of a line; line ends within a comment
-                                  // or a quoted text do not count
+    bool starts_line = false;     // true for the first token of a line; a line break in a comment
+                                  // or a quoted text starts no new line
     bool follows_space = false;   // true if white space or a comment is before the token
     bool precedes_space = false;  // true if the next character is white space (a comment does not
-                                  // count); also true at the end of the file, unless the token is
-                                  // a Text
+                                  // count), or at the end of the file
 
     bool is_symbol(char symbol) const {
         return kind == TokenKind::Symbol && text.front() == symbol;
@@ -49,7 +48,8 @@ class TokenReader {
 
     /// Returns the next token without consuming it.
     const Token& peek() const { return next_; }
-    /// Consumes the next token and returns it.
+    /// Consumes the next token and returns it. At the end of the text, returns a token of the kind
+    /// End.
     Token take();
 
     /// Returns true if the next token is the given word. The comparison ignores case. Precondition:
@@ -64,8 +64,8 @@ class TokenReader {
 
     // Each of these functions consumes the next token and returns its value. take_integer also
     // consumes a sign before the integer. The functions throw FormatError if the token is of
-    // another kind, or if the integer does not fit into an int. The message says that `meaning` was
-    // expected.
+    // another kind, or if the absolute value of the integer is above the largest int. The message
+    // says that `meaning` was expected.
     int take_integer(std::string_view meaning);
     std::string_view take_word(std::string_view meaning);
     std::string_view take_text(std::string_view meaning);

@@ -7,6 +7,16 @@
 
 namespace foam {
 
+// The blocks of junctions that share no bubble change different unknowns, so they can be solved in
+// parallel. Sorting the blocks of a Gauss-Seidel method by colors is known as multicolor ordering
+// (Saad, Iterative Methods for Sparse Linear Systems, 2003). The paper suggests red and black
+// (section 6), but all junctions of a bubble need different colors. A block also reads the
+// pressures of neighboring bubbles, which another block of its color may change. Therefore all
+// blocks of a color are solved before any change is applied (sweep_color in gauss_seidel.cpp). The
+// coloring is greedy: each junction gets the first color that is not yet used at any of its
+// bubbles. Therefore only the used colors of each bubble are stored, and no graph of the conflicts
+// between junctions.
+
 namespace {
 
 class Coloring {

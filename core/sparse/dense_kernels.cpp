@@ -67,7 +67,8 @@ struct Kernels {
 
     // SIMD vectors are passed by reference. How a vector is passed by value depends on the
     // instruction set for which a function is compiled, and the functions below are compiled for
-    // the SIMD level only where at_simd_level inlines them.
+    // the SIMD level only where at_simd_level inlines them. A call that is not inlined could
+    // therefore pass a vector in another way than the called function expects.
     static void load(const Real* source, Lanes& lanes) {
         std::memcpy(&lanes, source, sizeof lanes);
     }

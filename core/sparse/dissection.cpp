@@ -12,11 +12,14 @@
 
 namespace foam {
 
-// Nested dissection is a recursion on ranges of the order of elimination. The nodes of a range form
-// a subgraph. PartDivider assigns the nodes of a range to two zones, Low and High, and a separator.
-// The range is then sorted: first the nodes of Low, then the nodes of High, then the separator. The
-// two zones are dissected one after the other, or by different threads if the range is large. Each
-// leaf and each separator becomes a DissectionPart; these parts are collected in postorder.
+// Nested dissection (A. George, Nested dissection of a regular finite element mesh, SIAM Journal on
+// Numerical Analysis 10, 1973) keeps the factor small, because no entry of L couples the two sides
+// of a separator. It is implemented as a recursion on ranges of the order of elimination. The nodes
+// of a range form a subgraph. PartDivider assigns the nodes of a range to two zones, Low and High,
+// and a separator. The range is then sorted: first the nodes of Low, then the nodes of High, then
+// the separator. The two zones are dissected one after the other, or by different threads if the
+// range is large. Each leaf and each separator becomes a DissectionPart; these parts are collected
+// in postorder.
 
 namespace {
 

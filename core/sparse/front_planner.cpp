@@ -13,12 +13,14 @@
 
 namespace foam {
 
-// Symbolic factorization. Each part of the dissection becomes a front. The border of a front
-// consists of nodes that come after the front's own nodes in the order of elimination: the later
-// ones among the neighbors of its own nodes, and the later ones in the borders of its children. One
-// pass in postorder therefore finds all borders. Three more steps follow: the workspace is laid
-// out, each row of a border gets its slot in the parent front (FrontPlan::write_slots), and each
-// entry of the matrix gets its index in the panel of its front (the columns of the front's pivots).
+// This is the symbolic factorization. Each part of the dissection becomes a front. The border of a
+// front consists of nodes that come after the front's own nodes in the order of elimination: the
+// later ones among the neighbors of its own nodes, and the later ones in the borders of its
+// children. One pass in postorder therefore finds all borders (as for the columns of L in J. W. H.
+// Liu, The role of elimination trees in sparse factorization, SIAM Journal on Matrix Analysis and
+// Applications 11, 1990). Three more steps follow: the workspace is laid out, each row of a border
+// gets its slot in the parent front (FrontPlan::write_slots), and each entry of the matrix gets its
+// index in the panel of its front (the columns of the front's pivots).
 
 namespace {
 

@@ -55,7 +55,7 @@ TEST(Cycle, OscillatingAreasCloseFromTheFirstOn) {
     expect_closes(test::equilibrated_foam(60, 1), {.steps = kSteps, .area_amplitude = 0.1}, 0);
 }
 
-TEST(Cycle, LargeOscillationsCloseOnceTheirT1AreThrough) {
+TEST(Cycle, LargeOscillationsCloseOnceTheirT1sAreDone) {
     expect_closes(test::equilibrated_foam(60, 1), {.steps = kSteps, .area_amplitude = 0.35}, 3);
 }
 

@@ -60,7 +60,7 @@ TEST(RestoreRafts, UndoesMotionExactly) {
     }
 }
 
-// A raft and a circle, each back to its own place.
+// The raft and the circle return to their own positions.
 TEST(RestoreRafts, MovesEachRaftSeparately) {
     Foam foam = equilibrated(test::double_bubble(1.0, 2.0));
     foam.lone_bubbles.push_back({9, {4.0, 0.0}, 1.0});
@@ -96,8 +96,9 @@ double turn_since(const std::map<BubbleIdentity, Vec2>& before, const Foam& foam
     return std::abs(std::atan2(across, along));
 }
 
-// From 60 bubbles to a few, through T1s and T2s: what is left lies where the raft was, and bubbles
-// stay on their side of it. Left to themselves, such rafts turn by up to 0.8 in a step.
+// The raft coarsens from 60 bubbles to a few, through T1s and T2s. The bubbles that are left are
+// where the raft was, and each stays on its side of the raft. Without restore_rafts, such rafts
+// turn by up to 0.8 in a step.
 TEST(RestoreRafts, ACoarseningRaftKeepsItsPosition) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         PatchOptions options;

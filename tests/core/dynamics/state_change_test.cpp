@@ -130,7 +130,7 @@ TEST(Drive, KeepsOtherBubblesOfAPatch) {
 
 // A bubble of a patch of seven, the middle one or an outer one, collapses on command together with
 // a lone bubble.
-TEST(ForcedCollapse, InAPatch) {
+TEST(ForcedCollapse, CollapsesABubbleOfAPatchAndALoneBubble) {
     for (const BubbleIdentity bubble : {0U, 3U}) {
         Foam foam = test::flower(1.0);
         ASSERT_TRUE(equilibrate(foam, {}).converged());

@@ -51,7 +51,7 @@ DefectRegion with_neighbors(const Network& network, const std::vector<BubbleId>&
     return {region.begin(), region.end()};
 }
 
-TEST(DefectRegions, NoneWithoutADefect) {
+TEST(DefectRegions, NeedErrorsAboveTheThresholds) {
     Case c(honeycomb(8, 8));
     EXPECT_TRUE(c.regions().empty());
     c.set_area_error(BubbleId{20}, -0.29);
@@ -59,7 +59,7 @@ TEST(DefectRegions, NoneWithoutADefect) {
     EXPECT_TRUE(c.regions().empty());
 }
 
-TEST(DefectRegions, OfABubbleIsItAndItsSixNeighbors) {
+TEST(DefectRegions, ContainABubbleAndItsNeighbors) {
     for (const double error : {0.31, -0.31, std::numeric_limits<double>::quiet_NaN()}) {
         Case c(honeycomb(8, 8));
         c.set_area_error(BubbleId{27}, error);
@@ -86,7 +86,7 @@ TEST(DefectRegions, MeasureDefectsWithoutUnits) {
 }
 
 // The three hexagons around a junction have nine neighbors.
-TEST(DefectRegions, OfAJunctionAreItsThreeBubblesAndTheirRings) {
+TEST(DefectRegions, ContainTheBubblesOfAJunctionAndTheirRings) {
     Case c(honeycomb(12, 12));
     const JunctionId junction{100};
     c.set_force(junction, Vec2(0.0, 0.11));
@@ -122,7 +122,7 @@ TEST(DefectRegions, AreJoinedWhereTheyTouch) {
 
 // The region is a bubble and its six neighbors: 29 % of 24 bubbles, but 44 % of 16 bubbles. The
 // limit is 30 %.
-TEST(DefectRegions, NoneIfTheyCoverTooMuchOfTheFoam) {
+TEST(DefectRegions, AreDroppedIfTheyCoverTooMuchOfTheFoam) {
     Case many(honeycomb(6, 4));
     many.set_area_error(BubbleId{9}, 0.5);
     EXPECT_EQ(many.regions().size(), 1U);

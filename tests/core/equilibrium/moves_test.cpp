@@ -19,17 +19,17 @@ namespace {
 using test::Crossing;
 using test::crossing;
 
-TEST(AllowedFraction, OfAFilmThatShrinks) {
+TEST(AllowedFraction, LimitsHowMuchAFilmShrinks) {
     EXPECT_DOUBLE_EQ(allowed_fraction({2.0, 0.0}, {-0.7, 0.0}, 0.4), 1.0);
     EXPECT_DOUBLE_EQ(allowed_fraction({2.0, 0.0}, {-1.0, 0.0}, 0.4), 0.8);
     EXPECT_DOUBLE_EQ(allowed_fraction({2.0, 0.0}, {-8.0, 0.0}, 0.4), 0.1);
 }
 
-TEST(AllowedFraction, OfAFilmThatGrowsIsAll) {
+TEST(AllowedFraction, IsOneForAFilmThatGrows) {
     EXPECT_EQ(allowed_fraction({0.1, 0.0}, {50.0, 0.0}, 0.4), 1.0);
 }
 
-TEST(AllowedFraction, OfAFilmThatTurns) {
+TEST(AllowedFraction, LimitsHowMuchAFilmTurns) {
     EXPECT_DOUBLE_EQ(allowed_fraction({0.0, 1.0}, {0.3, 0.0}, 0.4), 1.0);
     EXPECT_DOUBLE_EQ(allowed_fraction({0.0, 1.0}, {0.8, 0.0}, 0.4), 0.5);
     EXPECT_DOUBLE_EQ(allowed_fraction({0.0, 1.0}, {-0.8, 0.0}, 0.4), 0.5);
@@ -37,11 +37,11 @@ TEST(AllowedFraction, OfAFilmThatTurns) {
 
 // If the change lengthens the film, the motion across the chord is limited in proportion to the new
 // length: 0.4 (1 + 1) = 0.8 of a motion of 1.
-TEST(AllowedFraction, OfAFilmThatTurnsAndGrows) {
+TEST(AllowedFraction, LimitsATurnInProportionToTheNewLength) {
     EXPECT_DOUBLE_EQ(allowed_fraction({1.0, 0.0}, {1.0, 1.0}, 0.4), 0.8);
 }
 
-TEST(AllowedFraction, OfAFilmWithoutLengthIsAll) {
+TEST(AllowedFraction, IsOneForAFilmWithoutLength) {
     EXPECT_EQ(allowed_fraction({0.0, 0.0}, {5.0, 1.0}, 0.4), 1.0);
 }
 
@@ -126,7 +126,7 @@ TEST(LimitMoves, KeepsCommonMotion) {
     EXPECT_EQ(step, before);
 }
 
-// An end of a film of length a in a honeycomb is moved by 2a towards the other end, although the
+// An end of a film of length a in a honeycomb is moved by 2a toward the other end, although the
 // film may shorten by at most 0.4 a. Both ends share the correction equally, so that the sum of all
 // moves does not change.
 TEST(LimitMoves, SharesTheCutBetweenBothEnds) {

@@ -91,7 +91,7 @@ TEST(PatchRelaxation, ContinuesFromThePresentState) {
     EXPECT_FALSE(equilibrium_errors(foam).are_below(1e-2));
 }
 
-TEST(PatchRelaxation, OfAPartHoldsAllElse) {
+TEST(PatchRelaxation, OfAPartChangesNothingElse) {
     Foam foam = test::flower(1.0);
     ASSERT_TRUE(equilibrate(foam, {}).converged());
     const std::vector<BubbleId> bubbles{BubbleId{2}};

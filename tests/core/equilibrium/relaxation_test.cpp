@@ -58,7 +58,7 @@ double mean_pressure(const Foam& foam, const std::vector<BubbleId>& bubbles) {
     return sum / static_cast<double>(bubbles.size());
 }
 
-TEST(Relaxation, OfAPartHoldsAllElse) {
+TEST(Relaxation, OfAPartChangesNothingElse) {
     Foam foam = test::equilibrated_foam(100, 4);
     const BubbleId middle = id_at<BubbleId>(50);
     std::vector<BubbleId> bubbles{middle};

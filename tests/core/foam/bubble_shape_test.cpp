@@ -24,7 +24,7 @@ BubbleShape shape_of(const Foam& foam, BubbleId bubble) {
 }
 
 // The second moments of a regular polygon are isotropic.
-TEST(BubbleShape, OfARegularHexagon) {
+TEST(BubbleShape, ARegularHexagonIsNotElongated) {
     const BubbleShape shape = shape_of(honeycomb(4, 4), BubbleId{5});
     EXPECT_NEAR(shape.perimeter, 6.0 * std::sqrt(2.0 / (3.0 * std::sqrt(3.0))), 1e-14);
     EXPECT_NEAR(shape.elongation, 1.0, 1e-7);  // the square root of a rounding error
@@ -32,7 +32,7 @@ TEST(BubbleShape, OfARegularHexagon) {
 
 // Stretching the plane by the factors 1.5 and 1/1.5 stretches the circle of the second moments to
 // an ellipse whose axes have the ratio 2.25.
-TEST(BubbleShape, OfAStretchedHexagon) {
+TEST(BubbleShape, AStretchedHexagonIsElongatedByTheRatioOfTheFactors) {
     Foam foam = honeycomb(4, 4);
     foam.domain.width *= 1.5;
     foam.domain.height /= 1.5;
@@ -47,7 +47,7 @@ TEST(BubbleShape, OfAStretchedHexagon) {
 // Simple shear by the strain g maps a circle to an ellipse. Its axes are the singular values of
 // ((1, g), (0, 1)), whose ratio is (g/2 + sqrt(1 + g²/4))², and the longer one has the angle
 // atan(2/g) / 2.
-TEST(BubbleShape, OfAShearedHexagon) {
+TEST(BubbleShape, AShearedHexagonHasTheEllipseOfTheShear) {
     for (const double strain : {0.4, -0.4}) {
         Foam foam = honeycomb(4, 4);
         shear(foam, strain);

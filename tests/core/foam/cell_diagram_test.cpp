@@ -97,7 +97,7 @@ std::vector<CellCorner> cell_with_corners(const std::vector<Vec2>& points) {
     return cell;
 }
 
-TEST(CellDiagram, AreaAndCentroidOfATriangle) {
+TEST(CellDiagram, ATriangleHasItsKnownAreaAndCentroid) {
     const auto triangle = cell_with_corners({{10.0, 20.0}, {16.0, 20.0}, {10.0, 23.0}});
     EXPECT_DOUBLE_EQ(cell_area(triangle), 9.0);
     EXPECT_DOUBLE_EQ(cell_centroid(triangle).x(), 12.0);
@@ -106,7 +106,7 @@ TEST(CellDiagram, AreaAndCentroidOfATriangle) {
 
 // The L consists of a rectangle of 2 x 1 and a unit square on the right half of its top. The
 // centroid is the mean of their centers (1, 0.5) and (1.5, 1.5), weighted by the areas 2 and 1.
-TEST(CellDiagram, AreaAndCentroidOfAnL) {
+TEST(CellDiagram, AnLHasItsKnownAreaAndCentroid) {
     const auto l =
         cell_with_corners({{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {1.0, 2.0}, {1.0, 1.0}, {0.0, 1.0}});
     EXPECT_DOUBLE_EQ(cell_area(l), 3.0);

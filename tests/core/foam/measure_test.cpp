@@ -46,7 +46,7 @@ TEST(Measure, AreasAddUpToTheTorusForAnyPressures) {
 
 // With s = 1/2 the six films are arcs of 60 degrees with the radius c. The area of each segment is
 // (pi/6 - sqrt(3)/4) c².
-TEST(Measure, AreaOfAHexagonThatBulges) {
+TEST(Measure, BulgingAddsSegmentsToTheAreaOfAHexagon) {
     Foam foam = honeycomb(4, 4);
     foam.pressures[BubbleId{5}] = pressure_for(0.5);
     const double segment = (kPi / 6.0 - kRoot3 / 4.0) * kSide * kSide;
@@ -59,7 +59,7 @@ TEST(Measure, AreaOfAHexagonThatBulges) {
 // outside shrink by 15 degrees. The radius is c / (2 sin 15 degrees), with
 // (2 sin 15 degrees)² = 2 - sqrt(3). Each segment is a sector of 30 degrees minus a triangle:
 // radius² (pi/12 - 1/4).
-TEST(Measure, ErrorsOfAHexagonThatBulges) {
+TEST(Measure, BulgingCausesKnownErrorsOfAreaAndAngle) {
     Foam foam = honeycomb(4, 4);
     foam.pressures[BubbleId{5}] = pressure_for(0.5 * std::sqrt(2.0 - kRoot3));
     const EquilibriumErrors errors = equilibrium_errors(foam);

@@ -24,7 +24,7 @@ TEST(Random, MapsTheUpper53BitsOfTheEngine) {
 }
 
 TEST(Random, BelowScalesTheSameNumbers) {
-    // The random numbers 0.7868, 0.2505 and 0.7107, times ten.
+    // The random numbers are 0.7868, 0.2505 and 0.7107, times ten.
     Random random(5489);
     EXPECT_EQ(random.below(10), 7U);
     EXPECT_EQ(random.below(10), 2U);

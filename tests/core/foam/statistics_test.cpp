@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-TEST(Statistics, OfAHoneycomb) {
+TEST(Statistics, AHoneycombHasItsKnownValues) {
     const FoamStatistics all = statistics(snapshot(honeycomb(4, 6), 1));
     EXPECT_EQ(all.bubbles, 24);
     EXPECT_NEAR(all.mean_area, 1.0, 1e-14);
@@ -41,7 +41,7 @@ TEST(Statistics, OfAHoneycomb) {
 
 // Bubble 5 has 3 sides; bubbles 10, 4 and 2 have 5 sides; bubbles 6, 9 and 1 have 8 sides; the
 // other nine have 6 sides: mu_2 = (1 * 9 + 3 * 1 + 3 * 4) / 16 = 1.5.
-TEST(Statistics, SecondMomentOfAHoneycombAfterT1s) {
+TEST(Statistics, SecondMomentFollowsFromTheNumbersOfSides) {
     const FoamStatistics all = statistics(snapshot(test::honeycomb_around(3), 1));
     EXPECT_EQ(all.mean_sides, 6.0);
     EXPECT_EQ(all.second_moment, 1.5);

@@ -74,7 +74,7 @@ TEST(FlippedPullsApart, IsTrueForAPointFromThirtyDegreesOn) {
 }
 
 // Bubbles 5 and 6, above and below the film, have a lower pressure than bubbles 2 and 10. The
-// adjacent films, of chord 0.6 and with s = 0.3 delta = sin(10 degrees), bulge towards 5 and 6.
+// adjacent films, of chord 0.6 and with s = 0.3 delta = sin(10 degrees), bulge toward 5 and 6.
 // Their tangents turn by 10 degrees away from the line of the film.
 TEST(FlippedPullsApart, FollowsTheTangentsOfTheArcs) {
     Crossing c = crossing(25.0, 1e-6);

@@ -164,7 +164,7 @@ TEST(Voronoi, RejectsCoincidentSites) {
         "two random sites are at the same point of the grid; try another seed";
     EXPECT_EQ(message_for(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1}, {2.2, 0.7}, {0.9, 2.5}}),
               message);
-    // Nearer than half a grid spacing, 2.2e-8.
+    // Two sites are nearer to each other than half a grid spacing, which is 2.2e-8.
     EXPECT_EQ(message_for(domain, {{0.1, 0.2}, {1.5, 1.1}, {1.5, 1.1 + 1e-9}, {2.2, 0.7}}),
               message);
 }

@@ -79,7 +79,7 @@ Eigen::Matrix4d hessian_of(const Film& film) {
 }
 
 // A half circle of diameter 2 has the length pi and a segment of area pi / 2.
-TEST(BulgeEnergy, OfAHalfCircle) {
+TEST(BulgeEnergy, IsKnownForAHalfCircle) {
     const BulgeEnergy energy = bulge_energy({{2.0, 0.0}, 0.5 * kPi}, 3.0, 5.0);
     EXPECT_DOUBLE_EQ(energy.segment_area, 0.5 * kPi);
     EXPECT_DOUBLE_EQ(energy.value, 5.0 * kPi - 3.0 * 0.5 * kPi);

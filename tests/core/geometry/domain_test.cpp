@@ -17,7 +17,7 @@ Vec2 wrapped(const Domain& domain, const Vec2& point) {
     return point - domain.translation(domain.cell_of(point));
 }
 
-TEST(Domain, AreaAndTranslation) {
+TEST(Domain, HasAnAreaAndTranslatesByPeriods) {
     EXPECT_DOUBLE_EQ(kTorus.area(), 2.1);
     EXPECT_EQ(kTorus.translation({2, -1}), Vec2(6.0, -0.7));
 }
@@ -40,7 +40,7 @@ TEST(Domain, OffsetsAddUp) {
     EXPECT_FALSE(a == b);
 }
 
-TEST(Domain, CellOfPointsInEachDirection) {
+TEST(Domain, FindsTheCellOfPointsInEachDirection) {
     EXPECT_TRUE(kTorus.cell_of({0.0, 0.0}) == (LatticeOffset{0, 0}));
     EXPECT_TRUE(kTorus.cell_of({2.9, 0.6}) == (LatticeOffset{0, 0}));
     EXPECT_TRUE(kTorus.cell_of({3.1, -0.1}) == (LatticeOffset{1, -1}));

@@ -47,7 +47,7 @@ TEST(ElementaryArithmetic, QuotientsHaveTwiceThePrecision) {
     }
 }
 
-TEST(ElementaryArithmetic, PolynomialsOfEvenAndOddDegree) {
+TEST(ElementaryArithmetic, EvaluatesPolynomialsOfEvenAndOddDegree) {
     EXPECT_EQ(ieee::polynomial(std::array{1.0, 2.0, 3.0}, 10.0), 321.0);
     EXPECT_EQ(ieee::polynomial(std::array{1.0, 2.0, 3.0, 4.0}, 10.0), 4321.0);
     EXPECT_EQ(ieee::polynomial(std::array{1.0, 2.0, 3.0, 4.0, 5.0}, 10.0), 54321.0);

@@ -26,7 +26,7 @@ double exponential(double x) {
 
 // The errors below were measured with 25 times as many arguments or more. They are at most 0.83 for
 // the exponential function and for powers, and 0.501 for logarithms.
-TEST(Exponential, Powers) {
+TEST(Exponential, PowersHaveSmallErrors) {
     Draws draws;
     EXPECT_LT(largest_error(exponential, mpfr_exp, [&] { return draws.between(-1.0, 1.0); }), 0.85);
     EXPECT_LT(largest_error(exponential, mpfr_exp, [&] { return draws.between(-708.0, 709.7); }),
@@ -56,7 +56,7 @@ TEST(Exponential, Powers) {
               0.85);
 }
 
-TEST(Exponential, Logarithms) {
+TEST(Exponential, LogarithmsHaveSmallErrors) {
     Draws draws;
     const auto any = [&] { return std::abs(draws.any()); };
     const auto near_one = [&] { return draws.between(0.5, 2.0); };
@@ -70,7 +70,7 @@ TEST(Exponential, Logarithms) {
     EXPECT_LT(largest_error(ieee::log10, mpfr_log10, near_one), 0.51);
 }
 
-TEST(Exponential, ExactResults) {
+TEST(Exponential, RepresentableResultsAreExact) {
     double power = 1.0;
     for (int k = 0; k <= 22; ++k) {
         EXPECT_EQ(ieee::pow(10.0, k), power);
@@ -85,7 +85,7 @@ TEST(Exponential, ExactResults) {
     EXPECT_EQ(ieee::pow(-3.0, 3.0), -27.0);
 }
 
-TEST(Exponential, SpecialValues) {
+TEST(Exponential, SpecialValuesAreThoseOfTheStandard) {
     EXPECT_EQ(ieee::exp(0.0), 1.0);
     EXPECT_EQ(ieee::exp(-0.0), 1.0);
     EXPECT_EQ(ieee::exp(710.0), kInfinity);

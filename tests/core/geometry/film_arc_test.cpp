@@ -74,7 +74,7 @@ TEST(FilmArc, APositiveHalfAngleBulgesToTheRight) {
 
 // On the unit circle, an arc that turns by t = 2 alpha has the chord 2 sin(t/2), the length t, and
 // a segment of the area (t - sin t) / 2: the sector minus the triangle at the center.
-TEST(FilmArc, LengthAndAreaOfArcsOfTheUnitCircle) {
+TEST(FilmArc, ArcsOfTheUnitCircleHaveTheirLengthAndArea) {
     struct Case {
         double turn;
         double chord;
@@ -213,7 +213,7 @@ TEST(SegmentShape, SlopeIsItsDerivative) {
 // sin cos = -sqrt(3)/4 the area of each bubble is
 //     c²/4 (2 pi/3 + sqrt(3)/4) / (3/4) = c²/3 (2 pi/3 + sqrt(3)/4) = 1,
 // and the energy is c + 2 c (2 pi/3) / (sqrt(3)/2).
-TEST(FilmArc, TwoBubbleCluster) {
+TEST(FilmArc, AClusterOfTwoBubblesIsInEquilibrium) {
     const double c = std::sqrt(3.0 / (2.0 * kPi / 3.0 + kRoot3 / 4.0));
     const FilmArc wall{{0.0, c}, 0.0};
     const FilmArc right{{0.0, c}, 2.0 * kPi / 3.0};
@@ -236,7 +236,7 @@ TEST(FilmArc, TwoBubbleCluster) {
 // half circle of radius R = sqrt(3) L / 2. The area is
 //     sqrt(3)/4 L² + pi R²/2 = L² (sqrt(3)/4 + 3 pi/8) = 1,
 // the pressure is p = T/R, and the energy is 3 L + 3 pi R = 2 * 3 p.
-TEST(FilmArc, ThreeBubbleCluster) {
+TEST(FilmArc, AClusterOfThreeBubblesIsInEquilibrium) {
     const double length = 1.0 / std::sqrt(kRoot3 / 4.0 + 3.0 * kPi / 8.0);
     std::array<Vec2, 3> ends;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -279,7 +279,7 @@ TEST(ArcShape, HasItsDerivativesByCentralDifferences) {
 
 // The series w = 1/3 + 2/15 a² + ... follows from sin a - a cos a = a³/3 - a^5/30 and
 // sin³ a = a³ (1 - a²/2).
-TEST(ArcShape, OfAStraightFilm) {
+TEST(ArcShape, AStraightFilmHasTheLimitsOfTheSeries) {
     const ArcShape shape = arc_shape(0.0);
     EXPECT_EQ(shape.length, 1.0);
     EXPECT_EQ(shape.segment, 0.0);
@@ -343,7 +343,7 @@ RC_GTEST_PROP(FilmArc, TangentTensorIsTheIntegralOverTheArc, ()) {
     RC_ASSERT((tensor - tangent_tensor(reversed(arc))).norm() < tolerance);
 }
 
-TEST(FilmArc, TangentTensorNearAStraightFilmAndAFullCircle) {
+TEST(FilmArc, TangentTensorIsAccurateNearAStraightFilmAndAFullCircle) {
     for (const double angle : {0.0, 1e-9, 1e-4, -1e-2, 0.2499, 0.2501, 1.5707, 1.5709, 3.141}) {
         const FilmArc arc{{0.6, -0.8}, angle};
         EXPECT_LT((tangent_tensor(arc) - integrated_tangents(arc)).norm(), 1e-12 * arc_length(arc))
@@ -385,7 +385,7 @@ TEST(FilmArc, SegmentMomentsAreTheIntegralsOverTheSegment) {
 }
 
 // The half disc below the chord has the moments -2/3 r³, pi/8 r^4 and pi/8 r^4.
-TEST(FilmArc, SegmentMomentsOfAHalfDisc) {
+TEST(FilmArc, SegmentMomentsAreKnownForAHalfDisc) {
     const SegmentMoments moments = segment_moments({{2.0, 0.0}, kPi / 2.0});
     EXPECT_NEAR(moments.area, kPi / 2.0, kRounding);
     EXPECT_NEAR(moments.y, -2.0 / 3.0, kRounding);

@@ -68,7 +68,7 @@ TEST(FilmEnergy, OfAStraightFilmIsTensionTimesLength) {
 
 // c = T = delta = 1 bend the film to radius 1. With s = 1/2, the half angle is 30 degrees, the
 // length pi/3 and the segment pi/6 - sqrt(3)/4. The gradient is T cos 30 along the chord (E3).
-TEST(FilmEnergy, OfASixthOfACircle) {
+TEST(FilmEnergy, IsKnownForASixthOfACircle) {
     const double segment = kPi / 6.0 - std::sqrt(3.0) / 4.0;
     const FilmEnergy energy = film_energy({0.0, 1.0}, 1.0, 1.0);
     EXPECT_NEAR(energy.half_angle, kPi / 6.0, kRounding);
@@ -81,7 +81,7 @@ TEST(FilmEnergy, OfASixthOfACircle) {
 // The second derivatives of E3 for the same film. By the chord twice: -(delta/2) tan 30 along it
 // and T cos 30 / c across it. By the chord and the pressure difference: -(c/2) tan 30. By the
 // pressure difference twice: -(1/8) g'(1/2), with g'(1/2) = 4/sqrt(3) - 4 (2 pi/3 - sqrt(3)).
-TEST(FilmEnergy, HessianOfASixthOfACircle) {
+TEST(FilmEnergy, HessianIsKnownForASixthOfACircle) {
     const FilmEnergyHessian hessian = film_energy_hessian({0.0, 1.0}, 1.0, 1.0);
     const double tangent = 1.0 / std::sqrt(3.0);
     EXPECT_NEAR(hessian.chord_chord(0, 0), std::sqrt(3.0) / 2.0, kRounding);

@@ -35,7 +35,7 @@ double arctangent(double x) {
 // The errors below were measured with 25 times as many arguments or more. They are at most 0.79 for
 // the sine and the cosine, 0.99 for the tangent, 0.64, 0.76 and 0.71 for arcsine, arccosine and
 // arctangent, and 0.80 for atan2.
-TEST(Trigonometric, SineCosineAndTangentOfModerateAngles) {
+TEST(Trigonometric, SineCosineAndTangentHaveSmallErrorsAtModerateAngles) {
     Draws draws;
     for (const double largest : {1e-3, 0.8, 10.0, 1e3, 0x1p20}) {
         const auto draw = [&] { return draws.between(-largest, largest); };
@@ -45,7 +45,7 @@ TEST(Trigonometric, SineCosineAndTangentOfModerateAngles) {
     }
 }
 
-TEST(Trigonometric, SineCosineAndTangentOfAnyAngles) {
+TEST(Trigonometric, SineCosineAndTangentHaveSmallErrorsAtAnyAngle) {
     Draws draws;
     const auto draw = [&] { return draws.any(); };
     EXPECT_LT(largest_error(sine, mpfr_sin, draw), 0.8);
@@ -54,7 +54,7 @@ TEST(Trigonometric, SineCosineAndTangentOfAnyAngles) {
 }
 
 // Near multiples of pi / 2, nearly all digits of an angle cancel in its reduction.
-TEST(Trigonometric, SineCosineAndTangentNearMultiplesOfAQuarterTurn) {
+TEST(Trigonometric, SineCosineAndTangentHaveSmallErrorsNearMultiplesOfAQuarterTurn) {
     Draws draws;
     for (const double largest : {4.0, 1e6, 1e15}) {
         const auto draw = [&] {
@@ -66,7 +66,7 @@ TEST(Trigonometric, SineCosineAndTangentNearMultiplesOfAQuarterTurn) {
     }
 }
 
-TEST(Trigonometric, InverseFunctions) {
+TEST(Trigonometric, InverseFunctionsHaveSmallErrors) {
     Draws draws;
     const auto unit = [&] { return draws.between(-1.0, 1.0); };
     const auto near_one = [&] { return 1.0 - std::exp2(draws.between(-53.0, -1.0)); };
@@ -78,7 +78,7 @@ TEST(Trigonometric, InverseFunctions) {
     EXPECT_LT(largest_error(arctangent, mpfr_atan, [&] { return draws.any(); }), 0.8);
 }
 
-TEST(Trigonometric, AngleOfAVector) {
+TEST(Trigonometric, AngleOfAVectorHasASmallError) {
     Draws draws;
     const auto unit = [&] { return draws.between(-1.0, 1.0); };
     const auto any = [&] { return draws.any(); };
@@ -86,7 +86,7 @@ TEST(Trigonometric, AngleOfAVector) {
     EXPECT_LT(largest_error(ieee::atan2, mpfr_atan2, any, any), 1.0);
 }
 
-TEST(Trigonometric, SpecialValues) {
+TEST(Trigonometric, SpecialValuesAreThoseOfTheStandard) {
     for (const double zero : {0.0, -0.0}) {
         EXPECT_TRUE(are_same(ieee::sin(zero), zero));
         EXPECT_TRUE(are_same(ieee::tan(zero), zero));

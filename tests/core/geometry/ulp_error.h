@@ -69,7 +69,8 @@ double largest_error(Function function,
     return largest;
 }
 
-/// The same for a function of two arguments.
+/// Returns the largest error in ulp, over arguments drawn at random, of a function of two
+/// arguments. `reference` is the function of MPFR.
 template <class Function, class DrawFirst, class DrawSecond>
 double largest_error(Function function,
                      int (*reference)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t),

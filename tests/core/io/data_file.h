@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 
 #include <fstream>
 #include <iterator>

@@ -136,7 +136,7 @@ TEST(EvolverReader, FilmsOfAStronglyShearedTorusMayLeadFarAway) {
     }
 }
 
-TEST(EvolverReader, PressuresAndTensions) {
+TEST(EvolverReader, ReadsPressuresAndTensions) {
     const EvolverFoam read = edited_foam("volume 6", "volume 6 lagrange_multiplier 0.75");
     EXPECT_EQ(read.foam.pressures[BubbleId{0}], 0.75);
     std::string text = test::edited(test::kSmallTorus, "1 1 2 * *", "1 1 2 * * tension 2");

@@ -13,7 +13,7 @@
 namespace foam {
 namespace {
 
-TEST(FoamRecords, OfATorusAreItsValues) {
+TEST(FoamRecords, MatchTheValuesOfATorus) {
     const Foam foam = test::polydisperse_foam(30, 2);
     const foamtex::FoamRecords records = records_of(snapshot(foam, 1));
     ASSERT_EQ(records.bubbles.size(), 30U);
@@ -52,7 +52,7 @@ TEST(FoamRecords, PressuresMatchHalfAngles) {
     }
 }
 
-TEST(FoamRecords, OfAPatchHaveItsOutsideAndLoneBubbles) {
+TEST(FoamRecords, IncludeTheOutsideAndLoneBubblesOfAPatch) {
     const foamtex::FoamRecords patch = records_of(snapshot(test::patch_foam(12, 1), 1));
     int outer = 0;
     for (const foamtex::Film& film : patch.films) {

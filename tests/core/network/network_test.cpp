@@ -30,7 +30,7 @@ std::vector<Id> listed(const LiveRange<Id>& range) {
     return ids;
 }
 
-TEST(Ids, SidesOfAFilm) {
+TEST(Ids, TheTwoSidesOfAFilmAreTwins) {
     const FilmId film{3};
     EXPECT_EQ(forward_side(film), HalfEdgeId{6});
     EXPECT_EQ(twin(HalfEdgeId{6}), HalfEdgeId{7});

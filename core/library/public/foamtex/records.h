@@ -7,7 +7,7 @@
 
 /// The plain values of a foam at one instant. All lengths are in foam units: the mean bubble area
 /// of a seeded foam is 1. x points right and y points up. The equations E1 to E11 are explained in
-/// core/README.md.
+/// core/EQUATIONS.md.
 namespace foamtex {
 
 /// A point or a vector of the plane.
