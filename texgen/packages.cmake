@@ -77,7 +77,8 @@ foreach(script IN ITEMS postinst prerm)
   list(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/debian/control/${script})
 endforeach()
 
-# What the Debian Policy asks of each package: the copyright file and a changelog, compressed without a time.
+# The Debian Policy requires a copyright file and a compressed changelog in each package. The option -n of gzip stores no
+# time, so that the file is reproducible.
 find_program(GZIP gzip)
 if(GZIP)
   foreach(group IN ITEMS foamtex foamtex-dev python3-foamtex)

@@ -14,6 +14,15 @@
 #include <numbers>
 #include <span>
 
+// The velocity is a sum of waves with random directions and phases, as in R. H. Kraichnan,
+// "Diffusion by a random velocity field" (1970). It is derived from a stream function, so that it
+// has no divergence; computer graphics calls such fields curl noise (R. Bridson, J. Hourihan and M.
+// Nordenstam, "Curl-noise for procedural fluid flow", 2007). Points move along this field because a
+// displacement that is simply proportional to a field without divergence would change areas, and
+// could fold the plane. The paths are integrated by the classical Runge-Kutta method of order 4 (J.
+// C. Butcher, "Numerical Methods for Ordinary Differential Equations"). Waves that travel by whole
+// wavelengths, so that loops close, are our own.
+
 namespace foam::texgen {
 
 namespace {

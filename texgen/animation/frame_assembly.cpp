@@ -49,14 +49,14 @@ void carry(const Current& current, double progress, DrawnState& state) {
     state.frame = std::make_shared<const Frame>(current.carried(*state.frame, progress));
 }
 
-// Moves two frames towards each other, so that bubbles that are in both are at about the same
+// Moves two frames toward each other, so that bubbles that are in both are at about the same
 // positions. The frame `out`, which fades out, moves by the fraction `passed` of the distance, the
 // frame `in` by the remaining fraction.
 void move_together(double passed,
                    std::shared_ptr<const Frame>& out,
                    std::shared_ptr<const Frame>& in) {
-    auto moved_out = std::make_shared<const Frame>(moved_towards(*out, *in, passed));
-    in = std::make_shared<const Frame>(moved_towards(*in, *out, 1.0 - passed));
+    auto moved_out = std::make_shared<const Frame>(moved_toward(*out, *in, passed));
+    in = std::make_shared<const Frame>(moved_toward(*in, *out, 1.0 - passed));
     out = std::move(moved_out);
 }
 
@@ -78,10 +78,7 @@ FrameAssembly::FrameAssembly(const Preset& preset,
     if (loop_.is_cross_faded()) {
         fade_order_.emplace(fade_order_of(preset));
     }
-    if (preset.shape.kind == FoamKind::Patch) {
-        uses_[1];  // makes states() include state 1
-    }
-    uses_[first_state_];
+    uses_[first_state_];  // makes states() include the state of frame 1
     for (const int number : numbers) {
         requests_.push_back(request_of(number, preset));
         for (const int state : requests_.back().states) {
@@ -215,8 +212,8 @@ void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame
 }
 
 // Moves `frame.next` and, in a cross-fade, `frame.fading_in.next` to the positions at which the
-// next frame of the animation shows them. The last frame before the fade is not a cross-fade, but
-// the frame after it is.
+// next frame of the animation shows them. In the last frame before the fade, only `frame.next` is
+// moved: this frame is not a cross-fade, but the next one is.
 void FrameAssembly::move_next(const ShownStates& shown, SimulatedFrame& frame) const {
     const double passed =
         static_cast<double>(shown.next_fading_in) / (states_before_first_frame(loop_, count_) + 1);

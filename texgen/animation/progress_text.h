@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// Returns the name that programs get for a phase, such as "warm_up".
+/// Returns the name of a phase in the lines of JSON (progress_json), such as "warm_up".
 std::string_view name_of(Phase phase);
 
 /// Returns the progress of a phase in its own unit, for example "warm-up 40 of 60", "frame 3 of 48"
@@ -37,7 +37,7 @@ std::string progress_bar(const RunProgress& progress, const PhaseTimes& times);
 /// RunProgress).
 std::string progress_line(const RunProgress& progress, double seconds);
 
-/// Returns the progress as a JSON object in one line, without a newline. texgen/cli/README.md
+/// Returns the progress as a JSON object in one line, without a newline. texgen/cli/PROGRESS.md
 /// describes its members. `seconds` is the wall time since the run began.
 std::string progress_json(const RunProgress& progress,
                           double seconds,

@@ -37,20 +37,20 @@ Displacements spread_to_neighbors(const Frame& frame, const Displacements& known
 }  // namespace
 
 Displacements displacements_of_shared(const Frame& from, const Frame& to) {
-    std::map<BubbleIdentity, BubbleId> places;
+    std::map<BubbleIdentity, BubbleId> bubbles_in_to;
     for (const BubbleId bubble : to.network.bubbles()) {
-        places.emplace(to.bubbles[bubble].identity, bubble);
+        bubbles_in_to.emplace(to.bubbles[bubble].identity, bubble);
     }
     const double mean_area = from.domain.area() / static_cast<double>(from.bubbles.size());
     const double farthest = 2.0 * std::sqrt(mean_area / std::numbers::pi);
     Displacements displacements(from.bubbles.size());
     for (const BubbleId bubble : from.network.bubbles()) {
-        const auto place = places.find(from.bubbles[bubble].identity);
-        if (place == places.end()) {
+        const auto found = bubbles_in_to.find(from.bubbles[bubble].identity);
+        if (found == bubbles_in_to.end()) {
             continue;
         }
         const Vec2 by =
-            from.domain.nearest_copy(mean_corner(to, place->second) - mean_corner(from, bubble));
+            from.domain.nearest_copy(mean_corner(to, found->second) - mean_corner(from, bubble));
         if (by.squaredNorm() <= farthest * farthest) {
             displacements[index_of(bubble)] = by;
         }
@@ -58,7 +58,7 @@ Displacements displacements_of_shared(const Frame& from, const Frame& to) {
     return displacements;
 }
 
-Frame moved_towards(const Frame& from, const Frame& to, double fraction) {
+Frame moved_toward(const Frame& from, const Frame& to, double fraction) {
     if (fraction == 0.0) {
         return from;
     }

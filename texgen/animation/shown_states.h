@@ -36,8 +36,8 @@ int states_before_first_frame(const LoopOptions& loop, int count);
 /// the state of frame 1.
 int frame_of_state(int state, const LoopOptions& loop, int count);
 
-/// Returns the fraction of the loop that precedes a state: at least 0 and below 1. It is 0 for the
-/// state of frame 1, and repeats after `count` states.
+/// Returns the fraction of a loop of `count` frames that precedes a state: at least 0 and below 1.
+/// It is 0 for the state of frame 1, and repeats after `count` states.
 double loop_progress(int state, const LoopOptions& loop, int count);
 
 }  // namespace foam::texgen

@@ -17,6 +17,14 @@
 #include <cmath>
 #include <utility>
 
+// States are passed on as soon as they exist and are not kept here. A boil whose start is not known
+// is simulated twice. The first simulation searches for the start and ends. The second one begins
+// with the start, which was written as text and read again. It is therefore in the same situation
+// as a simulation whose start was stored earlier: nothing else that the search leaves behind, such
+// as its history (history.h), can make the frames differ. All other animations are simulated once;
+// the frames of a breathe or shear loop continue from the foam whose cycle has closed. The method
+// is our own.
+
 namespace foam::texgen {
 
 namespace {

@@ -52,7 +52,7 @@ using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
 /// `threads` is the number of threads of the simulation; 0 uses all hardware threads.
 FrameSource simulation_of(const Preset& preset, int threads);
 
-/// A place outside of the program where the start of a boil is kept, so that it is searched once.
+/// Keeps the start of a boil outside of the program, so that it is searched once.
 struct LoopMemory {
     std::string content;  // what `keep` has received in an earlier run; empty if there is none
     // Receives the text of the start (write_loop_start) after it has been searched. May be empty.

@@ -14,14 +14,16 @@
 #include <utility>
 #include <vector>
 
-// Before frame 1 the foam is seeded, equilibrated and warmed up, that is, simulated for the time
+// The foam is quasi-static, as in the paper (Section 4.1): each step ends in equilibrium. Before
+// frame 1 the foam is seeded, equilibrated and warmed up, that is, simulated for the time
 // FramesOptions::warm_up. (With FirstFrame::Diagram it is equilibrated and warmed up before frame
-// 2.) Every further frame is one step (core/dynamics/step.h): gas diffuses while the changes of the
-// events (timeline.h) are imposed. Loops differ from this sequence as follows:
+// 2.) Every further frame is one step (core/dynamics/step.h): gas diffuses (E6) while the changes
+// of the events (timeline.h) are imposed (E9). Loops differ from this sequence as follows:
 // - breathe, shear, boil: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run
-//   before frame 1 until one cycle closes (close_loop), or, in a boil, two cycles in a row; the
-//   frames are the steps of the next cycle. If a state from which the loop closes is stored
-//   (loop_start.h), the simulation begins with this state, and only one cycle runs before frame 1.
+//   before frame 1 until one cycle closes (close_loop), or, in a boil, two cycles in a row. This is
+//   a search for a fixed point (loop_start.cpp). The frames are the steps of the next cycle. If a
+//   state from which the loop closes is stored (loop_start.h), the simulation begins with this
+//   state, and only one cycle runs before frame 1.
 // - drift: no steps; each frame shows the same foam at another position (display_transform.h).
 // - flow: steps as without a loop, while the timeline creates new bubbles; a cross-fade of two
 //   states closes the loop (shown_states.h).

@@ -12,7 +12,7 @@ namespace foam::texgen {
 CycleOptions cycle_options_of(const Preset& preset);
 
 /// Returns the number of cycles after which half of the boils with so many bubbles had closed when
-/// tests/bench/boil_table measured them (README.md of this folder). For more than 2,000 bubbles,
+/// tests/bench/boil_table measured them (NOTES.md of this folder). For more than 2,000 bubbles,
 /// returns the number for 2,000.
 int usual_cycles(int bubbles);
 

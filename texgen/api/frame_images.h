@@ -10,7 +10,8 @@
 namespace foam::texgen {
 
 /// Returns the shape of the images that the functions below return. `integers` is true for
-/// code_image, false for number_image. Throws std::invalid_argument for an unknown map.
+/// code_image, false for number_image. Images of codes of a map with two channels, such as motion,
+/// have three channels. Throws std::invalid_argument for an unknown map.
 foamtex::ImageShape shape_of(const foamtex::Frame::State& frame,
                              const std::string& map_name,
                              bool integers);

@@ -19,8 +19,8 @@ struct Preset::State {
 };
 
 struct Frame::State {
-    State(foam::texgen::SimulatedFrame frame, Preset of)
-        : shown(std::move(frame)), preset(std::move(of)) {}
+    State(foam::texgen::SimulatedFrame frame, Preset simulated)
+        : shown(std::move(frame)), preset(std::move(simulated)) {}
 
     foam::texgen::SimulatedFrame shown;
     Preset preset;  // the preset of the simulation

@@ -144,13 +144,12 @@ void check_primaries(const Preset& preset, const FilePattern& pattern) {
 void check_packings(const std::vector<DrawnImage>& images, const ImageFormat& format) {
     for (const DrawnImage& image : images) {
         if (image.packs_colors() && format.samples == FormatSamples::Numbers) {
-            throw std::invalid_argument(
-                fmt::format("packing '{}': {} files store colors multiplied by channel A, so a "
-                            "packing of colors cannot be stored; bake the maps as {} layers "
-                            "instead",
-                            image.name(),
-                            format.name,
-                            format.name));
+            throw std::invalid_argument(fmt::format(
+                "packing '{}': {} files store colors multiplied by their opacity, which "
+                "a packing does not have; bake the maps as {} layers instead",
+                image.name(),
+                format.name,
+                format.name));
         }
     }
 }

@@ -15,14 +15,15 @@
 
 namespace foam::texgen {
 
-/// The frames to bake and how to compute them. If the source simulates the preset or reads a cache
-/// of it, `sequence` is the only option on which the pixels of a frame depend.
+/// The frames to bake and how to compute them: options of `bake`, and of bake_recorded
+/// (manifest/recorded_bake.h), which bakes, too. If the source simulates the preset or reads a
+/// cache of it, `sequence` is the only option on which the pixels of a frame depend.
 struct BakeOptions {
     std::vector<int> frames;  // numbers from 1, in any order, each once
     int threads = 0;          // 0: one per hardware thread
     FrameSource source = {};  // source of the frames; if empty, the preset is simulated
-    // The frames to which bake_recorded (manifest/recorded_bake.h) fits automatic ranges of maps;
-    // if empty, the frames from 1 to frames.count. `bake` does not use it.
+    // The frames to which bake_recorded fits automatic ranges of maps; if empty, the frames from 1
+    // to frames.count. `bake` does not use it.
     std::vector<int> sequence = {};
     // The folder of the cache from which `source` reads its frames; empty if there is none.
     // bake_recorded reads the automatic ranges of maps from there, or stores them there. `bake`

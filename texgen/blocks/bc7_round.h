@@ -74,7 +74,8 @@ FOAM_INLINE typename Simd::Floats code_of(const typename Simd::Floats& value,
 /// Rounds both endpoints of a channel, each down or up, to values of the format with given lowest
 /// bits. Chooses the pair of values with the smallest squared error. If the error does not depend
 /// on an endpoint, this endpoint is rounded to the nearest value. Returns the error, apart from a
-/// constant. Precondition: the line has the smallest squared error of all lines.
+/// constant. Precondition: no other line has a smaller squared error (`error` is then a function of
+/// the differences from the ends of this line).
 template <class Format, class Simd>
 FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
                                                 const LineOf<Simd, Format::kChannels>& line,
@@ -86,6 +87,8 @@ FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
     Array<Array<Floats, 2>, 2> values;
     Array<Array<Floats, 2>, 2> differences;
     for (std::size_t end = 0; end < 2; ++end) {
+        // The limit keeps `below` + 1 a valid code. The second of the codes is the neighbor of the
+        // exact code on the other side.
         const Floats code =
             code_of<Format, Simd>(line[end][c], lowest[end], Format::kLargestCode - 0.5F);
         const Ints below = Simd::whole(code);
@@ -118,6 +121,8 @@ FOAM_INLINE void round_ends(const LineOf<Simd, Format::kChannels>& line,
                             LineOf<Simd, Format::kChannels>& rounded) {
     using Floats = typename Simd::Floats;
     using Ints = typename Simd::Ints;
+    // `bits` is a pair of lowest bits: bit 0 is that of the first end, bit 1 that of the second.
+    // If both must be equal, only 0 and 3 are tried.
     constexpr int kFirst = Format::kLowest == LowestBits::Ones ? 3 : 0;
     constexpr int kLast = Format::kLowest == LowestBits::None ? 0 : 3;
     constexpr int kStride = Format::kLowest == LowestBits::PerSubset ? 3 : 1;

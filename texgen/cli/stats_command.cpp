@@ -104,6 +104,8 @@ void add_stats_command(CLI::App& app, Action& action) {
         app.add_subcommand("stats", "Measure the frames of a preset: tables and charts");
     const auto arguments = std::make_shared<StatsArguments>();
     add_preset_options(*command, arguments->run);
+    command->get_option("PRESET")->description(
+        "Name of a shipped preset, a .toml file, or a folder that foamtex simulate has written");
     command
         ->add_option("--out", arguments->out, "Folder for the files (default: out/{preset}_stats)")
         ->option_text("DIR");

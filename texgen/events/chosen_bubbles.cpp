@@ -118,12 +118,12 @@ void check_choice(const EventCheck& check, bool may_choose_all) {
                   "the event must have one of the keys bubble, at and sides, which choose bubbles");
     for (const BubbleIdentity bubble : event.bubbles) {
         check.require_fit(
-            static_cast<std::int64_t>(bubble) < check.setting.identities,
+            static_cast<std::int64_t>(bubble) < check.setting.identity_limit,
             "bubble",
             ": ",
             fmt::format("must be below {}, the sum of foam.bubbles and the bubbles that events "
                         "create; there is no bubble {}",
-                        check.setting.identities,
+                        check.setting.identity_limit,
                         bubble));
     }
     check.require(!check.is_given("count") || !event.sides.empty(),

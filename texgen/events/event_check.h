@@ -17,9 +17,9 @@ struct EventSetting {
     bool is_patch = false;
     double t2_area = 0.0;       // square foam units
     double shorter_side = 0.0;  // shorter side of a torus, foam units
-    // The number of bubbles that the preset asks for: foam.bubbles plus the bubbles that events
-    // create. An event must name identities below this number.
-    std::int64_t identities = std::numeric_limits<std::int64_t>::max();
+    // An event must name identities below this number: foam.bubbles plus the number of bubbles that
+    // events create.
+    std::int64_t identity_limit = std::numeric_limits<std::int64_t>::max();
 };
 
 /// The argument of EventKind::check, which checks one event of a preset. The check covers
@@ -33,11 +33,13 @@ struct EventCheck {
     std::string name;  // name of the event in messages, such as "event[2]"
     std::function<bool(std::string_view key)> is_given;  // true if the key was assigned
     // Throws PresetError. The message quotes an assignment, followed by the reason. The assignment
-    // is the last one to the key or, if the key was not assigned, to any key of the event.
+    // is the last one to the key or, if the key was not assigned, to any key of the event. If no
+    // key of the event was assigned, it is the last one to a key outside of the event, such as
+    // foam.bubbles, on which the allowed values of events depend; otherwise the last one of all.
     std::function<void(std::string_view key, std::string_view reason)> reject;
     // Throws PresetError. The message quotes an assignment, followed by the reason. The assignment
-    // is one to a key outside of the event, such as foam.bubbles, on which the allowed values of
-    // events depend.
+    // is the last one to a key outside of the event on which the allowed values of events depend.
+    // If there is none, it is the last one to a key of the event; otherwise the last one of all.
     std::function<void(std::string_view reason)> reject_foam;
 
     /// Calls `reject` with the key and the reason unless `holds` is true. `holds` must be a
@@ -49,20 +51,20 @@ struct EventCheck {
         }
     }
     /// Rejects a value of a key that does not fit the foam, unless `holds` is true. If the key was
-    /// assigned, calls `reject` with the reason `text`. Otherwise the foam was changed, and this
-    /// function calls `reject_foam` with the reason "event[2].key" + separator + text, so that the
-    /// message names the key of the event, too.
+    /// assigned, calls `reject` with the reason. Otherwise the value is older or the default, and
+    /// this function calls `reject_foam` with the reason "event[2].key" + separator + reason, so
+    /// that the message names the key of the event, too. `separator` is, for example, " = ".
     void require_fit(bool holds,
                      std::string_view key,
                      std::string_view separator,
-                     std::string_view text) const {
+                     std::string_view reason) const {
         if (holds) {
             return;
         }
         if (is_given(key)) {
-            reject(key, text);
+            reject(key, reason);
         }
-        reject_foam(name + '.' + std::string(key) + std::string(separator) + std::string(text));
+        reject_foam(name + '.' + std::string(key) + std::string(separator) + std::string(reason));
     }
 };
 

@@ -83,7 +83,7 @@ struct AutoReal {
 struct RealsOrAuto {
     double low = 0.0;
     double high = 0.0;
-    AutoReal automatic{0.0, true};  // the member after "auto" has been read
+    AutoReal automatic{0.0, true};  // what `read` stores in the member for "auto"
 
     std::string allowed() const;
     std::string schema() const;

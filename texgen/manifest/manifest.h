@@ -73,7 +73,7 @@ struct ManifestScene {
 struct FrameMechanics {
     double strain = 0.0;             // since the foam was seeded
     double energy = 0.0;             // film tension times total length of the films
-    std::array<double, 3> stress{};  // xx, xy, yy (E11 in core/README.md)
+    std::array<double, 3> stress{};  // xx, xy, yy (E11 in core/EQUATIONS.md)
 
     friend bool operator==(const FrameMechanics&, const FrameMechanics&) = default;
 };

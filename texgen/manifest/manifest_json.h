@@ -10,7 +10,7 @@
 namespace foam::texgen {
 
 /// Returns a manifest as JSON, with members in a fixed order and one line per map, file, frame and
-/// scene file. README.md describes the format.
+/// scene file. FORMAT.md describes the format.
 std::string to_json(const Manifest& manifest);
 
 /// Parses the JSON of a manifest. Unknown members are ignored. Throws InputError if the text is not

@@ -68,10 +68,10 @@ std::vector<Edge> without_opposites(std::vector<Edge> edges) {
     };
     std::vector<Edge> kept;
     for (auto edge = edges.begin(); edge != edges.end();) {
-        const std::size_t here = count(*edge);
-        const std::size_t there = count(opposite(*edge));
-        kept.insert(kept.end(), here > there ? here - there : 0, *edge);
-        edge += static_cast<std::ptrdiff_t>(here);
+        const std::size_t forward = count(*edge);
+        const std::size_t backward = count(opposite(*edge));
+        kept.insert(kept.end(), forward > backward ? forward - backward : 0, *edge);
+        edge += static_cast<std::ptrdiff_t>(forward);
     }
     return kept;
 }

@@ -51,15 +51,15 @@ CenteredArc centered(const Vec2& start, const EllipticalArc& arc) {
     const double excess = half.cwiseQuotient(arc.radii).squaredNorm();
     const Vec2 radii = arc.radii * std::sqrt(std::max(1.0, excess));
     // The ellipse is mapped to the unit circle, and the midpoint of the chord to the origin. There,
-    // `chord` is the vector from the origin to the start of the arc, and the vector from the origin
-    // to the center is at a right angle to it.
-    const Vec2 chord = half.cwiseQuotient(radii);
-    const double square = chord.squaredNorm();
+    // `to_start` is the vector from the origin to the start of the arc, and the vector from the
+    // origin to the center is at a right angle to it.
+    const Vec2 to_start = half.cwiseQuotient(radii);
+    const double square = to_start.squaredNorm();
     const double distance = square > 0.0 ? std::sqrt(std::max(0.0, 1.0 / square - 1.0)) : 0.0;
     const double side = arc.is_large != arc.is_positive ? 1.0 : -1.0;
-    const Vec2 center = side * distance * Vec2(chord.y(), -chord.x());
-    const double first = angle_of(chord - center);
-    const double last = angle_of(-chord - center);
+    const Vec2 center = side * distance * Vec2(to_start.y(), -to_start.x());
+    const double first = angle_of(to_start - center);
+    const double last = angle_of(-to_start - center);
     return {turned(center.cwiseProduct(radii), arc.rotation) + 0.5 * (start + arc.end),
             radii,
             arc.rotation,

@@ -27,7 +27,7 @@ enum class PictureEdges {
     Blend,   // opposite edges are adjusted to their mean; the adjustment fades out inward
 };
 
-/// The density of bubbles: how the sizes of the seeded bubbles depend on their place. A picture is
+/// The density of bubbles: how the sizes of the seeded bubbles depend on position. A picture is
 /// stretched over the torus, or over the bounding box of the outline of a patch.
 struct DensityOptions {
     DensitySource source{};
@@ -49,10 +49,10 @@ struct DensityDomain {
 /// Returns the field of bubble areas of a density, or nullopt if the source is "even". The darkness
 /// of a picture is 1 minus the luminance (luminance_of) of its colors on white. The darkness of the
 /// whole rectangle is first stretched to the range from 0 to 1. The area a then follows from
-/// 1 / sqrt(a), which is linear in the darkness: a is 1 at the darkest place and `options.ratio` at
+/// 1 / sqrt(a), which is linear in the darkness: a is 1 at the darkest point and `options.ratio` at
 /// the lightest one, or the reverse if `options.is_inverted` is true. If films have a constant
-/// width, the fraction of each place that they cover is proportional to 1 / sqrt(a), so that a foam
-/// of dark films on a light ground has the tones of the picture.
+/// width, the fraction of the area that they cover is everywhere proportional to 1 / sqrt(a), so
+/// that a foam of dark films on a light ground has the tones of the picture.
 std::optional<AreaField> area_field_of(const DensityOptions& options, const DensityDomain& domain);
 
 /// Returns remarks on the picture of a density: that it is stretched by more than 2 % in one

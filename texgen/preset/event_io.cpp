@@ -136,7 +136,7 @@ EventSetting setting_of(const Preset& preset) {
         .is_patch = preset.shape.kind == FoamKind::Patch,
         .t2_area = preset.thresholds.t2_area,
         .shorter_side = std::sqrt(preset.seeding.bubbles * (static_cast<double>(shorter) / longer)),
-        .identities = identities};
+        .identity_limit = identities};
 }
 
 EventCheck check_of(const Preset& preset,

@@ -12,7 +12,8 @@ struct ShippedPreset {
     std::string_view name;
     std::string_view toml;  // the whole file, comments included
     // The content of presets/loops/NAME.json, a state from which the loop of the preset closes in
-    // its next cycle (animation/loop_start.h); empty if there is no such file.
+    // its next cycle, so that the program need not search for one (animation/loop_start.h). Empty
+    // if there is no such file.
     std::string_view loop_start{};
 };
 

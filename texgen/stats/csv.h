@@ -11,7 +11,7 @@ namespace foam::texgen {
 // The tables of a run as CSV. The first line contains the names of the columns, separated by
 // commas. Numbers have a decimal point in any locale, and floating-point numbers are written
 // without loss of precision. `seconds` is in seconds, `angle_error` and `orientation` in radians;
-// all other quantities are in foam units. texgen/stats/README.md explains each column.
+// all other quantities are in foam units. texgen/stats/TABLES.md explains each column.
 
 /// Returns a table with one row per frame:
 /// frame,time,bubbles,mean_area,energy,second_moment,area_error,angle_error,t1,t2,seconds

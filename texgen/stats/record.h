@@ -33,7 +33,7 @@ struct FrameRecord {
 struct RunRecord {
     std::string preset;         // name of the preset
     double film_tension = 1.0;  // T = 2 gamma, where gamma is the surface tension
-    double kappa = 0.0;         // diffusion constant (E6 in core/README.md)
+    double kappa = 0.0;         // diffusion constant (E6 in core/EQUATIONS.md)
     std::vector<FrameRecord> frames;
     std::shared_ptr<const Frame> last_frame{};  // the frame of the last record, or null
 

@@ -21,9 +21,10 @@ VectorContent shown_content(const VectorOptions& options, const std::vector<std:
 /// Returns the word for the content in file names, such as "foam".
 std::string_view name_of(VectorContent content);
 
-/// Does nothing if VectorOptions::walls is Lines, because the width of lines may be 0. If it is
-/// Outlines, throws std::invalid_argument if check_wall_width throws, or if the content is
-/// MazeSolution and the solution has no width. Precondition: `content` is not Auto.
+/// Throws std::invalid_argument if outlines of lines (VectorOptions::walls) would have no width: if
+/// check_wall_width throws, or if the content is MazeSolution and the solution has no width. If
+/// `walls` is Lines, does nothing, because the width of lines may be 0. Precondition: `content` is
+/// not Auto.
 void check_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 
 /// Throws std::invalid_argument if the lines of the content (films, walls or contours) have no

@@ -32,7 +32,7 @@ Chain FoamLayout::whole_bubble(BubbleId bubble) const {
 
 // Returns the lattice offset from the copy of a bubble that whole_bubble() returns to the copy that
 // is drawn: the one whose centroid is in the tile.
-LatticeOffset FoamLayout::place_of(BubbleId bubble) const {
+LatticeOffset FoamLayout::drawn_offset(BubbleId bubble) const {
     return -page_.domain.cell_of(centroid(whole_bubble(bubble)));
 }
 
@@ -44,7 +44,7 @@ PerBubble<std::vector<Chain>> FoamLayout::bubbles() const {
             if (is_cut_) {
                 return closed_in_cells(outline, page_.domain);
             }
-            const Vec2 by = page_.domain.translation(place_of(bubble));
+            const Vec2 by = page_.domain.translation(drawn_offset(bubble));
             outline.tail += by;
             for (Chain::Step& step : outline.steps) {
                 step.head += by;
@@ -94,14 +94,14 @@ std::vector<NetArc> FoamLayout::cut_lines(const FilmFilter& is_chosen) const {
     return lines;
 }
 
-// Returns the chosen films around all bubbles, each of which is drawn whole where place_of puts it.
+// Returns the chosen films around all bubbles. Each bubble is drawn whole, moved by drawn_offset.
 // No film occurs twice at the same position.
 std::vector<NetArc> FoamLayout::whole_lines(const FilmFilter& is_chosen) const {
     NetNodes nodes;
     std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, bool> drawn;
     std::vector<NetArc> lines;
     for (const BubbleId bubble : frame_.network.bubbles()) {
-        LatticeOffset at = place_of(bubble);
+        LatticeOffset at = drawn_offset(bubble);
         for (const HalfEdgeId h : frame_.network.around(bubble)) {
             const LatticeOffset next = at + frame_.network.offset(h);
             const LatticeOffset& tail = is_forward(h) ? at : next;

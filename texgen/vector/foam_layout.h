@@ -55,7 +55,7 @@ class FoamLayout {
     Chain whole_bubble(BubbleId bubble) const;
     std::vector<NetArc> cut_lines(const FilmFilter& is_chosen) const;
     std::vector<NetArc> whole_lines(const FilmFilter& is_chosen) const;
-    LatticeOffset place_of(BubbleId bubble) const;
+    LatticeOffset drawn_offset(BubbleId bubble) const;
     void add_lone_bubbles(std::vector<NetArc>& lines) const;
 
     const Frame& frame_;

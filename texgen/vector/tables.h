@@ -11,7 +11,7 @@
 
 namespace foam::texgen {
 
-/// The names of the tables of a frame. README.md explains their columns.
+/// The names of the tables of a frame. VECTOR_FILES.md explains their columns.
 inline constexpr std::array<std::string_view, 3> kTableNames = {"bubbles", "films", "junctions"};
 
 /// Returns one of the tables of a frame as CSV. The first line contains the names of the columns.

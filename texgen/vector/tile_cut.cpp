@@ -187,27 +187,27 @@ std::vector<CellPiece> pieces_of(const Chain& chain, const Domain& torus) {
 // Joins successive pieces of a closed chain that are in the same cell, and calls
 // add(cell, chain) for each result.
 template <class Add>
-void add_runs(std::span<const CellPiece> pieces, const Add& add) {
+void add_chains_in_cells(std::span<const CellPiece> pieces, const Add& add) {
     const std::size_t count = pieces.size();
-    const auto starts_run = [&](std::size_t k) {
+    const auto starts_chain = [&](std::size_t k) {
         return !(pieces[k].cell == pieces[(k + count - 1) % count].cell);
     };
     std::size_t first = 0;
-    while (first < count && !starts_run(first)) {
+    while (first < count && !starts_chain(first)) {
         ++first;
     }
-    std::vector<DrawnArc> run;
+    std::vector<DrawnArc> arcs;
     if (first == count) {  // the whole chain is in one cell
-        std::ranges::transform(pieces, std::back_inserter(run), &CellPiece::arc);
-        add(key_of(pieces.front().cell), chain_of(run, true));
+        std::ranges::transform(pieces, std::back_inserter(arcs), &CellPiece::arc);
+        add(key_of(pieces.front().cell), chain_of(arcs, true));
         return;
     }
     for (std::size_t k = 0; k < count; ++k) {
         const CellPiece& piece = pieces[(first + k) % count];
-        run.push_back(piece.arc);
-        if (k + 1 == count || starts_run((first + k + 1) % count)) {
-            add(key_of(piece.cell), chain_of(run, false));
-            run.clear();
+        arcs.push_back(piece.arc);
+        if (k + 1 == count || starts_chain((first + k + 1) % count)) {
+            add(key_of(piece.cell), chain_of(arcs, false));
+            arcs.clear();
         }
     }
 }
@@ -232,11 +232,11 @@ int winding_around_tile(std::span<const CellPiece> pieces) {
 std::vector<Chain> closed_in_cells(const Chain& chain, const Domain& torus) {
     std::map<CellKey, std::vector<Chain>> by_cell;
     const std::vector<CellPiece> pieces = pieces_of(chain, torus);
-    add_runs(pieces,
-             [&](const CellKey& cell, Chain run) { by_cell[cell].push_back(std::move(run)); });
+    add_chains_in_cells(
+        pieces, [&](const CellKey& cell, Chain part) { by_cell[cell].push_back(std::move(part)); });
     std::vector<Chain> closed;
-    for (auto& [cell, runs] : by_cell) {
-        std::ranges::move(closed_along_border(std::move(runs), torus.width, torus.height),
+    for (auto& [cell, parts] : by_cell) {
+        std::ranges::move(closed_along_border(std::move(parts), torus.width, torus.height),
                           std::back_inserter(closed));
     }
     return closed;
@@ -258,9 +258,9 @@ std::vector<Chain> clipped_to_tile(const std::vector<Chain>& chains, double widt
     for (const Chain& chain : chains) {
         const std::vector<CellPiece> pieces = pieces_of(chain, tile);
         winding += winding_around_tile(pieces);
-        add_runs(pieces, [&](const CellKey& cell, Chain run) {
+        add_chains_in_cells(pieces, [&](const CellKey& cell, Chain part) {
             if (cell == CellKey{0, 0}) {
-                inside.push_back(std::move(run));
+                inside.push_back(std::move(part));
             }
         });
     }

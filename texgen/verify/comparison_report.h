@@ -17,7 +17,7 @@ std::string to_line(const ComparedImage& image);
 /// last line gives the number of images for each verdict.
 std::string summary_of(std::span<const ComparedImage> images);
 
-/// Returns all results as one JSON object for programs, with a newline at the end. README.md
+/// Returns all results as one JSON object for programs, with a newline at the end. REPORTS.md
 /// describes its members.
 std::string to_json(std::span<const ComparedImage> images);
 

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// Tells which image of a pair exists or, for manifests, which manifest lists it. For single images
+/// Tells on which sides the image of a pair exists or, for manifests, is listed. For single images
 /// and for frames of a range the value is Both, even if a file does not exist.
 enum class Presence { Both, OnlyA, OnlyB };
 
@@ -25,7 +25,7 @@ struct ImagePair {
     std::optional<int> frame{};  // from a pattern or a manifest; nullopt if it is not known
 };
 
-/// Returns the pairs of images to compare. `a` and `b` are of the same kind:
+/// Returns the pairs of images to compare. `a` and `b` must be of the same kind:
 ///
 ///     image files      one pair
 ///     file patterns    one pair per frame number; a pattern (FilePattern) must not contain a

@@ -104,7 +104,7 @@ Verification verify(const std::filesystem::path& path, const ProgressCallback& o
 /// Returns the result as text for users, with a few lines per set.
 std::string to_text(const Verification& found);
 
-/// Returns the result as one JSON object for programs. README.md describes its members.
+/// Returns the result as one JSON object for programs. REPORTS.md describes its members.
 std::string to_json(const Verification& found);
 
 }  // namespace foam::texgen

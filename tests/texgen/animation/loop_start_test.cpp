@@ -5,7 +5,7 @@
 #include "core/dynamics/cycle.h"
 #include "core/files/file_io.h"
 #include "core/io/foam_json.h"
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 #include "texgen/animation/simulation.h"
 #include "texgen/preset/assignment.h"
 #include "texgen/preset/load_preset.h"

@@ -39,7 +39,7 @@ TEST(SharedBubbles, AMovedFoamIsShared) {
         ASSERT_TRUE(by);
         EXPECT_LT((*by - Vec2(0.4, -0.3)).norm(), 1e-12);
     }
-    const Frame half = moved_towards(from, to, 0.5);
+    const Frame half = moved_toward(from, to, 0.5);
     for (const JunctionId junction : from.network.junctions()) {
         const Vec2 off = half.positions[junction] - from.positions[junction] - Vec2(0.2, -0.15);
         EXPECT_LT(from.domain.nearest_copy(off).norm(), 1e-12);
@@ -70,9 +70,9 @@ TEST(SharedBubbles, OthersAndDistantOnesAreNotShared) {
 TEST(SharedBubbles, FoamsMoveTogether) {
     const Frame from = snapshot(foam_before(), 1);
     const Frame to = frame_after(3.0);
-    const Frame one = moved_towards(from, to, 0.3);
-    const Frame other = moved_towards(to, from, 0.7);
-    EXPECT_EQ(moved_towards(from, to, 0.0).positions, from.positions);
+    const Frame one = moved_toward(from, to, 0.3);
+    const Frame other = moved_toward(to, from, 0.7);
+    EXPECT_EQ(moved_toward(from, to, 0.0).positions, from.positions);
     const auto mean_distance = [](const Frame& a, const Frame& b) {
         double sum = 0.0;
         int count = 0;

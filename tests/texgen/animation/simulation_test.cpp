@@ -40,7 +40,7 @@ Preset small_preset() {
 
 // A shear loop strains the foam by amplitude * sin(2 pi t), as a part of the loop; its frames show
 // the foam without this shear.
-TEST(Simulation, StrainOfAShearLoop) {
+TEST(Simulation, AShearLoopStrainsTheFoamButNotItsFrames) {
     Preset preset = small_preset();
     preset.loop.kind = LoopKind::Shear;
     preset.loop.amplitude = 0.04;

@@ -81,7 +81,7 @@ TEST(Measurements, OfAPatchHaveNoShearModulus) {
 }
 
 // Images do not depend on the measurements, so bakes with and without them belong to one set.
-TEST(Measurements, StandInTheManifest) {
+TEST(Measurements, AreInTheManifest) {
     const TemporaryFolder folder;
     Preset preset = coarsening_preset(folder.path() / "{map}.####.png");
     bake_recorded(preset, {.frames = {1, 2}, .threads = 1}, {});

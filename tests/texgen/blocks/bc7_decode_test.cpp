@@ -15,7 +15,7 @@ using Texel = std::array<std::uint8_t, 4>;
 
 // A block of mode 6 that is written bit by bit as the specification says: red is 2 x 5 + 1 at the
 // first endpoint and 2 x 100 + 0 at the second, and texel 1 has the index 15, all others 0.
-TEST(Bc7Decode, Mode6) {
+TEST(Bc7Decode, Mode6HasOneSubset) {
     BitWriter bits;
     bits.write(1 << 6, 7);
     for (const int code : {5, 100, 0, 0, 0, 0, 127, 127}) {
@@ -48,7 +48,7 @@ TEST(Bc7Decode, Mode5RotatesChannels) {
 // Mode 1 with the partition 13, whose second subset is the lower half. 6 bits and a lowest bit per
 // subset give 7 bits; the highest bit is repeated below. Red of the first subset: 63 * 2 + 0 = 126,
 // 126 * 2 + 126 / 64 = 253. Red of the second subset: 0 and 1, 1 * 2 = 2.
-TEST(Bc7Decode, Mode1) {
+TEST(Bc7Decode, Mode1HasTwoSubsets) {
     BitWriter bits;
     bits.write(1 << 1, 2);
     bits.write(13, 6);

@@ -151,7 +151,8 @@ TEST(Bc7Encode, AnOpacityOfManyValuesUsesMode4) {
     EXPECT_LE(largest_difference(decode_bc7(bytes), block), 4);
 }
 
-// Few values of the opacity, and colors of many: mode 4 with exchanged indices.
+// The opacity has few values, and the colors have many. Mode 4 with exchanged indices has the most
+// indices for the colors.
 TEST(Bc7Encode, ColorsOfManyValuesUseMode4) {
     TexelBlock block{};
     for (std::size_t k = 0; k < block.size(); ++k) {

@@ -65,7 +65,7 @@ TEST(StoredRanges, BelongToAFoamItsFramesAndTheLookOfItsMaps) {
     EXPECT_FALSE(StoredRanges(preset, {1, 2}, folder.path()).load(preset));
 }
 
-TEST(StoredRanges, OfADamagedFileAreNotLoaded) {
+TEST(StoredRanges, AreNotLoadedFromADamagedFile) {
     const TemporaryFolder folder;
     const Ranges ranges;
     const StoredRanges stored = ranges.in(folder.path());

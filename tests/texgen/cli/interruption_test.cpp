@@ -2,8 +2,8 @@
 
 #include "texgen/cli/interruption.h"
 
-#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/set_choice.h"
@@ -93,7 +93,7 @@ TEST(Interruption, AClosedTerminalHasItsOwnExitCode) {
     EXPECT_TRUE(outcome.err.ends_with("foamtex: hung up\n")) << outcome.err;
 }
 
-// As with nohup.
+// A program that nohup starts ignores SIGHUP, too.
 TEST(Interruption, AnIgnoredSignalStaysIgnored) {
     const Outcome outcome = run_program(
         "--version > /dev/null; trap '' HUP; { '" + foam::test::executable().string() +

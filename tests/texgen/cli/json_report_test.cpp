@@ -42,7 +42,7 @@ TEST(JsonReport, OfABakeListsTheFiles) {
     EXPECT_EQ(idle["closing_error"], baked["closing_error"]);
 }
 
-TEST(JsonReport, OfACacheRendersAndStatistics) {
+TEST(JsonReport, DescribesCachesRendersAndStatistics) {
     const TemporaryFolder work;
     const Json simulated =
         object_of(run_program("simulate " + small_foam() + "--cache c --json", work));
@@ -69,7 +69,7 @@ TEST(JsonReport, OfAComparisonListsEveryImage) {
     EXPECT_GT(object_of(other)["images"][0]["largest"], 0.0);
 }
 
-TEST(JsonReport, OfAFlipbookAndPreviews) {
+TEST(JsonReport, DescribesFlipbooksAndPreviews) {
     const TemporaryFolder work;
     ASSERT_EQ(run_program("bake " + small_foam() + "--maps albedo,film -q", work).code, 0);
     const Json flipbook = object_of(run_program("flipbook out --json", work));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/json/json_writer.h"
 #include "texgen/maps/all_maps.h"

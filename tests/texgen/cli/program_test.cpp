@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/image/external_program.h"
 #include "texgen/maps/all_maps.h"
@@ -35,13 +35,13 @@ TEST(Program, PrintsItsVersionAndLicenses) {
     EXPECT_NE(out.find("CC0-1.0"), std::string::npos);
 }
 
-// The version has one place, CMakeLists.txt; this page must follow.
+// The version is defined in CMakeLists.txt. CITATION.cff must repeat it.
 TEST(Program, HasTheVersionOfTheCitation) {
     const std::string page = file_content(foam::test::readme().parent_path() / "CITATION.cff");
     EXPECT_NE(page.find("\nversion: " FOAMTEX_VERSION "\n"), std::string::npos);
 }
 
-// What a report about a fault needs.
+// A report about a fault needs these facts.
 TEST(Program, PrintsTheFactsOfItsBuild) {
     for (const char* const arguments : {"--version --verbose", "--verbose --version"}) {
         const std::string out = run_program(arguments).out;
@@ -133,7 +133,7 @@ TEST(Program, MessagesAreShort) {
 }
 
 // The folder of a bake may have any name; the names that its manifest lists must be UTF-8.
-TEST(Program, NamesThatAreNotUtf8) {
+TEST(Program, OnlyNamesOfFoldersNeedNotBeUtf8) {
     const std::string bake =
         "bake sea_foam -q --set foam.bubbles=16 --set loop.kind=none --frames 1-2 --size 8 ";
     const TemporaryFolder folder;

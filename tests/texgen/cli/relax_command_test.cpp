@@ -3,7 +3,7 @@
 #include "core/foam/honeycomb.h"
 #include "core/io/evolver_file.h"
 #include "core/io/foam_json.h"
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -135,7 +135,7 @@ TEST(RelaxCommand, WithoutEquilibriumNothingIsWritten) {
     EXPECT_EQ(outcome.err, "foamtex: in.json: the foam did not reach equilibrium\n");
     EXPECT_NE(Json::parse(outcome.out).at("status"), "converged");
     EXPECT_EQ(work.files(), std::vector<std::string>{"in.json"});
-    // A file with a note; there is still one line.
+    // A file that causes a note still gives one line.
     std::string text = write_evolver(foam);
     const std::size_t vertices = text.find("vertices");
     ASSERT_NE(vertices, std::string::npos);

@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_files.h"
 #include "texgen/cli/exit_code.h"
 
 #include <gtest/gtest.h>

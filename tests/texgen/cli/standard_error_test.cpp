@@ -2,8 +2,8 @@
 
 #include "texgen/cli/standard_error.h"
 
-#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/manifest/manifest_file.h"
 
@@ -56,8 +56,8 @@ TEST(StandardError, ProgressThatIsLostDoesNotStopABake) {
     }
 }
 
-// With a reader that is gone, the first write would end the program by SIGPIPE, which a shell shows
-// as the code 141.
+// After the reader has closed the pipe, the first write would end the program by SIGPIPE, which a
+// shell shows as the code 141.
 TEST(StandardError, APipeWithoutAReaderDoesNotStopABake) {
     const TemporaryFolder folder;
     const std::string program = "'" + foam::test::executable().string() + "'";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/cli/run_program.h"
 #include "texgen/image/external_program.h"
 #include "texgen/maps/map.h"
@@ -59,7 +59,7 @@ TEST(StatsCommand, TakesTheOptionsOfABakeAndAFolder) {
     const std::string small = "stats labyrinth --set foam.bubbles=16 --size 32x16 --frames 2,1 ";
     const Outcome verbose = run_program(small + "--threads 1 -v");
     EXPECT_EQ(verbose.code, 0) << verbose.err;
-    // Lines of seeding and equilibrium, and one per frame.
+    // There are two lines for seeding and equilibrium, and one per frame.
     EXPECT_NE(verbose.err.find("\nframe 1: 16 bubbles, "), std::string::npos) << verbose.err;
     EXPECT_NE(verbose.err.find("\nframe 2: 16 bubbles, "), std::string::npos) << verbose.err;
     EXPECT_EQ(std::count(verbose.err.begin(), verbose.err.end(), '\n'), 2 + 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/cli/run_program.h"
 
 #include <gtest/gtest.h>

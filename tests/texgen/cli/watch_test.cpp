@@ -2,8 +2,8 @@
 
 #include "texgen/cli/watch.h"
 
-#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(WatchedFiles, ChangeWhenTheirContentDoes) {
     EXPECT_FALSE(files.have_changed());
 }
 
-// As many editors do: they write another file and give it the name of the first one.
+// Many editors save a file in this way: they write another file and rename it to the first one.
 TEST(WatchedFiles, ChangeWhenAnotherFileTakesTheirPlace) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "a.toml";

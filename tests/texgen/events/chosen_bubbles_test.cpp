@@ -17,7 +17,7 @@ std::vector<BubbleIdentity> identities(const std::vector<ChosenBubble>& chosen) 
     return all;
 }
 
-TEST(ChosenBubbles, ByIdentityFromAnIndex) {
+TEST(ChosenBubbles, AreFoundByIdentityFromAnIndex) {
     test::EventSubject subject;
     EventBase event;
     event.bubbles = {3, 5, 99, 8};  // 99 does not exist
@@ -28,7 +28,7 @@ TEST(ChosenBubbles, ByIdentityFromAnIndex) {
     EXPECT_DOUBLE_EQ(choose_bubbles(event, context, 0, 1).front().area, 1.0);
 }
 
-TEST(ChosenBubbles, ByTheSmallestOfANumberOfSides) {
+TEST(ChosenBubbles, AreFoundByTheirNumberOfSides) {
     test::EventSubject subject;
     subject.foam.target_areas[id_at<BubbleId>(6)] = 0.5;
     EventBase event;

@@ -35,7 +35,7 @@ TEST(Collapse, LeadsToTheT2AreaOverAllFrames) {
 
 // Two bubbles share the frames 2 to 6. The first one collapses in frames 2 and 3, the second one in
 // frames 4 to 6.
-TEST(Collapse, InTurnBubblesShareTheFrames) {
+TEST(Collapse, BubblesInTurnShareTheFrames) {
     test::EventSubject subject;
     const EventBase event = collapse_of({3, 9}, {2, 6});
     for (int frame = 2; frame <= 6; ++frame) {
@@ -60,7 +60,7 @@ TEST(Collapse, CountsBubblesThatDoNotExist) {
     EXPECT_EQ(context.missing, 6);
 }
 
-TEST(Collapse, InTurnEveryBubbleNeedsAFrame) {
+TEST(Collapse, BubblesInTurnNeedAFrameEach) {
     const CollapseOptions in_turn{.order = EventOrder::InTurn};
     EXPECT_EQ(test::checked(collapse_of({1, 2, 3}, {2, 4}), in_turn, check_collapse), "accepted");
     EXPECT_EQ(

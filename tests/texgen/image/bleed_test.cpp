@@ -51,7 +51,7 @@ TEST(Bleed, GivesTheMeanOfTheNearestByOpacity) {
 
 // A pixel that touches no colored pixel gets the color of the smallest square that contains one.
 // The square of the pixel (7, 0) is the whole image.
-TEST(Bleed, IsOfThePixelsAround) {
+TEST(Bleed, UsesTheSmallestSquareThatContainsAColor) {
     Image16 image(8, 8, 4);
     set(image, 0, 0, {100, 0, 0}, 65535);
     set(image, 7, 7, {0, 100, 0}, 65535);

@@ -120,7 +120,7 @@ TEST(ColorMap, LabyrinthBlueRunsFromNearWhiteToNavyAndStaysBlue) {
 TEST(ColorMap, HitsEntriesAndMixesBetweenThemInSrgb) {
     const ColorMap& gray = find_colormap("grey");
     EXPECT_EQ(to_srgb8(gray.at(51.0 / 255.0)), (Srgb8{51, 51, 51}));
-    // Halfway between codes 100 and 101.
+    // The color is halfway between the codes 100 and 101.
     EXPECT_NEAR(gray.at(100.5 / 255.0).g, srgb_to_linear(100.5 / 255.0), 1e-12);
 }
 

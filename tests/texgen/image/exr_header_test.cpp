@@ -2,7 +2,7 @@
 
 #include "texgen/image/exr_header.h"
 
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/image/numbered.h"
 #include "texgen/image/exr.h"
 

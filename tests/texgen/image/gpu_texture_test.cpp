@@ -96,7 +96,7 @@ TEST(GpuTexture, TwoUsedChannelsAreReadWithAThirdOfZeros) {
     EXPECT_EQ(codes16(picture_of(texture_of(picture, {.used_channels = 2}))), codes);
 }
 
-// Of a normal, x and y are stored, and z follows from them.
+// The texture stores x and y of a normal. z follows from them.
 TEST(GpuTexture, ZOfANormalIsRebuilt) {
     Image<std::uint8_t> codes(4, 4, 3);
     for (std::size_t k = 0; k < 16; ++k) {

@@ -11,8 +11,8 @@
 namespace foam::texgen {
 namespace {
 
-// For each half float: the float with the same value, the float halfway to the next half float, and
-// the floats beside it.
+// Tests, for each half float, the float with the same value, the float halfway to the next half
+// float, and the floats beside it.
 TEST(HalfBits, AreThoseOfImath) {
     for (std::uint32_t bits = 0; bits < 0x10000U; ++bits) {
         half exact;
@@ -25,8 +25,8 @@ TEST(HalfBits, AreThoseOfImath) {
     }
 }
 
-// One float of each 65,537.
-TEST(HalfBits, OfFloatsOfAllSizesAreThoseOfImath) {
+// Tests every 65,537th float.
+TEST(HalfBits, AgreeWithImathForFloatsOfAllSizes) {
     for (std::uint64_t bits = 0; bits < (std::uint64_t{1} << 32U); bits += 65'537) {
         const auto number = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
         ASSERT_EQ(half_bits(number), half(number).bits()) << bits;

@@ -56,7 +56,7 @@ TEST(LimitCheck, AHardLimitHoldsForAllPixels) {
               Reasons{"largest difference 0.999 above 0.998"});
 }
 
-TEST(LimitCheck, LimitsOfTheRmsAndOfPercentiles) {
+TEST(LimitCheck, ChecksTheRmsAndPercentiles) {
     EXPECT_EQ(judged({.rms = 0.5}, 0.5).verdict, Verdict::Same);
     EXPECT_EQ(judged({.rms = 0.5}, 0.625).reasons, Reasons{"rms 0.625 above 0.5"});
     EXPECT_EQ(judged({.percentiles = {{99.9, 0.998}}}).verdict, Verdict::Same);

@@ -20,7 +20,7 @@ TEST(Memory, SomeMemoryIsAvailable) {
     EXPECT_NO_THROW(require_memory(1, "a byte"));
 }
 
-TEST(Memory, TooLittleMemoryIsSaid) {
+TEST(Memory, TooLittleMemoryIsReported) {
     try {
         require_memory(std::numeric_limits<std::uint64_t>::max(), "a test");
         FAIL() << "the memory was accepted";

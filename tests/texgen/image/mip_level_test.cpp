@@ -78,7 +78,7 @@ TEST(MipLevel, ShiftsAroundTheTorus) {
 }
 
 // Products of two indices of pixels exceed 32 bits.
-TEST(MipLevel, LongRows) {
+TEST(MipLevel, LongRowsDoNotOverflow) {
     const int width = 200'001;
     Image<float> row(width, 1, 1);
     std::ranges::fill(row.samples(), 3.0F);

@@ -266,8 +266,8 @@ TEST(OtherPrograms, WeReadAFlatImageOfOpenImageIo) {
     EXPECT_NEAR(floats(picture.groups.front()).row(100)[100], 0.5F, 1e-3F);
 }
 
-// Where idiff follows its own table of exit codes: of a warning and of another size it may say that
-// all is well.
+// Compares only cases in which idiff follows its own table of exit codes. For a warning, and for
+// images of different sizes, it may exit with 0.
 TEST(OtherPrograms, IdiffComparesAsWeDo) {
     if (const std::string program = missing({"idiff"}); !program.empty()) {
         GTEST_SKIP() << "there is no " << program;
@@ -293,7 +293,7 @@ TEST(OtherPrograms, IdiffComparesAsWeDo) {
     }
 }
 
-// One of eight pixels, in two of its three channels. idiff counts pixels, not samples.
+// One of eight pixels differs, in two of its three channels. idiff counts pixels, not samples.
 TEST(OtherPrograms, IdiffAllowsPixelsAsWeDo) {
     if (const std::string program = missing({"idiff"}); !program.empty()) {
         GTEST_SKIP() << "there is no " << program;

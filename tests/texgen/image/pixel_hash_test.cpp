@@ -51,7 +51,7 @@ TEST(PixelHash, IsOfALineAndTheSamplesFromTheTop) {
     EXPECT_EQ(pixel_hash({{code_channels(deep)}}), hash_of("Y u16 1x2\n\x04\x03\x02\x01"));
 }
 
-TEST(PixelHash, OfNumbersIsABlockPerChannelInTheOrderOfNames) {
+TEST(PixelHash, CoversABlockPerChannelInTheOrderOfNames) {
     Image<float> numbers(1, 1, 1);
     numbers.samples()[0] = 1.0F;  // 0x3f800000
     Image<float> halves(1, 1, 1);

@@ -144,7 +144,7 @@ TEST(PngDecode, ADamagedPixelStreamIsAnInputError) {
     EXPECT_THROW(decode_png(stream), InputError);
 }
 
-// 900000 x 900000 pixels in a few bytes: rejected before memory is asked for.
+// A file of a few bytes claims 900000 x 900000 pixels. It is rejected before memory is allocated.
 TEST(PngDecode, AHeaderOfAHugeImageIsAnInputError) {
     Bytes stream = encode_png(numbered_codes(1, 1, 3).view());
     const std::span bytes(stream);

@@ -83,7 +83,7 @@ TEST(ConvertColors, ChangesOnlyTheColorsOfTheLayer) {
     EXPECT_NEAR(samples_of(picture, 1)[0], 0.613097, 1e-6);
 }
 
-// As after decoding, where each channel is a group.
+// A decoded picture has one group per channel.
 TEST(ConvertColors, FindsChannelsOfSeveralGroupsAndInvertsItself) {
     Picture picture{
         {numbers({"B"}, {0.2F, 0.7F}), numbers({"G"}, {0.4F, 0.0F}), numbers({"R"}, {0.9F, 0.1F})}};

@@ -7,7 +7,7 @@
 namespace foam::texgen {
 namespace {
 
-TEST(Edges, BorderOfASquareOfTwoTriangles) {
+TEST(Edges, ASquareOfTwoTrianglesHasFourUnpairedEdges) {
     const std::vector<Triangle> square = {{0, 1, 2}, {0, 2, 3}};
     const std::vector<Edge> edges = sorted_edges(square);
     EXPECT_EQ(edges.size(), 6U);

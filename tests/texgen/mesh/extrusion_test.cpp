@@ -20,7 +20,7 @@ Ring reversed(Ring ring) {
 }
 
 // A frame of width 1 in a square of 10, without a plate.
-TEST(Extrusion, AFrameWithoutAPlate) {
+TEST(Extrusion, AFrameWithoutAPlateIsClosed) {
     const Mesh mesh =
         extruded({.walls = {rectangle({0, 0}, {10, 10}), reversed(rectangle({1, 1}, {9, 9}))},
                   .wall_height = 3.0});
@@ -31,7 +31,7 @@ TEST(Extrusion, AFrameWithoutAPlate) {
 }
 
 // A plate of 12 x 12 that extends beyond the walls.
-TEST(Extrusion, AFrameOnALargerPlate) {
+TEST(Extrusion, AFrameOnALargerPlateIsClosed) {
     const Mesh mesh =
         extruded({.walls = {rectangle({1, 1}, {11, 11}), reversed(rectangle({2, 2}, {10, 10}))},
                   .plate = {rectangle({0, 0}, {12, 12})},
@@ -43,7 +43,7 @@ TEST(Extrusion, AFrameOnALargerPlate) {
 
 // Walls that a tile cuts: a cross whose arms end at the border, and a wall along a part of the
 // border around a corner.
-TEST(Extrusion, WallsThatEndAtTheBorderOfThePlate) {
+TEST(Extrusion, WallsMayEndAtTheBorderOfThePlate) {
     const Ring cross{{4, 0},
                      {5, 0},
                      {5, 4},
@@ -88,7 +88,7 @@ TEST(Extrusion, APlateWithoutWallsIsFlat) {
 }
 
 // Rings of a plate that cover each other are one plate.
-TEST(Extrusion, APlateOfSeveralRings) {
+TEST(Extrusion, OverlappingRingsOfAPlateAreOnePlate) {
     const Mesh mesh = extruded({.walls = {rectangle({1, 1}, {2, 2})},
                                 .plate = {rectangle({0, 0}, {4, 4}), rectangle({3, 3}, {5, 5})},
                                 .base_height = 1.0,

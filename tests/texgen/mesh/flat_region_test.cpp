@@ -52,7 +52,7 @@ TEST(PointTable, APointHasOneIndex) {
     EXPECT_EQ(points[first], Vec2(1.5, -2.5));
 }
 
-TEST(FlatRegion, ASquareWithAHoleThatHasAnIsland) {
+TEST(FlatRegion, MayHaveAHoleWithAnIsland) {
     PointTable points{PrintGrid(10.0)};
     Ring hole = square(1.0, 9.0);
     std::ranges::reverse(hole);

@@ -29,7 +29,7 @@ TEST(HeightSlab, ASquareIsDividedAlongTheDiagonalOfSimilarHeights) {
 
 // The volume of a slab over one square with the heights 1, 2, 3, 4 (a, b, c, d counter-clockwise):
 // |a - c| = |b - d|, so the diagonal is ac, and the volume is (a + b + c) / 6 + (a + c + d) / 6.
-TEST(HeightSlab, OneSquare) {
+TEST(HeightSlab, OneSquareHasAKnownVolume) {
     const Mesh mesh = height_slab({{0, 1}, {0, 1}, {1, 2, 4, 3}});
     EXPECT_TRUE(is_closed(mesh));
     EXPECT_NEAR(volume(mesh), (1.0 + 2.0 + 3.0) / 6.0 + (1.0 + 3.0 + 4.0) / 6.0, 1e-12);

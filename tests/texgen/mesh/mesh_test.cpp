@@ -15,7 +15,7 @@ Mesh tetrahedron() {
             {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-TEST(Mesh, VolumeOfATetrahedron) {
+TEST(Mesh, ATetrahedronHasItsVolumeAtAnyPosition) {
     EXPECT_DOUBLE_EQ(volume(tetrahedron()), 4.5);
     // The volume does not depend on the position.
     Mesh moved = tetrahedron();

@@ -145,7 +145,7 @@ TEST(OutlineFile, InheritsProperties) {
     EXPECT_EQ(
         outlines("<rect width='9' height='9' visibility='inherit' opacity='inherit'/>").size(), 1U);
     EXPECT_EQ(outlines("<rect width='9' height='9' opacity='0.01'/>").size(), 1U);
-    // Even-odd, the square has a hole.
+    // By the even-odd rule, the square has a hole.
     const Outlines square = outlines(
         "<g fill-rule='evenodd'><path fill-rule='inherit' d='M0 0 h30 v30 h-30 z M10 10 h10 "
         "v10 h-10 z'/></g>");

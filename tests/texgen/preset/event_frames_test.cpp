@@ -28,7 +28,7 @@ TEST(EventFrames, AreThoseThatTheEventNames) {
     EXPECT_EQ(frames_of(event, tenths()), (FrameSpan{3, 7}));
 }
 
-TEST(EventFrames, OfAnInstantAreTheFirstThatIsNotBeforeIt) {
+TEST(EventFrames, AnInstantHasTheFirstFrameThatIsNotBeforeIt) {
     EXPECT_EQ(span_of(0.0, 0.0, tenths()), (FrameSpan{2, 2}));
     EXPECT_EQ(span_of(0.3, 0.3, tenths()), (FrameSpan{4, 4}));
     EXPECT_EQ(span_of(0.31, 0.31, tenths()), (FrameSpan{5, 5}));

@@ -35,7 +35,7 @@ TEST(ShippedPresets, AllLoadByNameAndHaveADescription) {
     }
 }
 
-TEST(ShippedPresets, OfAnUnknownNameTheNearestIsSuggested) {
+TEST(ShippedPresets, AnUnknownNameSuggestsTheNearest) {
     EXPECT_EQ(failure("sea_form"),
               "preset 'sea_form': must be a .toml file or a name; did you mean 'sea_foam'?");
     EXPECT_EQ(

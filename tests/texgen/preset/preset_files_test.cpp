@@ -63,7 +63,7 @@ TEST_F(PresetFiles, DoNotIncludeOtherValues) {
     EXPECT_EQ(files("a.toml"), Names{"a.toml"});
 }
 
-TEST_F(PresetFiles, OfABrokenPresetAreWhatCanBeRead) {
+TEST_F(PresetFiles, IncludeAPresetThatCannotBeRead) {
     write("broken.toml", "extends = \n");
     EXPECT_EQ(files("broken.toml"), Names{"broken.toml"});
     EXPECT_EQ(files("missing.toml"), Names{"missing.toml"});

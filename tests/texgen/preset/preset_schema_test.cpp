@@ -2,8 +2,8 @@
 
 #include "texgen/preset/preset_schema.h"
 
-#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_files.h"
 #include "texgen/image/external_program.h"
 #include "texgen/json/json_writer.h"
 #include "texgen/preset/assignment.h"

@@ -2,7 +2,7 @@
 
 #include "texgen/preset/shipped_presets.h"
 
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 #include "tests/texgen/preset/rejection.h"
 
 #include <fmt/core.h>

@@ -44,8 +44,8 @@ TEST(DisplayFrame, KeepsEveryCodeAtItsOwnSize) {
     }
 }
 
-// What is shifted by whole pixels of the smaller image stays the same, shifted: no pixel looks
-// across the border.
+// Shifting the image by whole pixels of the smaller image shifts the smaller image, because no
+// pixel is computed across the border.
 TEST(DisplayFrame, StaysATile) {
     Image<std::uint8_t> image(12, 8, 1);
     Image<std::uint8_t> moved(12, 8, 1);

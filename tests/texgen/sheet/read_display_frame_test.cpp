@@ -60,7 +60,8 @@ TEST(ReadDisplayFrame, AddsTheBackgroundToPremultipliedColors) {
               (std::vector<std::uint8_t>{opaque, opaque, opaque}));
 }
 
-// Of a range from -1 to 3: 0 lies a quarter of the way, 64 of 255; the ends hold what lies beyond.
+// The range is from -1 to 3. The number 0 is a quarter of the range above its lower end, which
+// gives the code 64 of 255. Numbers beyond the range are clamped to its ends.
 TEST(ReadDisplayFrame, ShowsNumbersOfAnExrInTheirRange) {
     const TemporaryFolder folder;
     const MapFile file{.path = folder.path() / "a.exr"};

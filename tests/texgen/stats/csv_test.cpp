@@ -98,7 +98,7 @@ TEST(Csv, EventsGolden) {
 }
 
 // The lone bubble has the radius 1. Bubble 5 of a honeycomb is a regular hexagon of area 1.
-TEST(Csv, BubblesOfTheLastFrame) {
+TEST(Csv, ListsTheBubblesOfTheLastFrame) {
     RunRecord run = synthetic_run();
     const std::string names =
         "frame,identity,x,y,sides,area,target_area,pressure,perimeter,elongation,orientation\n";

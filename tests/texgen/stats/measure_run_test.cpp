@@ -83,7 +83,7 @@ TEST(MeasureRun, EventsAreListed) {
 }
 
 // The event shears the foam by 0.3 in the steps to the frames 2 to 4.
-TEST(MeasureRun, StrainAndStressOfAShearedFoam) {
+TEST(MeasureRun, RecordsTheStrainAndStressOfAShearedFoam) {
     Preset preset = small_preset();
     preset.coarsening.kappa = 0.0;
     assign(preset,

@@ -26,7 +26,7 @@ double area_of(const std::vector<Chain>& chains) {
 
 // The region to the left of an upward line at x = 6 is 6 wide; to the left of a downward line it is
 // the rest.
-TEST(Border, TheRegionOnTheLeftOfALine) {
+TEST(Border, ALineHasTheRegionOnItsLeft) {
     const auto left = closed_along_border({line({6.0, 0.0}, {6.0, 4.0})}, kWidth, kHeight);
     ASSERT_EQ(left.size(), 1U);
     EXPECT_DOUBLE_EQ(area_of(left), 24.0);
@@ -41,7 +41,7 @@ TEST(Border, AStripBetweenTwoLinesIsOneRegion) {
     EXPECT_DOUBLE_EQ(area_of(strip), 16.0);
 }
 
-TEST(Border, TwoRegionsOutsideOfAStrip) {
+TEST(Border, AStripHasTwoRegionsOutside) {
     const auto rest = closed_along_border(
         {line({6.0, 4.0}, {6.0, 0.0}), line({2.0, 0.0}, {2.0, 4.0})}, kWidth, kHeight);
     ASSERT_EQ(rest.size(), 2U);
@@ -64,7 +64,7 @@ TEST(Border, ClosedChainsStay) {
 
 // A chain ends where another one begins, up to rounding: both are one region, without a turn along
 // the border.
-TEST(Border, ChainsThatTouchTheBorderInAPoint) {
+TEST(Border, ChainsThatTouchTheBorderInAPointAreOneRegion) {
     const double x = 0.1 + 0.2;  // slightly above 0.3
     const auto region = closed_along_border(
         {line({8.0, 0.0}, {0.3, 4.0}), line({x, 4.0}, {2.0, 0.0})}, kWidth, kHeight);

@@ -18,12 +18,12 @@ Chain square() {
             true};
 }
 
-TEST(Chain, AreaOfASquareAndOfItsReverse) {
+TEST(Chain, ReversingASquareNegatesItsArea) {
     EXPECT_DOUBLE_EQ(signed_area(square()), 4.0);
     EXPECT_DOUBLE_EQ(signed_area(reversed(square())), -4.0);
 }
 
-TEST(Chain, AreaAndCentroidOfACircle) {
+TEST(Chain, ACircleHasItsAreaAndCentroid) {
     const Chain disk = circle({3.0, -1.0}, 2.0);
     EXPECT_NEAR(signed_area(disk), 4.0 * kPi, 1e-13);
     EXPECT_NEAR((centroid(disk) - Vec2(3.0, -1.0)).norm(), 0.0, 1e-13);
@@ -31,7 +31,7 @@ TEST(Chain, AreaAndCentroidOfACircle) {
 }
 
 // The centroid of half a disk of radius r is 4 r / (3 pi) from the center.
-TEST(Chain, CentroidOfHalfADisk) {
+TEST(Chain, HalfADiskHasAKnownCentroid) {
     const Chain half{{1.0, 0.0}, {{{-1.0, 0.0}, 0.5 * kPi}, {{1.0, 0.0}, 0.0}}, true};
     EXPECT_NEAR(centroid(half).x(), 0.0, 1e-14);
     EXPECT_NEAR(centroid(half).y(), 4.0 / (3.0 * kPi), 1e-14);
@@ -39,7 +39,7 @@ TEST(Chain, CentroidOfHalfADisk) {
 
 // A square whose right side bends inwards loses half a disk of radius 1. Its moment about x = 0 is
 // 4 * 1 - pi/2 (2 - 4 / (3 pi)).
-TEST(Chain, CentroidBesideAnArcThatBendsInwards) {
+TEST(Chain, AnArcThatBendsInwardsMovesTheCentroid) {
     Chain bitten = square();
     bitten.steps[1].half_angle = -0.5 * kPi;
     EXPECT_NEAR(signed_area(bitten), 4.0 - 0.5 * kPi, 1e-14);
@@ -85,7 +85,7 @@ TEST(Chain, ATriangleIsOneClosedChain) {
 }
 
 // An arc from a node to the same node is a closed chain of one arc.
-TEST(Chain, ALoopOfOneArc) {
+TEST(Chain, ALoopOfOneArcIsClosed) {
     const std::vector<NetArc> loop = {line({0.0, 0.0}, {0.0, 0.0}, 7, 7)};
     const std::vector<Chain> chains = joined(loop);
     ASSERT_EQ(chains.size(), 1U);

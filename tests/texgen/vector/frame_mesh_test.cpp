@@ -101,7 +101,7 @@ TEST(FrameMesh, WallsOfATorusAreCutAtTheTile) {
 }
 
 // The plate of a tile is the tile: 80 x 80 mm.
-TEST(FrameMesh, WallsOfATileOnAPlate) {
+TEST(FrameMesh, ThePlateOfATileIsTheTile) {
     Subject subject = torus();
     subject.mesh = {.kind = MeshKind::Walls, .base_mm = 1.5, .tolerance_mm = 0.005};
     const Mesh with_plate = subject.solid();
@@ -148,7 +148,7 @@ TEST(FrameMesh, TilesFitTogether) {
     }
 }
 
-TEST(FrameMesh, WallsOfWholeBubblesAndOfAPatch) {
+TEST(FrameMesh, WholeBubblesAndPatchesHaveWallsAndAFullPlate) {
     for (Subject subject : {torus(), patch()}) {
         subject.drawing.wrap = VectorWrap::Whole;
         subject.mesh = {.kind = MeshKind::Walls, .base_mm = 0.0, .tolerance_mm = 0.005};
@@ -171,7 +171,7 @@ TEST(FrameMesh, AMazeOfAPatchStandsOnAPlate) {
 // At the true scale, the volume above the base is the sum of the heights above the lowest one,
 // times the area of a pixel: in the mean over the triangles, each point has the area of a pixel.
 // The choice of diagonals changes that by less than a percent.
-TEST(FrameMesh, ReliefAtTheTrueScale) {
+TEST(FrameMesh, AReliefAtTheTrueScaleHasTheVolumeOfItsHeights) {
     Subject subject = torus();
     subject.maps.relief.profile = ReliefProfile::Ridge;
     const Mesh mesh = subject.solid();
@@ -192,7 +192,7 @@ TEST(FrameMesh, ReliefAtTheTrueScale) {
     EXPECT_NEAR(volume(mesh) - 2.0 * kMeshWidth * kMeshWidth, expected, 0.01 * expected);
 }
 
-TEST(FrameMesh, ReliefOfAGivenHeight) {
+TEST(FrameMesh, AReliefHasTheGivenHeight) {
     for (Subject subject : {torus(), patch()}) {
         subject.mesh = {.base_mm = 3.0, .relief_mm = 4.0};
         const Mesh mesh = subject.solid();

@@ -26,7 +26,7 @@ TEST(Pdf, HasOnePageOfTheSizeOfTheDrawing) {
     EXPECT_NE(text.find("/Count 1"), std::string::npos);
 }
 
-TEST(Pdf, SameDrawingSameBytes) {
+TEST(Pdf, TheSameDrawingGivesTheSameBytes) {
     EXPECT_EQ(to_pdf(disk()), to_pdf(disk()));
 }
 

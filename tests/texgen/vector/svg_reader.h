@@ -74,7 +74,7 @@ class SvgReader {
         const Vec2 head = point(rest);
         const double sine = std::min(1.0, 0.5 * (head - tail).norm() / radius);
         const double angle = is_large ? std::acos(-1.0) - std::asin(sine) : std::asin(sine);
-        // A positive sweep turns towards positive y, which is left in coordinates of Vec2.
+        // A positive sweep turns toward positive y, which is left in coordinates of Vec2.
         return {head, is_sweep ? angle : -angle};
     }
 

@@ -93,7 +93,7 @@ TEST(Svg, BubblesHaveDataAndUniqueIds) {
 
 // A drawing of one closed chain: a half disk of radius 1 around (2, 1) with its straight side
 // below, on a page that is 4 x 3 mm.
-TEST(Svg, AHalfDiskByHand) {
+TEST(Svg, AHalfDiskIsTwoArcsAndALine) {
     Drawing drawing{.width = 4.0, .height = 3.0, .title = "a < b & c"};
     const Chain half{{3.0, 1.0}, {{{1.0, 1.0}, 0.5 * std::numbers::pi}, {{3.0, 1.0}, 0.0}}, true};
     drawing.layers.push_back({.name = "walls",

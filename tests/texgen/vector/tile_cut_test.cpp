@@ -50,7 +50,7 @@ TEST(TileCut, AnArcIsCutExactlyAtTheBorder) {
 }
 
 // An arc that leaves the tile and returns has three pieces, although both ends are in the tile.
-TEST(TileCut, AnArcThatBulgesOverTheBorder) {
+TEST(TileCut, AnArcThatBulgesOverTheBorderHasThreePieces) {
     const auto pieces = cut_at_cells({{3.5, 0.5}, {3.5, 2.5}, 0.5 * kPi}, kTorus);
     ASSERT_EQ(pieces.size(), 3U);
     EXPECT_EQ(pieces[1].cell, (LatticeOffset{1, 0}));

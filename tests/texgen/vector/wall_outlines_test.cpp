@@ -42,7 +42,7 @@ TEST(WallOutlines, ACircleIsARing) {
 // Three walls of length L and half width h that meet at 120 degrees. Each wall is cut off along
 // lines through the junction: it has the area 2 h L - h² / sqrt(3), because the cut removes two
 // triangles with the legs h and h / sqrt(3).
-TEST(WallOutlines, ThreeWallsAtAJunction) {
+TEST(WallOutlines, ThreeWallsAtAJunctionAreOneOutline) {
     std::vector<NetArc> lines;
     for (const int k : {0, 1, 2}) {
         const Vec2 head = 3.0 * unit_vector(2.0 * kPi / 3.0 * k + 0.2);

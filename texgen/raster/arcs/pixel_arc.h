@@ -95,8 +95,9 @@ void for_each_piece(const PixelArc& arc,
 
 /// Returns twice the area between an arc and its chord, with the sign of `sine`, the sine of half
 /// the angle by which the arc turns left. The formula is a truncated power series of the segment
-/// area in E1 (core/README.md). Its relative error is 2.5e-3 for an arc that turns by 90 degrees,
-/// 6e-5 for 60 degrees and 6e-9 for 23 degrees. Precondition: the arc turns by at most 90 degrees.
+/// area in E1 (core/EQUATIONS.md). Its relative error is 2.5e-3 for an arc that turns by 90
+/// degrees, 6e-5 for 60 degrees and 6e-9 for 23 degrees. Precondition: the arc turns by at most 90
+/// degrees.
 template <class Real>
 Real twice_segment(Real squared_chord, Real sine) {
     const Real z = sine * sine;

@@ -5,6 +5,13 @@
 #include <algorithm>
 #include <bit>
 
+// Bands and tiles are buckets as in the Reyes architecture (R. L. Cook, L. Carpenter and E.
+// Catmull, "The Reyes image rendering architecture", 1987): the arcs are first assigned to parts of
+// the image. Threads draw the bands; tiles only order the arcs of a band. A stable counting sort
+// (D. E. Knuth, "The Art of Computer Programming", volume 3, 5.2) makes the lists in linear time
+// and on all threads. An arc that overlaps several bands is in the list of each of them, so that
+// threads draw bands without sharing any sums.
+
 namespace foam::texgen {
 
 namespace {

@@ -10,17 +10,23 @@
 #include <span>
 #include <utility>
 
+// Like the rasterizers that coverage.cpp names, this class cuts edges at the borders of
+// pixels. FreeType, for example, flattens a curve and follows each line segment from pixel to
+// pixel. Here the crossings of an arc are roots of quadratic equations (arc_crossings.h), so that
+// they are computed independently of each other in vectorized loops. The rest of the method is our
+// own.
+//
+// First the crossings of an arc with borders between rows are computed, then those with borders
+// between columns. The two sequences are merged: the index of a crossing in the merged sequence is
+// its own index plus the number of crossings of the other kind before it. For a crossing with a
+// border between rows, this number follows from the column of the crossing. For a crossing with a
+// border between columns, it is the number of borders between rows that the arc has crossed before;
+// store_row_crossings records it by column in `rows_crossed_`. No two crossings are compared, so
+// the merge has no unpredictable branches.
+
 namespace foam::texgen {
 
 namespace {
-
-// First the crossings of an arc with borders between rows are computed, then those with borders
-// between columns. The two sequences are merged: the index of a crossing in the merged sequence is
-// its own index plus the number of crossings of the other kind before it. For a crossing
-// with a border between rows, this number follows from the column of the crossing. For a crossing
-// with a border between columns, it is the number of borders between rows that the arc has crossed
-// before; store_row_crossings records it by column in `rows_crossed_`. No two crossings are
-// compared, so the merge has no unpredictable branches.
 
 constexpr std::size_t kLanes = 16;  // number of parts whose areas are computed at once
 

@@ -4,6 +4,14 @@
 
 #include "texgen/raster/coords/raster_grid.h"
 
+// The method is the accumulation of signed areas: each edge adds its signed areas to the pixels
+// that it crosses, and a running sum along the row extends its area to all pixels on its right.
+// LibArt (R. Levien, 1998), the smooth rasterizer of FreeType (D. Turner, ftgrays.c, 2000) and
+// font-rs (R. Levien, 2016) fill outlines in this way. These programs fill one shape with one
+// color, and their edges are line segments. Here the edges are arcs, and each area is multiplied by
+// the change of a value across the arc, so that one pass fills all bubbles, with periodic copies on
+// a torus. These extensions are our own.
+
 namespace foam::texgen {
 
 template <std::size_t Channels>

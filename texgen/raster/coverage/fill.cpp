@@ -16,13 +16,18 @@
 #include <stdexcept>
 #include <vector>
 
+// At first all pixels have the value of films, or in a patch the value of the ghost bubble. Each
+// arc then adds the value on its right side minus the value on its left side to everything that is
+// to the right of it in the rows that it crosses. The areas are accumulated as in the rasterizers
+// that coverage.cpp names. To accumulate changes of values instead of the coverage of one shape is
+// our own method: a pixel gets the mean of all bubbles and films in it, exact except for rounding
+// (fill.h). The usual alternative blends shapes one after the other (T. Porter and T. Duff,
+// "Compositing digital images", 1984). It knows only how much of a pixel each shape covers, not
+// where, so that its means are wrong where two shapes share an edge.
+
 namespace foam::texgen {
 
 namespace {
-
-// At first all pixels have the value of films, or in a patch the value of the ghost bubble. Each
-// arc then adds the value on its right side minus the value on its left side to everything that is
-// to the right of it in the rows that it crosses.
 
 constexpr int kRowsPerBand = 64;  // see README.md
 // Each arc is prefetched this many arcs before it is processed. The arcs of a band are visited by

@@ -8,14 +8,6 @@
 #include <cmath>
 #include <limits>
 
-namespace foam::texgen {
-
-namespace {
-
-constexpr double kFar = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 // Let c be the length of the chord, a the half angle, and q the position of the point relative to
 // the middle of the chord. Two functions are 0 at both ends of the chord: e = c/4 - q²/c, which is
 // 0 on the circle that has the chord as its diameter, and h, the signed distance of q from the line
@@ -24,9 +16,24 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 //   left of the arc;
 //   t = e cos a - h sin a is 0 on the circle that crosses the arc's circle at right angles at both
 //   ends, has slope 1 there, and is positive on the arc.
-// The distance to the circle of the arc is 2 |f| / (1 + |grad f|) (README.md). If a point is beyond
-// an end of the arc, its distance from the normal at this end is a lower bound of its distance from
-// the arc, because arcs turn by less than 180 degrees (DistanceArc::kMinCosine).
+//
+// The distance to the circle of the arc is 2 |f| / (1 + |grad f|): if R is the radius, and r the
+// distance from the center, then |f| = |R² - r²| / 2R and |grad f| = r / R. This formula is our
+// own. The distance |f| / |grad f| of G. Taubin ("Estimation of planar curves, surfaces, and
+// nonplanar space curves defined by implicit equations", 1991) is its first-order approximation. If
+// a point is beyond an end of the arc, its distance from the normal at this end is a lower bound of
+// its distance from the arc, because arcs turn by less than 180 degrees (DistanceArc::kMinCosine).
+
+namespace foam::texgen {
+
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+// Computes the results for the eight arcs of a block. The comment at the top of this file explains
+// the functions and their symbols.
 [[gnu::always_inline]] inline void ArcView::evaluate(double x,
                                                      double y,
                                                      const ArcBlock& arcs,

@@ -15,6 +15,13 @@
 #include <span>
 #include <utility>
 
+// In a patch, chains of straight edges decide the ids of pixels, because their crossings with rows
+// can be rounded up without any error (PixelMask::flip_right_of). The inner points of a chain are
+// moved off the arc so that the chain encloses nearly the same area as the arc. For this, a
+// circular segment counts as a segment of a parabola, whose area is 2/3 of its width times its
+// height (Archimedes, "Quadrature of the Parabola"). Distances are measured from the arcs
+// themselves. The method is our own.
+
 namespace foam::texgen {
 
 namespace {

@@ -12,6 +12,12 @@
 #include <bit>
 #include <cmath>
 
+// The method is the edge fill algorithm (D. F. Rogers, "Procedural Elements for Computer Graphics",
+// 1985). Edges need not be sorted, because flips commute. The bits of 64 pixels of a row are one
+// word, so that an arc flips them by one operation; the words of successive rows are contiguous, so
+// that one vector instruction flips words of several rows. Two properties are our own: edges may be
+// arcs, and the crossings computed from the two sides of a film are equal.
+
 namespace foam::texgen {
 
 namespace {

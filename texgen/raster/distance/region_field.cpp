@@ -7,6 +7,15 @@
 #include <algorithm>
 #include <bit>
 
+// Arcs are culled as J. E. Warnock culls polygons ("A hidden surface algorithm for computer
+// generated halftone pictures", 1969): a block of pixels is divided into quarters, and a quarter
+// starts with the arcs that its block has kept. The bound by which arcs are dropped follows from
+// the triangle inequality. Let d be the distance of the middle of the block from the nearest arc,
+// and r the distance of the middle from the farthest pixel. The distance of every pixel from this
+// arc is at most d + r. An arc whose distance from the middle is above d + 2 r has a distance above
+// d + r from every pixel, so that it is not the nearest arc of any. (ArcView::horizon adds a margin
+// to d + 2 r.)
+
 namespace foam::texgen {
 
 namespace {

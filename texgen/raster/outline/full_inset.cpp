@@ -7,6 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+// This is a fast path for bubbles whose inset has the form that the header describes. It joins the
+// offsets of adjacent sides at their crossings, which takes one cut per corner. In general, offsets
+// that are joined in this way can cross each other again (W. Tiller and E. G. Hanson, "Offsets of
+// two-dimensional profiles", 1984). The code therefore proves for every pair of a piece and a side
+// that the piece is far enough from the side, and gives up if a bound fails: InsetTracer then finds
+// the inset. The bounds and the proof are our own; one bound uses the intersecting chords theorem
+// (Euclid, "Elements", III.35).
+
 namespace foam::texgen {
 
 namespace {

@@ -10,6 +10,14 @@
 #include <cstdint>
 #include <limits>
 
+// An inset is the erosion of a region by a disc (J. Serra, "Image Analysis and Mathematical
+// Morphology", 1982). Like the method of W. Tiller and E. G. Hanson ("Offsets of two-dimensional
+// profiles", 1984), this one cuts the offsets of sides at their crossings and discards the invalid
+// parts. It does not join the offsets of adjacent sides first, and it tests each piece by its
+// distances from all sides; both are our own. One test per piece suffices: the set of points that
+// are too near to some side is bounded by offsets, so that between two cuts either all points of an
+// offset are too near to another side or none is.
+
 namespace foam::texgen {
 
 namespace {

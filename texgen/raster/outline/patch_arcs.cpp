@@ -12,6 +12,13 @@
 #include <utility>
 #include <vector>
 
+// The paper treats the space around a patch as one more bubble, the ghost bubble (Section 4.2, "The
+// Ghost-Bubble Method"). The rasterizer does the same: the outer half of an outer film is the part
+// of the ghost that its inset leaves out. The two sides of a film of width 0 are separate arcs.
+// Their pieces are computed from the same end, so that they are equal and their areas add up
+// without an error. Areas of loops are sums of triangles (the shoelace formula) and circular
+// segments. The fallback for rafts that overlap is our own.
+
 namespace foam::texgen {
 
 namespace {

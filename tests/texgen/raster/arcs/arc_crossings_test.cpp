@@ -78,7 +78,7 @@ TEST(ArcCrossings, AreRoundedToTheNearest) {
 }
 
 // In floats, the crossings of arcs of this length would be wrong by several subpixels.
-TEST(ArcCrossings, OfLongArcsAreAsGood) {
+TEST(ArcCrossings, OfLongArcsAreAsAccurate) {
     at_every_simd_level([] {
         const LargestErrors errors(16000.0);
         EXPECT_LT(errors.of_xs, 0.5 + 1e-6);

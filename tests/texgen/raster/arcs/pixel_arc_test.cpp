@@ -62,7 +62,7 @@ TEST(MonotonePieces, PiecesAreOfTheArc) {
     }
 }
 
-TEST(MonotonePieces, TwiceTheSegment) {
+TEST(MonotonePieces, TwiceTheSegmentIsNearlyExact) {
     for (const double half_angle : {-0.5, 0.01, 0.1, 0.2, 0.5}) {
         const FilmArc arc{{3.0, 1.0}, half_angle};
         EXPECT_NEAR(

@@ -68,7 +68,7 @@ Parts split_parts(const std::vector<SubpixelPoint>& chain, SubpixelPoint transla
     return all;
 }
 
-TEST(ArcSplitter, SquareInTheMiddleOfAPixel) {
+TEST(ArcSplitter, KeepsASquareInOnePixel) {
     // The square is half a pixel wide and high, counter-clockwise. Its left side is at x = 256 and
     // goes down; twice the area on the left of it is 512 x (2 x 256). Its right side is at x = 768
     // and goes up; twice the area on the left of it is 512 x (2 x 768).
@@ -78,7 +78,7 @@ TEST(ArcSplitter, SquareInTheMiddleOfAPixel) {
     EXPECT_EQ(parts.at({0, 0}).second, 512 * 1536 - 512 * 512);
 }
 
-TEST(ArcSplitter, DiagonalAcrossFourPixels) {
+TEST(ArcSplitter, SplitsADiagonalAtTheBordersOfPixels) {
     // The triangle goes up from (0, 0) to (2, 2) pixels and down at x = 0. It contains half of two
     // pixels and the whole of one.
     const Parts parts = split_parts({{0, 0}, {2048, 2048}, {0, 2048}}, {}, 2);
@@ -112,7 +112,7 @@ TEST(ArcSplitter, SteepArcCrossesManyRowsOfAColumn) {
 
 // A border belongs to the pixel on its right. Both arcs end on the border between pixels 0 and 1:
 // one arc comes from the left, the other one from the right.
-TEST(ArcSplitter, EndsOnBorders) {
+TEST(ArcSplitter, ArcsMayEndOnBorders) {
     const Parts right = split_parts(edge({0, 0}, {1024, 1024}), {}, 1);
     const Parts left = split_parts(edge({2048, 0}, {1024, 1024}), {}, 1);
     EXPECT_EQ(right.at({0, 0}), (std::pair<int, std::int64_t>{1024, 1024 * 1024}));

@@ -71,7 +71,7 @@ std::vector<SubpixelPoint> box(std::int32_t x0, std::int32_t y0, std::int32_t x1
     return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
-TEST(Coverage, OfABoxAcrossPixels) {
+TEST(Coverage, HoldsTheAreaOfABoxInEachPixel) {
     // The box is from x = 0.5 to 2.25 pixels, in the lower half of row 0.
     Coverage<1> coverage(4, 1);
     add<1>(coverage, box(512, 0, 2304, 512), {}, {4});
@@ -110,7 +110,7 @@ TEST(Coverage, OfALineEndsAtItsEnds) {
     EXPECT_EQ(take(coverage, 0, 4), std::vector<std::int64_t>(4, 0));
 }
 
-TEST(Coverage, OfABoxWiderThanTheTorus) {
+TEST(Coverage, AddsUpForABoxWiderThanTheTorus) {
     // The box covers the torus 2.5 times. The last half covers pixels 0 and 1.
     Coverage<1> coverage(4, 1);
     add<1>(coverage, box(0, 0, 10 * kSubpixel, kSubpixel), {}, {1});
@@ -153,7 +153,7 @@ TEST(Coverage, CountsAFilmOnceForBothItsSides) {
 // The first arc is a quarter of a circle with a radius of 1 pixel around (1, 0), from (2, 0) up to
 // (1, 1). The second one is an edge straight down. They cover pi / 4 of pixel 1, with an error of
 // half a thousandth. With the chord instead of the arc, they would cover half of it.
-TEST(Coverage, OfAQuarterOfACircle) {
+TEST(Coverage, HoldsTheAreaOfAQuarterOfACircle) {
     Coverage<1> coverage(4, 1);
     const double sine = std::sin(0.125 * 2.0 * std::numbers::pi);
     coverage.add({{2048, 0}, {1024, 1024}, sine, {}}, {}, {{-1.0}, {}, false});
@@ -165,8 +165,8 @@ TEST(Coverage, OfAQuarterOfACircle) {
 }
 
 TEST(Coverage, OrderDoesNotMatter) {
-    Coverage<3> there(40, 2);
-    Coverage<3> back(40, 2);
+    Coverage<3> forward(40, 2);
+    Coverage<3> backward(40, 2);
     std::vector<std::vector<SubpixelPoint>> chains(20);
     for (int k = 0; k < 20; ++k) {
         chains[static_cast<std::size_t>(k)] = {
@@ -176,14 +176,14 @@ TEST(Coverage, OrderDoesNotMatter) {
         const auto value = [](std::size_t i) {
             return std::array<double, 3>{static_cast<double>(i), 7, -65535};
         };
-        add<3>(there, chains[k], {}, value(k));
+        add<3>(forward, chains[k], {}, value(k));
         const std::size_t last = chains.size() - 1 - k;
-        add<3>(back, chains[last], {}, value(last));
+        add<3>(backward, chains[last], {}, value(last));
     }
-    there.finish();
-    back.finish();
+    forward.finish();
+    backward.finish();
     for (int row = 0; row < 2; ++row) {
-        EXPECT_EQ(spans_of(there, row), spans_of(back, row));
+        EXPECT_EQ(spans_of(forward, row), spans_of(backward, row));
     }
 }
 

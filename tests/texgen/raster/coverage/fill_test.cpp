@@ -248,14 +248,14 @@ double largest_error(const Frame& frame, int size, double width) {
 // the samples is up to 0.0007. For comparison: half a step of 8 bits is 0.002.
 constexpr double kReferenceTolerance = 0.0027;
 
-TEST(FillAgainstSamples, BentVoronoi) {
+TEST(FillAgainstSamples, AgreesForABentVoronoiDiagram) {
     const Frame frame = test::fitted_frame(test::bent_foam(14, 0.4, 21), 24, 24);
     EXPECT_LT(largest_error(frame, 24, 0.0), kReferenceTolerance);
     EXPECT_LT(largest_error(frame, 24, 1.0), kReferenceTolerance);
     EXPECT_LT(largest_error(frame, 24, 3.7), kReferenceTolerance);
 }
 
-TEST(FillAgainstSamples, EquilibriumWithTinyBubbles) {
+TEST(FillAgainstSamples, AgreesForAnEquilibriumWithTinyBubbles) {
     const Frame frame = test::fitted_frame(test::polydisperse_foam(24, 5), 24, 24);
     EXPECT_LT(largest_error(frame, 24, 0.0), kReferenceTolerance);
     EXPECT_LT(largest_error(frame, 24, 0.7), kReferenceTolerance);
@@ -263,7 +263,7 @@ TEST(FillAgainstSamples, EquilibriumWithTinyBubbles) {
     EXPECT_LT(largest_error(frame, 24, 5.0), kReferenceTolerance);
 }
 
-TEST(FillAgainstSamples, TwoSidedBubbles) {
+TEST(FillAgainstSamples, AgreesForTwoSidedBubbles) {
     Foam foam = honeycomb(2, 2);
     test::insert_lens(foam, id_at<FilmId>(1), 0.6);
     test::insert_lens(foam, id_at<FilmId>(4), 0.25);
@@ -273,7 +273,7 @@ TEST(FillAgainstSamples, TwoSidedBubbles) {
     EXPECT_LT(largest_error(frame, 24, 3.0), kReferenceTolerance);
 }
 
-TEST(FillAgainstSamples, ABubbleThatMeetsItself) {
+TEST(FillAgainstSamples, AgreesForABubbleThatMeetsItself) {
     const Frame frame = test::fitted_frame(test::single_bubble(), 20, 20);
     EXPECT_LT(largest_error(frame, 20, 0.0), kReferenceTolerance);
     EXPECT_LT(largest_error(frame, 20, 2.2), kReferenceTolerance);

@@ -16,8 +16,9 @@ namespace foam::texgen {
 namespace {
 
 constexpr DistanceNeeds kAll{.gradient = true, .smooth = true};
-// In pixels. The outlines that decide ids are rounded to subpixels. If the distance of a pixel is
-// at most this tolerance, the id may be that of the bubble on the other side of the film.
+// The tolerances are in pixels. The outlines that decide ids are rounded to subpixels. If the
+// distance of a pixel is at most kChainTolerance, the id may be that of the bubble on the other
+// side of the film.
 constexpr double kChainTolerance = 2e-3;
 constexpr double kTolerance = 2e-5;
 

@@ -26,7 +26,7 @@ TEST(DiscIndex, AllOfFewDiscsAreFound) {
     EXPECT_EQ(near(index, {{100.0, 0.0}, 1.0}), (std::vector<std::size_t>{0, 1, 2}));
 }
 
-TEST(DiscIndex, OfManyDiscsThoseNearADiscAreFoundInOrder) {
+TEST(DiscIndex, FindsTheNearOnesOfManyDiscsInOrder) {
     DiscIndex index;
     index.build(1000, disc_at);
     EXPECT_EQ(near(index, {{500.0, 0.0}, 1.0}), (std::vector<std::size_t>{499, 500, 501}));

@@ -48,7 +48,7 @@ TEST(Inset, IsEmptyIfFilmsCoverTheBubble) {
     EXPECT_TRUE(inset_areas(region, 50.0).empty());
 }
 
-TEST(Inset, OfARegularHexagon) {
+TEST(Inset, OfARegularHexagonIsASmallerHexagon) {
     // The side is 1 and the apothem sqrt(3)/2. The area of a hexagon is 2 sqrt(3) times the squared
     // apothem.
     std::vector<Vec2> corners;
@@ -72,7 +72,7 @@ TEST(Inset, DropsASideThatIsTooShort) {
     EXPECT_NEAR(inset_areas(region, 2.0).at(0), 36.0, 1e-12);
 }
 
-TEST(Inset, OfATwoSidedBubble) {
+TEST(Inset, OfATwoSidedBubbleIsALens) {
     // The sides are two arcs with half angles of 60 degrees. The distance between their centers is
     // their radius r. The inset is the lens of two circles of radius r - h around the same centers.
     const double chord = 10.0;
@@ -115,7 +115,7 @@ TEST(Inset, FallsIntoPartsAndRoundsCornersThatTurnBack) {
     EXPECT_NEAR(areas[1], 49.0 + bulge, 1e-12);
 }
 
-TEST(Inset, OfACircleInThreeArcs) {
+TEST(Inset, OfACircleOfThreeArcsIsACircle) {
     // The boundary does not turn at its corners, so the offsets touch there instead of crossing.
     ArcLoops region;
     for (int k = 0; k < 3; ++k) {
@@ -131,7 +131,7 @@ TEST(Inset, OfACircleInThreeArcs) {
     EXPECT_NEAR(areas[0], 25.0 * std::numbers::pi, 1e-6);
 }
 
-TEST(Inset, OfATinyBubbleNearAHugeWidth) {
+TEST(Inset, OfATinyBubbleIsEmptyForAHugeWidth) {
     const auto region = polygon({{0.0, 0.0}, {1e-3, 0.0}, {0.0, 1e-3}});
     EXPECT_TRUE(inset_areas(region, 100.0).empty());
 }

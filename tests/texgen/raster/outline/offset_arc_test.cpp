@@ -23,7 +23,7 @@ double brute_distance(const FilmArc& arc, const Vec2& tail, const Vec2& point) {
 }
 
 TEST(OffsetArc, PlacesAQuarterCircle) {
-    // Counter-clockwise around the origin, from (1, 0) to (0, 1).
+    // The arc goes counter-clockwise around the origin, from (1, 0) to (0, 1).
     const OffsetArc side = offset_arc_from(pixel_arc({Vec2(-1.0, 1.0), kPi / 4.0}), {1.0, 0.0});
     EXPECT_NEAR(side.curvature, 1.0, 1e-15);
     EXPECT_NEAR((tail_tangent(side) - Vec2(0.0, 1.0)).norm(), 0.0, 1e-15);
@@ -54,10 +54,10 @@ TEST(OffsetArc, OffsetKeepsItsDistanceAndItsNormals) {
         const OffsetArc offset = offset_left(side, 1.5);
         for (int k = 0; k <= 10; ++k) {
             const double along = (0.2 * k - 1.0);
-            const Vec2 here = point_at(side, along * side.reach);
-            const Vec2 there = point_at(offset, along * offset.reach);
-            EXPECT_NEAR((there - here).norm(), 1.5, 1e-12);
-            EXPECT_NEAR(distance(side, there), 1.5, 1e-12);
+            const Vec2 on_side = point_at(side, along * side.reach);
+            const Vec2 on_offset = point_at(offset, along * offset.reach);
+            EXPECT_NEAR((on_offset - on_side).norm(), 1.5, 1e-12);
+            EXPECT_NEAR(distance(side, on_offset), 1.5, 1e-12);
         }
     }
 }
@@ -72,7 +72,8 @@ TEST(OffsetArc, ShrinksToNothingAtTheCenter) {
 }
 
 TEST(OffsetArc, LinesCrossOnce) {
-    // Along y = 0 to the right; the other comes down x = 3, so that its left is at x > 3.
+    // The first line goes to the right along y = 0. The other one goes down along x = 3, so that
+    // its left is at x > 3.
     const OffsetArc arc = offset_arc_from(pixel_arc({Vec2(2.0, 0.0), 0.0}), {0.0, 0.0});
     const OffsetArc other = offset_arc_from(pixel_arc({Vec2(0.0, -2.0), 0.0}), {3.0, 1.0});
     const Crossings found = crossings(arc, other);
@@ -81,7 +82,7 @@ TEST(OffsetArc, LinesCrossOnce) {
 }
 
 TEST(OffsetArc, ALineEntersAndLeavesACircle) {
-    // The unit circle, counter-clockwise: its left is its inside.
+    // The unit circle is counter-clockwise, so that its left is its inside.
     const OffsetArc line = offset_arc_from(pixel_arc({Vec2(6.0, 0.0), 0.0}), {-3.0, 0.6});
     const OffsetArc circle = offset_arc_from(pixel_arc({Vec2(-1.0, 1.0), kPi / 4.0}), {1.0, 0.0});
     const Crossings found = crossings(line, circle);

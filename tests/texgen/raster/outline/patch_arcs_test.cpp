@@ -133,7 +133,7 @@ double largest_error(const Frame& frame, const RasterGrid& grid, double width) {
 // The tolerance is explained at FillAgainstSamples (fill_test.cpp).
 constexpr double kReferenceTolerance = 0.0027;
 
-TEST(PatchArcsAgainstSamples, PatchOfManyBubbles) {
+TEST(PatchArcsAgainstSamples, AgreeForAPatchOfManyBubbles) {
     const Frame frame = snapshot(test::patch_foam(12, 5), 1);
     const RasterGrid grid = grid_of(30, 28, {0.1, 0.2}, 6.0);
     EXPECT_LT(largest_error(frame, grid, 0.0), kReferenceTolerance);
@@ -141,7 +141,7 @@ TEST(PatchArcsAgainstSamples, PatchOfManyBubbles) {
     EXPECT_LT(largest_error(frame, grid, 6.0), kReferenceTolerance);
 }
 
-TEST(PatchArcsAgainstSamples, AHoleAndRaftsThatAreClose) {
+TEST(PatchArcsAgainstSamples, AgreeForAHoleAndRaftsThatAreClose) {
     Foam foam = test::ring_foam();
     // One lone bubble is in the hole. The other one is 0.12, less than a pixel, from an outer film,
     // whose middle is 1.905 + 1.1 tan(0.35) from the origin.
@@ -153,7 +153,7 @@ TEST(PatchArcsAgainstSamples, AHoleAndRaftsThatAreClose) {
     EXPECT_LT(largest_error(frame, grid, 3.0), kReferenceTolerance);
 }
 
-TEST(PatchArcsAgainstSamples, OuterFilmsThatBulgeBeyondHalfACircle) {
+TEST(PatchArcsAgainstSamples, AgreeForOuterFilmsThatBulgeBeyondHalfACircle) {
     const Frame frame = snapshot(test::patch_foam(2, 1), 1);
     const RasterGrid grid = grid_of(26, 26, {0.0, 0.0}, 9.0);
     EXPECT_LT(largest_error(frame, grid, 0.0), kReferenceTolerance);
