@@ -2,7 +2,7 @@
 
 #include "tests/support/readme_table.h"
 
-#include "tests/support/places.h"
+#include "tests/support/test_files.h"
 
 #include <gtest/gtest.h>
 
@@ -38,8 +38,8 @@ std::string replace_table(std::string text, std::string_view table) {
 
 }  // namespace
 
-void expect_in_readme(std::string_view folder, std::string_view table) {
-    const std::filesystem::path path = readme().parent_path() / folder / "README.md";
+void expect_in_readme(std::string_view folder, std::string_view table, std::string_view page) {
+    const std::filesystem::path path = readme().parent_path() / folder / page;
     if (std::getenv("FOAMTEX_UPDATE_GOLDEN") != nullptr) {
         const std::string updated = replace_table(read_text(path), table);
         std::ofstream(path) << updated;

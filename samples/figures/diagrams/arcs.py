@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Circular arcs, which are the shapes of films (E1 of core/README.md), and the view in which they are drawn.
+"""Circular arcs, which are the shapes of films (E1 of core/EQUATIONS.md), and the view in which they are drawn.
 
 Points of the foam are complex numbers in foam units: x points right, y points up.
 """
