@@ -144,9 +144,9 @@ struct RowPoints {
 // The values that all rows of an image share.
 struct GrainPlan {
     Origins origins;
-    Periods periods;
+    Periods periods{};
     SubpixelPoint shift;  // RasterGrid::shift_x and shift_y; 0 in the plane
-    double size;          // of the largest features, pixels
+    double size = 0.0;    // of the largest features, pixels
 };
 
 // Sets the points of the row `y`.

@@ -6,8 +6,8 @@
 #include "texgen/image/image.h"
 #include "texgen/raster/coords/raster_grid.h"
 
-#include <compare>
 #include <cstdint>
+#include <tuple>
 
 namespace foam::texgen {
 
@@ -31,11 +31,13 @@ struct Grain {
 
 /// Tells which grain to draw.
 struct GrainRule {
-    double size;  // of the largest features, in diameters of a mean bubble of the seeded foam
-    GrainUse use;
+    double size = 0.1;  // of the largest features, in diameters of a mean bubble of the seeded foam
+    GrainUse use = GrainUse::Relief;
     double mean = 0.0;  // of the values in bubbles
 
-    friend auto operator<=>(const GrainRule&, const GrainRule&) = default;
+    friend bool operator<(const GrainRule& a, const GrainRule& b) {
+        return std::tie(a.size, a.use, a.mean) < std::tie(b.size, b.use, b.mean);
+    }
 };
 
 /// Draws a fine texture of noise in every bubble. It moves with the centroid of the bubble, does
