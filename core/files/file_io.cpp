@@ -88,6 +88,7 @@ void check_size(const std::filesystem::path& path, std::uint64_t size, const Inp
 }
 
 // Returns a path in the folder of the target that no other thread or process of this machine uses.
+// remove_abandoned_files recognizes such names.
 std::filesystem::path unique_sibling(const std::filesystem::path& target) {
     static std::atomic<unsigned> count{0};
     std::filesystem::path sibling = target;

@@ -44,7 +44,8 @@ TEST(RemoveAbandonedFiles, RemovesOldTemporaryFilesOnly) {
                                    "a.foamtex-1-1.part.png"}) {
         kept.push_back(file_of_age(folder, name, kOld));
     }
-    std::filesystem::create_symlink("lit.0001.png", folder.path() / "link.foamtex-1-1.part");
+    kept.push_back(folder.path() / "link.foamtex-1-1.part");
+    std::filesystem::create_symlink("lit.0001.png", kept.back());
     remove_abandoned_files(folder.path());
     EXPECT_FALSE(std::filesystem::exists(old));
     for (const std::filesystem::path& path : kept) {
