@@ -32,11 +32,10 @@ DrivenBubble driven_at(int frame, BubbleIdentity bubble, const DrivenSchedule& d
 
 double strain_of_events(const Preset& preset, int state) {
     double strain = 0.0;
-    for (const Event& event : preset.events) {
+    for (Event event : preset.events) {
         if (event.kind == kShearEvent.name) {
-            const FrameSpan frames = *frames_of(event, preset.frames);
-            const int passed = std::clamp(state - frames.first + 1, 0, frames.length());
-            strain += event.shear.strain * passed / frames.length();
+            event.frames = *frames_of(event, preset.frames);
+            strain += strain_at(state, event, event.shear);
         }
     }
     return strain;

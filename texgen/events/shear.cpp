@@ -4,6 +4,8 @@
 
 #include "texgen/keys/value_kinds.h"
 
+#include <algorithm>
+
 namespace foam::texgen {
 
 Keys<ShearOptions> shear_keys() {
@@ -21,6 +23,11 @@ void check_shear(const EventCheck& check, const ShearOptions& /*options*/) {
                       "kind",
                       " = ",
                       "\"shear\" is only allowed with foam.domain = \"torus\"");
+}
+
+double strain_at(int frame, const EventBase& event, const ShearOptions& options) {
+    const int length = event.frames.length();
+    return options.strain * std::clamp(frame - event.frames.first + 1, 0, length) / length;
 }
 
 void advance_shear(const EventBase& event, const ShearOptions& options, EventContext& context) {
