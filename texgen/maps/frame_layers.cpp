@@ -5,11 +5,23 @@
 #include "texgen/maps/arcs_of_films.h"
 #include "texgen/raster/distance/distance.h"
 
+#include <map>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace foam::texgen {
+
+namespace {
+
+// Returns the value of a key, which make() computes when it is first needed.
+template <class Key, class Value, class Make>
+const Value& kept(std::map<Key, Value>& values, const Key& key, const Make& make) {
+    const auto known = values.find(key);
+    return known != values.end() ? known->second : values.emplace(key, make()).first->second;
+}
+
+}  // namespace
 
 FrameLayers::FrameLayers(const FrameInput& input, const RasterGrid& grid, int threads)
     : input_(input), grid_(grid), threads_(threads) {}
@@ -58,39 +70,26 @@ FrameLayers FrameLayers::on_grid(const RasterGrid& grid, const DistanceNeeds& di
 }
 
 const CellArcs& FrameLayers::arcs(double film_width) {
-    const auto known = arcs_.find(film_width);
-    if (known != arcs_.end()) {
-        return known->second;
-    }
-    return arcs_.emplace(film_width, cell_arcs(frame(), grid_, film_width, threads_)).first->second;
+    return kept(arcs_, film_width, [&] { return cell_arcs(frame(), grid_, film_width, threads_); });
 }
 
 const Grain& FrameLayers::grain(const GrainRule& rule) {
-    const auto known = grains_.find(rule);
-    if (known != grains_.end()) {
-        return known->second;
-    }
-    Grain grain = draw_grain(frame(), grid_, distance().ids, rule, threads_);
-    return grains_.emplace(rule, std::move(grain)).first->second;
+    return kept(
+        grains_, rule, [&] { return draw_grain(frame(), grid_, distance().ids, rule, threads_); });
 }
 
 const Maze& FrameLayers::maze(const MazeRule& rule) {
-    const auto known = mazes_.find(rule);
-    return known != mazes_.end() ? known->second
-                                 : mazes_.emplace(rule, find_maze(frame(), rule)).first->second;
+    return kept(mazes_, rule, [&] { return find_maze(frame(), rule); });
 }
 
 const ArcDistances& FrameLayers::wall_distances(const MazeRule& rule,
                                                 const ArcDistanceNeeds& needs) {
-    const auto known = wall_distances_.find({rule, needs});
-    if (known != wall_distances_.end()) {
-        return known->second;
-    }
-    const Maze& with_walls = maze(rule);
-    const std::vector<PlacedArc> walls = arcs_of_films(
-        frame(), grid_, threads_, [&](FilmId film) { return with_walls.is_open[film] == 0; });
-    ArcDistances distances = distances_to_arcs(walls, grid_, frame().domain, needs, threads_);
-    return wall_distances_.emplace(std::pair(rule, needs), std::move(distances)).first->second;
+    return kept(wall_distances_, std::pair(rule, needs), [&] {
+        const Maze& with_walls = maze(rule);
+        const std::vector<PlacedArc> walls = arcs_of_films(
+            frame(), grid_, threads_, [&](FilmId film) { return with_walls.is_open[film] == 0; });
+        return distances_to_arcs(walls, grid_, frame().domain, needs, threads_);
+    });
 }
 
 }  // namespace foam::texgen

@@ -47,8 +47,8 @@ Relief::Relief(FrameLayers& layers, const ReliefSource& source, double reach)
         radii_ = radii_by_cell_id(layers, 0.0);
     }
     if (source.relief.grain > 0.0) {
-        // With ridges and wet films, the bubbles between the films are flat and have the height 0.
-        // With the mean kGrainBound the grain is never negative, so that no height is negative.
+        // The bubbles between ridges or wet films are flat and have the height 0. A grain with the
+        // mean kGrainBound is never negative, so that no height is negative.
         const double mean = source.relief.profile == ReliefProfile::Dome ? 0.0 : kGrainBound;
         grain_ = {source.relief.grain_size, GrainUse::Relief, mean};
     }
