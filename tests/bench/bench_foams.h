@@ -7,9 +7,11 @@
 #include "core/foam/patch.h"
 #include "core/foam/seeding.h"
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <stdexcept>
 
 namespace foam::bench {
 
@@ -45,6 +47,19 @@ inline double ordinary_frame_time(const Foam& foam, const CoarseningOptions& coa
     const double mean_area = total / static_cast<double>(foam.network.bubble_count());
     const double gamma = 0.5 * foam.film_tension;
     return 0.01 * mean_area / (2.0 * std::numbers::pi / 3.0 * gamma * coarsening.kappa);
+}
+
+/// Makes coarsening frames of a foam in equilibrium, and returns the mean wall time of a frame, in
+/// seconds. Throws std::runtime_error if an equilibrium is not found.
+inline double mean_frame_seconds(Foam& foam, int frames) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    for (int frame = 0; frame < frames; ++frame) {
+        if (!step(foam, ordinary_frame_time(foam, {}), {}).equilibrium.converged()) {
+            throw std::runtime_error("no equilibrium");
+        }
+    }
+    return std::chrono::duration<double>(Clock::now() - begin).count() / frames;
 }
 
 }  // namespace foam::bench

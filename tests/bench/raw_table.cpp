@@ -5,14 +5,13 @@
 
 #include "tests/bench/bench_foams.h"
 
+#include <boost/interprocess/anonymous_shared_memory.hpp>
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -20,7 +19,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace foam::bench {
@@ -52,46 +50,13 @@ struct Work {
     bool converged = false;  // to the default tolerance, 1e-9
 };
 
-// Brings a raw diagram to equilibrium, and makes `frames` coarsening frames. Stores the mean wall
-// time of a frame in `frame_seconds`. Returns false if an equilibrium is not found.
-bool reaches_equilibrium(Foam foam, int frames, double& frame_seconds) {
-    using Clock = std::chrono::steady_clock;
-    bool converged = equilibrate(foam, {}).converged();
-    const Clock::time_point begin = Clock::now();
-    for (int frame = 0; frame < frames && converged; ++frame) {
-        converged = step(foam, ordinary_frame_time(foam, {}), {}).equilibrium.converged();
-    }
-    frame_seconds =
-        std::chrono::duration<double>(Clock::now() - begin).count() / std::max(frames, 1);
-    return converged;
-}
-
-// A number that the process shares with the processes that it starts.
-class SharedNumber {
-  public:
-    SharedNumber()
-        : memory_(mmap(
-              nullptr, sizeof(double), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
-        if (memory_ == MAP_FAILED) {
-            throw std::runtime_error("no shared memory");
-        }
-    }
-    ~SharedNumber() { munmap(memory_, sizeof(double)); }
-    SharedNumber(const SharedNumber&) = delete;
-    SharedNumber& operator=(const SharedNumber&) = delete;
-
-    double& value() const { return *static_cast<double*>(memory_); }
-
-  private:
-    void* memory_;
-};
-
 double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 Work measure(int bubbles, std::uint64_t seed, const Arguments& arguments) {
-    const SharedNumber frame_seconds;
+    const auto shared = boost::interprocess::anonymous_shared_memory(sizeof(double));
+    double& frame_seconds = *static_cast<double*>(shared.get_address());
     const pid_t child = fork();
     if (child < 0) {
         throw std::runtime_error("no process can be started");
@@ -100,9 +65,11 @@ Work measure(int bubbles, std::uint64_t seed, const Arguments& arguments) {
         try {
             Foam foam = arguments.patch ? raw_patch(bubbles, seed)
                                         : seed_foam({.bubbles = bubbles, .seed = seed});
-            _exit(reaches_equilibrium(std::move(foam), arguments.frames, frame_seconds.value())
-                      ? EXIT_SUCCESS
-                      : EXIT_FAILURE);
+            const bool converged = equilibrate(foam, {}).converged();
+            if (converged && arguments.frames > 0) {
+                frame_seconds = mean_frame_seconds(foam, arguments.frames);
+            }
+            _exit(converged ? EXIT_SUCCESS : EXIT_FAILURE);
         } catch (const std::exception& error) {
             fmt::print(stderr, "{}\n", error.what());
             _exit(EXIT_FAILURE);
@@ -111,7 +78,7 @@ Work measure(int bubbles, std::uint64_t seed, const Arguments& arguments) {
     int status = 0;
     rusage usage{};
     wait4(child, &status, 0, &usage);
-    return {.seconds = arguments.frames > 0 ? frame_seconds.value()
+    return {.seconds = arguments.frames > 0 ? frame_seconds
                                             : seconds(usage.ru_utime) + seconds(usage.ru_stime),
             .megabytes = static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6,
             .converged = WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS};

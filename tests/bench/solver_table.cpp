@@ -70,12 +70,7 @@ double raw_seconds(int bubbles, std::uint64_t seeds) {
 double frame_seconds(int bubbles) {
     Foam foam = raw_foam(bubbles);
     demand(equilibrate(foam, {}));
-    return seconds([&] {
-               for (int frame = 0; frame < kFrames; ++frame) {
-                   demand(step(foam, ordinary_frame_time(foam, {}), {}).equilibrium);
-               }
-           }) /
-           kFrames;
+    return mean_frame_seconds(foam, kFrames);
 }
 
 // Returns the time from a raw diagram until kFewestBubbles bubbles are left, in seconds.

@@ -8,14 +8,13 @@
     tests/bench/user_table.py --tables                          # all rows, and the tables of three other benchmarks
 
 Every row is measured over several presets, files or seeds. With --seeds N, rows of few presets are measured with N seeds of
-each. With --against, the two programs run alternately, so that other work on the machine affects both. Rows that say "one
-thread" are processor times of one frame, drawn from a cache and written. Raw diagrams and files of Surface Evolver are
-processor times of all threads, from file to file for the latter; beside them is the time of Surface Evolver, if it is
-installed. All other times are elapsed times with all threads, or with two if the row says so; the row "times as fast as
-one" is a ratio of elapsed times. Memory is the largest of all runs of a row; in rows of frames of a foam it includes the way
-to equilibrium. Raw diagrams and frames of a coarsening foam need the program raw_table, which is run if
-it was built with the program. With --tables, the tables of solver_table, raster_peers (beside cairo, AGG and OpenCV) and
-png_bench (beside libpng) follow.
+each. With --against, the two programs run alternately, so that other work on the machine affects both. Times are elapsed
+times with all threads, with these exceptions: rows that end in "one thread" or "two threads" use this number of threads;
+frames that are drawn from a cache with one thread, raw diagrams, and files of Surface Evolver are processor times of all
+threads. Files are relaxed from file to file; beside them is the time of Surface Evolver, if it is installed. Memory is the
+largest of all runs of a row; in rows of frames of a foam it includes the way to equilibrium. Raw diagrams and frames of a
+coarsening foam need the program raw_table, which is run if it was built with the program. With --tables, the tables of
+solver_table, raster_peers (beside cairo, AGG and OpenCV) and png_bench (beside libpng) follow.
 """
 import argparse
 import math
@@ -93,13 +92,10 @@ class Lab:
     def animation(self, program, foam):
         return run([program, "bake", *arguments_of(foam), "-q", "--out", "out/{map}.####.png"], self.folder)
 
-    def speedup(self, program, foam):
-        """Bakes 24 frames with one and with two threads. Returns the ratio of elapsed times in place of a time."""
-        def bake(threads):
-            return run([program, "bake", *arguments_of(foam), "--frames", "1-24", "--size", "1024", "--maps", SURFACE_MAPS,
-                        "--threads", str(threads), "-q", "--out", "out/{map}.####.png"], self.folder)
-        one, two = bake(1), bake(2)
-        return one[0] / two[0], 0.0, two[2]
+    def frames(self, program, foam, threads):
+        """Bakes the first 24 frames."""
+        return run([program, "bake", *arguments_of(foam), "--frames", "1-24", "--size", "1024", "--maps", SURFACE_MAPS,
+                    "--threads", str(threads), "-q", "--out", "out/{map}.####.png"], self.folder)
 
     def relax(self, program, name):
         return run([program, "relax", EVOLVER_FILES / f"{name}.fe", "-o", "relaxed.fe", "-q"], self.folder)
@@ -140,7 +136,7 @@ def presets_with(program, name):
 
 
 def rows_of(lab, seeds):
-    """Returns the rows: a name, the foams, the kind of number (0 elapsed time or ratio, 1 processor time), what is measured."""
+    """Returns the rows: a name, the foams, the kind of time (0 elapsed, 1 processor), and what is measured."""
     lit = presets_with(lab.program, "lit")
     solid = with_seeds(["sea_foam", "pebbles", "leather", "lava"], seeds)
     glossy = with_seeds(["bath_bubbles", "iridescent"], seeds)
@@ -155,7 +151,9 @@ def rows_of(lab, seeds):
     for suffix in ("exr", "png"):
         rows.append((f"eight maps as {suffix.upper()}, 2048², two threads", solid, 0,
                      lambda program, foam, suffix=suffix: lab.frame(program, foam, EIGHT_MAPS, suffix, 2)))
-    rows.append((f"two threads, times as fast as one: 24 frames of {SURFACE_MAPS}, 1024²", solid, 0, lab.speedup))
+    for threads, name in ((1, "one thread"), (2, "two threads")):
+        rows.append((f"bake 24 frames of {SURFACE_MAPS}, 1024², elapsed with {name}", solid, 0,
+                     lambda program, foam, threads=threads: lab.frames(program, foam, threads)))
     rows.append(("first frame, 1024²", presets_of(lab.program), 0, lab.first_frame))
     rows.append(("first frame of fizz, potion, leather, beer_head, 1024²",
                  with_seeds(["fizz", "potion", "leather", "beer_head"], seeds), 0, lab.first_frame))
@@ -168,7 +166,6 @@ def rows_of(lab, seeds):
 def print_row(row, program, against, repeats):
     name, foams, kind, measure, *peer = row
     seconds, ratios, memory = {}, [], 0.0
-    is_speed = measure.__name__ == "speedup"  # more is better
     for foam in foams:
         ours, theirs = [], []
         for _ in range(repeats):
@@ -179,12 +176,9 @@ def print_row(row, program, against, repeats):
                 theirs.append(measure(against, foam)[kind])
         seconds[foam] = statistics.median(ours)
         if against:
-            ratio = statistics.median(theirs) / seconds[foam]
-            ratios.append(1.0 / ratio if is_speed else ratio)
-    worst = (min if is_speed else max)(seconds, key=seconds.get)
-    unit = "x" if is_speed else "s"
-    cells = [name, f"{statistics.median(seconds.values()):.2f} {unit}", f"{seconds[worst]:.2f} {unit} ({worst})",
-             f"{memory:.0f} MB"]
+            ratios.append(statistics.median(theirs) / seconds[foam])
+    worst = max(seconds, key=seconds.get)
+    cells = [name, f"{statistics.median(seconds.values()):.2f} s", f"{seconds[worst]:.2f} s ({worst})", f"{memory:.0f} MB"]
     if against:
         cells.append(f"{min(ratios):.1f} to {max(ratios):.1f}")
     peer_seconds = {foam: peer[0](foam) for foam in foams} if peer else {}
