@@ -10,11 +10,11 @@ namespace {
 
 // The memory limit of a factor is kMaxBytesPerRow for each row, plus the constant
 // kMaxBytesOfFewRows. Factors of foams of 1,000 to 100,000 bubbles take up to 1,100 bytes per row
-// in double precision. The constant is enough for a dense factor of a small foam. The limit is
-// only a safeguard. Bad positions of the solver's nodes (SolverNode) do not make a factor exceed
-// it: positions only guide the order of elimination, and even random positions do not make a factor
-// much larger, because the solver rejects separators of too many rows and then divides the graph by
-// its edges alone (core/sparse/README.md).
+// in double precision. The constant is enough for a dense factor of a small foam. The limit is only
+// a safeguard. Bad positions of the solver's nodes (SolverNode) do not make a factor exceed it,
+// because positions only guide the order of elimination. Even random positions do not make a factor
+// much larger. The solver rejects separators of too many rows, and then divides the graph by its
+// edges alone (core/sparse/README.md).
 constexpr std::size_t kMaxBytesPerRow = 2000;
 constexpr std::size_t kMaxBytesOfFewRows = std::size_t{32} << 20U;  // 32 MiB
 

@@ -13,9 +13,9 @@
 namespace foam {
 
 /// Returns the solver nodes (SolverNode in core/sparse/node_graph.h) of the unknowns, in the order
-/// of their rows. The node of a junction is at the junction, the node of a bubble's pressure at the
-/// mean of the bubble's junctions, and the node of an outer film's half angle at the middle of the
-/// film's chord.
+/// of their rows. The node of a junction is at the junction. The node of a bubble's pressure is at
+/// the mean of the bubble's junctions. The node of an outer film's half angle is at the middle of
+/// the film's chord.
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns);
 
 /// The precision of a factor. Single precision takes half the memory and less time. It is
@@ -25,9 +25,9 @@ std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns)
 enum class Precision { Single, Double };
 
 /// A direct solver for linear systems with the Hessian of E3. The Hessian is given as a lower
-/// triangle. Near a stable state, the Hessian with the small numbers that NewtonSystem adds to
-/// its diagonal is quasi-definite: positive definite in the positions and half angles, and negative
-/// definite in the pressures. No pivoting is then needed.
+/// triangle, and NewtonSystem adds small numbers to its diagonal. Near a stable state, the
+/// resulting matrix is quasi-definite: positive definite in the positions and half angles, and
+/// negative definite in the pressures. No pivoting is then needed.
 class LinearSolver {
   public:
     /// Prepares the solver for some unknowns of a foam. The preparation stays valid when the foam

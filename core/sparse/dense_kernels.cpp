@@ -11,8 +11,8 @@ namespace foam {
 // A product left · rightᵀ (DenseProduct) is computed in tiles that fit in registers. A tile has
 // kTileColumns columns and as many rows as one, two or three SIMD vectors have lanes. It is summed
 // over the whole depth in registers and is then subtracted from the target. Each element is summed
-// in one lane, in the order of the columns of `left` and `right`, so that the width of the vectors
-// does not change any bit of the result.
+// in one lane, in the order of the columns of `left` and `right`. The width of the vectors
+// therefore does not change any bit of the result.
 
 namespace {
 
@@ -65,8 +65,8 @@ struct Kernels {
         Lanes sums[size(kTileColumns)][size(Strip)];
     };
 
-    // SIMD vectors are passed by reference. How a vector is passed by value depends on the
-    // instruction set for which a function is compiled, and the functions below are compiled for
+    // SIMD vectors are passed by reference. The way in which a vector is passed by value depends on
+    // the instruction set for which a function is compiled. The functions below are compiled for
     // the SIMD level only where at_simd_level inlines them. A call that is not inlined could
     // therefore pass a vector in another way than the called function expects.
     static void load(const Real* source, Lanes& lanes) {

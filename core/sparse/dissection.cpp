@@ -12,14 +12,17 @@
 
 namespace foam {
 
-// Nested dissection (A. George, Nested dissection of a regular finite element mesh, SIAM Journal on
-// Numerical Analysis 10, 1973) keeps the factor small, because no entry of L couples the two sides
-// of a separator. It is implemented as a recursion on ranges of the order of elimination. The nodes
-// of a range form a subgraph. PartDivider assigns the nodes of a range to two zones, Low and High,
-// and a separator. The range is then sorted: first the nodes of Low, then the nodes of High, then
-// the separator. The two zones are dissected one after the other, or by different threads if the
-// range is large. Each leaf and each separator becomes a DissectionPart; these parts are collected
-// in postorder.
+// Nested dissection keeps the factor L small, because no entry of L couples the two sides of a
+// separator. The method is from A. George, Nested dissection of a regular finite element mesh, SIAM
+// Journal on Numerical Analysis 10, 1973. It is implemented as a recursion on ranges of the order
+// of elimination. The nodes of a range form a subgraph. PartDivider assigns the nodes of a range to
+// two zones, Low and High, and a separator. The range is then sorted: first the nodes of Low, then
+// the nodes of High, then the separator. The two zones are dissected one after the other, or by
+// different threads if the range is large. Each leaf and each separator becomes a DissectionPart;
+// these parts are collected in postorder.
+//
+// All nodes are in descending order at first, and sorting by zone keeps the order of the nodes of a
+// zone. The nodes of a DissectionPart are therefore in descending order, too.
 
 namespace {
 
@@ -35,7 +38,7 @@ struct NodeMemory {
     DivisionMemory division;
 
     explicit NodeMemory(std::size_t nodes) : order(nodes), division(nodes) {
-        std::iota(order.begin(), order.end(), 0U);
+        std::iota(order.rbegin(), order.rend(), 0U);
     }
 };
 

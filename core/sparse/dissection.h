@@ -34,7 +34,8 @@ struct DissectionPart {
 /// its right subtree.
 struct Dissection {
     std::vector<std::uint32_t> order;  // nodes in the order of elimination
-    // Every part is stored after both its subtrees; the last one is the root.
+    // Every part is stored after both its subtrees; the last one is the root. The nodes of a part
+    // are in descending order.
     std::vector<DissectionPart> parts;
 };
 
@@ -47,6 +48,10 @@ struct Dissection {
 /// level consists of two lines, because one closed line does not divide a torus. If one of its
 /// sides is a band that closes around the torus, a separator that cuts this band across also
 /// consists of two lines.
+///
+/// Within a leaf or a separator, the node with the highest index is eliminated first. In a foam,
+/// these are the nodes of outer films and bubbles. (If the junctions of a bubble were eliminated
+/// before its pressure, a pivot of the junctions could be nearly zero.)
 ///
 /// The order is valid for any positions, and is the same for any number of threads. `threads` has
 /// the same meaning as in thread_count. Precondition: there is at least one node.

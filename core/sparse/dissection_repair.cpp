@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace foam {
 
-// An edge is allowed if the part of one of its nodes is an ancestor of the part of the other, or
-// the same part. If an edge is not allowed, one of its nodes is moved to the lowest common ancestor
-// of the two parts. The allowed edges of this node stay allowed: its old part and all descendants
-// of its old part are descendants of its new part, and each ancestor of its old part is the new
-// part itself, or an ancestor or a descendant of it. One pass over the edges is therefore enough.
+// An edge is allowed if its two nodes are in the same part, or if the part of one node is an
+// ancestor of the other part. If an edge is not allowed, one of its nodes is moved to the lowest
+// common ancestor of the two parts. The allowed edges of this node stay allowed for two reasons:
+// - The old part of the node and all descendants of the old part are descendants of the new part.
+// - Each ancestor of the old part is the new part itself, or an ancestor or a descendant of it.
+//
+// One pass over the edges is therefore enough.
 
 namespace {
 
@@ -66,9 +69,10 @@ void move_nodes(const NodeGraph& graph, const PartTree& tree, std::vector<std::s
     }
 }
 
-// Gives each part its nodes. Nodes of one part keep their order.
+// Gives each part its nodes, in descending order, as in a new dissection.
 void sort_by_part(const std::vector<std::size_t>& part_of, Dissection& dissection) {
     const auto part_of_node = [&](std::uint32_t node) { return part_of[node]; };
+    std::iota(dissection.order.rbegin(), dissection.order.rend(), 0U);
     std::ranges::stable_sort(dissection.order, {}, part_of_node);
     std::size_t position = 0;
     for (std::size_t k = 0; k < dissection.parts.size(); ++k) {

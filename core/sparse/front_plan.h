@@ -77,7 +77,8 @@ struct FrontPlan {
     std::size_t largest_border = 0;  // largest number of rows of a border
 
     /// Returns the memory of a factorization on the given number of threads, in floating-point
-    /// numbers: the factor, the update matrices of fronts, and the scratch memory of the threads.
+    /// numbers. This memory holds the factor, the update matrices of fronts, and the scratch memory
+    /// of the threads.
     std::size_t memory_size(std::size_t threads) const {
         return panels_size + workspace_size + threads * scratch_size;
     }

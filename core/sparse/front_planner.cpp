@@ -14,13 +14,15 @@
 namespace foam {
 
 // This is the symbolic factorization. Each part of the dissection becomes a front. The border of a
-// front consists of nodes that come after the front's own nodes in the order of elimination: the
-// later ones among the neighbors of its own nodes, and the later ones in the borders of its
-// children. One pass in postorder therefore finds all borders (as for the columns of L in J. W. H.
-// Liu, The role of elimination trees in sparse factorization, SIAM Journal on Matrix Analysis and
-// Applications 11, 1990). Three more steps follow: the workspace is laid out, each row of a border
-// gets its slot in the parent front (FrontPlan::write_slots), and each entry of the matrix gets its
-// index in the panel of its front (the columns of the front's pivots).
+// front consists of nodes that come after the front's own nodes in the order of elimination. They
+// are the later nodes among the neighbors of its own nodes, and the later nodes in the borders of
+// its children. One pass in postorder therefore finds all borders. The columns of L are found in
+// this way in J. W. H. Liu, The role of elimination trees in sparse factorization, SIAM Journal on
+// Matrix Analysis and Applications 11, 1990. Three more steps follow:
+// - The workspace is laid out.
+// - Each row of a border gets its slot in the parent front (FrontPlan::write_slots).
+// - Each entry of the matrix gets its index in the panel of its front. The panel consists of the
+//   columns of the front's pivots.
 
 namespace {
 

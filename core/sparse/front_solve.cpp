@@ -10,8 +10,8 @@
 namespace foam {
 
 // Forward substitution processes the fronts in postorder, backward substitution in reverse
-// postorder. In each front, a dense triangular system is solved for the pivots, and one
-// matrix-vector product computes the terms between the pivots and the rows of the border.
+// postorder. In each front, a dense triangular system is solved for the pivots. One matrix-vector
+// product computes the terms between the pivots and the rows of the border.
 
 namespace {
 
@@ -81,11 +81,12 @@ class FrontSolve {
     Window below_;  // the border's rows of L
 };
 
-// The two substitutions of all fronts. If the two subtrees of a front may be processed at the same
-// time (the function `forks`), the right subtree subtracts its contributions to the front's pivots
-// and border from a separate vector. The separate vector is then added to the vectors that the left
-// subtree changes. It is used with any number of threads, even with one. Therefore neither the
-// order of the sums nor the bits of the result depend on the number of threads.
+// The two substitutions of all fronts. The function `forks` tells whether the two subtrees of a
+// front may be processed at the same time. If they may, the right subtree subtracts its
+// contributions to the front's pivots and border from a separate vector. The separate vector is
+// then added to the vectors that the left subtree changes. The separate vector is used with any
+// number of threads, even with one. Therefore neither the order of the sums nor the bits of the
+// result depend on the number of threads.
 template <class Real>
 class Substitution {
   public:

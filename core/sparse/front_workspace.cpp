@@ -11,14 +11,14 @@ namespace foam {
 // In postorder, the update matrix that was computed last is needed first. Multifrontal methods
 // therefore keep update matrices on a stack (Duff, Reid 1983; J. W. H. Liu, The multifrontal method
 // for sparse matrix solution, SIAM Review 34, 1992). With one stack, the update matrix of a front
-// would overlap the update matrices of its children, from which it is computed, and would have to
-// be moved. The two stacks used here, which are our own, avoid this. The layout is computed once
-// per plan, so that factoring allocates no update matrices.
+// would overlap the update matrices of its children, from which it is computed. The front's update
+// matrix would therefore have to be moved. The two stacks used here avoid such moves; they are our
+// own method. The layout is computed once per plan, so that factoring allocates no update matrices.
 
 namespace {
 
-// The number of topmost levels on which the two subtrees of a front share no memory, so that two
-// threads can factor them at the same time (Front::may_fork).
+// The number of topmost levels on which the two subtrees of a front share no memory. Two threads
+// can factor such subtrees at the same time (Front::may_fork).
 constexpr int kForkLevels = 4;
 static_assert(kMaxWorkers == 1 << kForkLevels);
 

@@ -12,10 +12,10 @@
 
 namespace foam {
 
-// Multilevel bisection (Karypis and Kumar 1998) by recursion: the graph is coarsened, the coarse
-// graph is bisected, the zones are transferred to the finer graph, and the separator is refined.
-// The coarsest graph is divided by growing the zone Low from several nodes in turn; the division
-// with the lightest separator after refinement is kept.
+// This is multilevel bisection by recursion (Karypis and Kumar 1998). The graph is coarsened, and
+// the coarse graph is bisected. The zones are then transferred to the finer graph, and the
+// separator is refined. The coarsest graph is divided by growing the zone Low from a node. Several
+// nodes are tried in turn, and the division with the lightest separator after refinement is kept.
 
 namespace {
 

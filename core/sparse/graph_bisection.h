@@ -9,9 +9,9 @@
 
 namespace foam {
 
-/// Returns the largest weight that either side of a separator (the zone Low or High, zone.h) should
-/// have in a graph of total weight `weight`: six tenths of `weight`, rounded down to a multiple of
-/// 3.
+/// Returns the largest weight that a side of a separator should have in a graph of total weight
+/// `weight`. The two sides are the zones Low and High (zone.h). The result is six tenths of
+/// `weight`, rounded down to a multiple of 3.
 int heaviest_zone(int weight);
 
 /// Divides a graph by a light separator. Uses only the graph, not the positions of its nodes.

@@ -8,18 +8,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace foam {
 
-/// A node: consecutive rows of a symmetric matrix that belong together and share one position. For
-/// a foam, the rows of a node are the two coordinates of a junction, the pressure of a bubble, or
-/// the half angle of an outer film.
+/// A node: consecutive rows of a symmetric matrix that belong together and share one position. In
+/// the matrix of a foam, a node represents a junction (two coordinates), a bubble (its pressure) or
+/// an outer film (its half angle).
 struct SolverNode {
     Vec2 position;
     int rows = 1;  // number of rows
 };
+
+/// The number of a node that has not been numbered.
+inline constexpr std::uint32_t kNoNumber = std::numeric_limits<std::uint32_t>::max();
 
 /// The graph of coupled nodes as adjacency lists. It is undirected and has no edges from a node to
 /// itself.

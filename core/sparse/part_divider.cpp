@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace foam {
 
@@ -22,18 +21,14 @@ namespace foam {
 // then refined: moved through the nodes near it (SeparatorRefinement). If the separator has too
 // many rows before or after refinement (DissectionOptions), the part is divided by multilevel
 // bisection instead.
+//
+// A part that extends around the torus is halved by two lines, one at each end of Low. They are at
+// the position at which the separator before refinement is lightest.
 
 namespace {
 
 // Refinement may move a separator through this many layers of nodes on each side of it.
 constexpr int kRefinedLayers = 6;
-
-// Returns the width and the height of the torus, by which x and y are wrapped even if the torus is
-// sheared. For the plane, returns values so large that no coordinate is ever wrapped.
-Vec2 periods_of(const Domain& domain) {
-    return domain.is_plane() ? Vec2(Vec2::Constant(std::numeric_limits<double>::max()))
-                             : Vec2(domain.width, domain.height);
-}
 
 }  // namespace
 
@@ -63,77 +58,41 @@ PartBox PartDivider::box_of_all() const {
 
 ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>& box) {
     if (box) {
-        ZoneBoxes boxes = divide_by_position(part, *box);
-        const double root = std::sqrt(rows);
-        if (rows_of(part, Zone::Outside) <= options_.heaviest_separator * root) {
-            if (rows < options_.min_refined_rows) {
-                return boxes;
-            }
-            refine(part, rows);
-            if (rows_of(part, Zone::Outside) <= options_.heaviest_refined * root) {
-                return boxes;
-            }
+        if (const std::optional<ZoneBoxes> boxes = divide_by_position(part, rows, *box)) {
+            return *boxes;
         }
     }
     divide_by_graph(part);
     return {};
 }
 
-ZoneBoxes PartDivider::divide_by_position(Nodes part, const PartBox& box) {
+// Halves the part along the longer axis of its box, and refines the separator if the part has many
+// rows. Returns no value if the separator has too many rows.
+std::optional<ZoneBoxes> PartDivider::divide_by_position(Nodes part, int rows, const PartBox& box) {
     const Eigen::Index axis = box.high.x() - box.low.x() < box.high.y() - box.low.y() ? 1 : 0;
-    const double cut = split_at_median(part, box, axis);
-    separate_halves(part);
-    PartBox low_box = box;
-    PartBox high_box = box;
-    low_box.high[axis] = high_box.low[axis] = cut;
-    return {low_box, high_box};
-}
-
-// Makes the separator of two halves: the nodes of one half that have neighbors in the other half.
-// Of the two halves, uses the one in which these nodes have fewer rows.
-void PartDivider::separate_halves(Nodes part) {
-    std::array<std::vector<std::uint32_t>, 2> rims;
-    std::array<int, 2> weights{};
-    for (const std::uint32_t node : part) {
-        const Zone zone = memory_.zones[node];
-        const auto neighbors = graph_.neighbors_of(node);
-        if (std::any_of(neighbors.begin(), neighbors.end(), [&](std::uint32_t neighbor) {
-                return memory_.zones[neighbor] == opposite(zone);
-            })) {
-            const std::size_t half = zone == Zone::High ? 1 : 0;
-            rims[half].push_back(node);
-            weights[half] += nodes_[node].rows;
+    const double length = box.high[axis] - box.low[axis];
+    LowRange low{box.low[axis], 0.0};
+    if (!domain_.is_plane() && length >= periods_[axis]) {
+        low = halve_at_lightest_position(part, nodes_, graph_, periods_[axis], axis, memory_.zones);
+    } else {
+        low.end = halve_at_median(part, nodes_, periods_, box, axis, memory_.zones);
+    }
+    separate_halves(part, nodes_, graph_, memory_.zones);
+    ZoneBoxes boxes{box, box};
+    boxes.low->low[axis] = low.begin;
+    boxes.low->high[axis] = boxes.high->low[axis] = low.end;
+    boxes.high->high[axis] = low.begin + length;
+    const double root = std::sqrt(rows);
+    if (rows_of(part, Zone::Outside) > options_.heaviest_separator * root) {
+        return std::nullopt;
+    }
+    if (rows >= options_.min_refined_rows) {
+        refine(part, rows);
+        if (rows_of(part, Zone::Outside) > options_.heaviest_refined * root) {
+            return std::nullopt;
         }
     }
-    for (const std::uint32_t node : rims[weights[1] < weights[0] ? 1 : 0]) {
-        memory_.zones[node] = Zone::Outside;
-    }
-}
-
-// Assigns the half of the part with the lower coordinates to Low and the other half to High.
-// Returns the coordinate of the border between the halves. Coordinates are taken relative to the
-// middle of the box. On a torus, they are wrapped to at most half a period on either side of the
-// middle, so that a node slightly beyond an edge of the box stays near that edge. A coordinate that
-// is not finite is replaced by the middle.
-double PartDivider::split_at_median(Nodes part, const PartBox& box, Eigen::Index axis) {
-    std::vector<double>& keys = memory_.keys;
-    const double middle = 0.5 * (box.low[axis] + box.high[axis]);
-    for (const std::uint32_t node : part) {
-        const double from_middle = nodes_[node].position[axis] - middle;
-        const double key = from_middle - periods_[axis] * std::round(from_middle / periods_[axis]);
-        keys[node] = std::isfinite(key) ? key : 0.0;
-    }
-    const std::size_t half = part.size() / 2;
-    std::nth_element(part.begin(),
-                     part.begin() + static_cast<std::ptrdiff_t>(half),
-                     part.end(),
-                     [&keys](std::uint32_t a, std::uint32_t b) {
-                         return std::pair(keys[a], a) < std::pair(keys[b], b);
-                     });
-    for (std::size_t k = 0; k < part.size(); ++k) {
-        memory_.zones[part[k]] = k < half ? Zone::Low : Zone::High;
-    }
-    return middle + keys[part[half]];
+    return boxes;
 }
 
 // Makes the separator lighter by moving nodes near it between the zones (SeparatorRefinement).
@@ -153,12 +112,13 @@ void PartDivider::refine(Nodes part, int rows) {
     assign(near, zones);
 }
 
-// Sets the zones of those nodes of a part that have no number. Refinement does not see these nodes
-// one by one: in its graph (graph_of_near), one node represents all of them in Low, and another
-// node all of them in High. `low` and `high` are the zones of these two nodes after refinement.
+// Sets the zones of those nodes of a part that have no number. The graph that is refined
+// (graph_of_near) does not contain these nodes one by one. One of its nodes represents all of them
+// in Low, and another node all of them in High. `low` and `high` are the zones of these two nodes
+// after refinement.
 void PartDivider::move_rest(Nodes part, Zone low, Zone high) {
     for (const std::uint32_t node : part) {
-        if (memory_.part_indices[node] == DivisionMemory::kNotInPart) {
+        if (memory_.numbers[node] == kNoNumber) {
             memory_.zones[node] = memory_.zones[node] == Zone::Low ? low : high;
         }
     }
@@ -187,8 +147,8 @@ std::vector<std::uint32_t> PartDivider::nodes_near_separator(Nodes part) {
 // not appended.
 void PartDivider::add_unnumbered_neighbors(std::uint32_t node, std::vector<std::uint32_t>& nodes) {
     for (const std::uint32_t neighbor : graph_.neighbors_of(node)) {
-        std::uint32_t& index = memory_.part_indices[neighbor];
-        if (memory_.zones[neighbor] != Zone::Outside && index == DivisionMemory::kNotInPart) {
+        std::uint32_t& index = memory_.numbers[neighbor];
+        if (memory_.zones[neighbor] != Zone::Outside && index == kNoNumber) {
             index = narrow(nodes.size());
             nodes.push_back(neighbor);
         }
@@ -196,7 +156,6 @@ void PartDivider::add_unnumbered_neighbors(std::uint32_t node, std::vector<std::
 }
 
 void PartDivider::divide_by_graph(Nodes part) {
-    std::sort(part.begin(), part.end());
     assign(part, bisect(graph_of(part)));
 }
 
@@ -220,9 +179,9 @@ std::array<bool, 2> PartDivider::append_node(std::uint32_t node, WeightedGraph& 
     graph.begins.push_back(narrow(graph.edges.size()));
     graph.weights.push_back(nodes_[node].rows);
     for (const std::uint32_t neighbor : graph_.neighbors_of(node)) {
-        const std::uint32_t number = memory_.part_indices[neighbor];
+        const std::uint32_t number = memory_.numbers[neighbor];
         const Zone zone = memory_.zones[neighbor];
-        if (number != DivisionMemory::kNotInPart) {
+        if (number != kNoNumber) {
             graph.edges.push_back({number, 1});
         } else if (zone != Zone::Outside) {
             touches_rest[zone == Zone::High ? 1 : 0] = true;
@@ -257,16 +216,16 @@ WeightedGraph PartDivider::graph_of_near(Nodes near, Nodes part) const {
     return graph;
 }
 
-// Numbers the nodes in their order: stores their numbers in DivisionMemory::part_indices.
+// Numbers the nodes in their order: stores their numbers in DivisionMemory::numbers.
 void PartDivider::number(Nodes nodes) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-        memory_.part_indices[nodes[k]] = narrow(k);
+        memory_.numbers[nodes[k]] = narrow(k);
     }
 }
 
 void PartDivider::forget_numbers(Nodes nodes) {
     for (const std::uint32_t node : nodes) {
-        memory_.part_indices[node] = DivisionMemory::kNotInPart;
+        memory_.numbers[node] = kNoNumber;
     }
 }
 

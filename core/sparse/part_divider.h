@@ -4,6 +4,7 @@
 
 #include "core/geometry/domain.h"
 #include "core/sparse/dissection_options.h"
+#include "core/sparse/halving.h"
 #include "core/sparse/node_graph.h"
 #include "core/sparse/weighted_graph.h"
 #include "core/sparse/zone.h"
@@ -11,20 +12,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace foam {
-
-/// A rectangle around the nodes of a part of a graph. A few nodes may be slightly outside: where
-/// the part has been separated from another part, the side of the rectangle is a straight line at
-/// the median coordinate, but the separator does not follow this line.
-struct PartBox {
-    Vec2 low;
-    Vec2 high;
-};
 
 /// The boxes around the two zones of a divided part. Both have no value if only the edges of the
 /// graph, and not the positions of its nodes, determined the division.
@@ -34,25 +26,22 @@ struct ZoneBoxes {
 };
 
 /// The working memory of PartDivider, with one element per node of the graph. Parts of the graph
-/// that are separated from each other may be divided at the same time, because the division of one
-/// part reads no element that the division of another part writes.
+/// that are separated from each other may be divided at the same time. The reason is that the
+/// division of one part reads no element that the division of another part writes.
 struct DivisionMemory {
-    static constexpr std::uint32_t kNotInPart = std::numeric_limits<std::uint32_t>::max();
-
-    std::vector<Zone> zones;                  // all Outside between divisions
-    std::vector<double> keys;                 // coordinate along the divided axis, from the
-                                              // middle of the box
-    std::vector<std::uint32_t> part_indices;  // index in the graph that is divided or refined, or
-                                              // kNotInPart
+    std::vector<Zone> zones;             // all Outside between divisions
+    std::vector<std::uint32_t> numbers;  // number in the graph that is divided or refined, or
+                                         // kNoNumber
 
     explicit DivisionMemory(std::size_t nodes)
-        : zones(nodes, Zone::Outside), keys(nodes), part_indices(nodes, kNotInPart) {}
+        : zones(nodes, Zone::Outside), numbers(nodes, kNoNumber) {}
 };
 
 /// Divides parts of a graph by separators of few rows (light separators). First divides a part by
 /// position: into two halves at the median coordinate, with a separator near their border. If this
-/// separator has too many rows (DissectionOptions), for example because the positions of neighbors
-/// in the graph are far apart, divides the part again by the edges of the graph, without positions.
+/// separator has too many rows (DissectionOptions), divides the part again by the edges of the
+/// graph, without positions. A separator has too many rows, for example, if the positions of
+/// neighbors in the graph are far apart.
 class PartDivider {
   public:
     /// Keeps references to all arguments. `nodes` are the nodes of the graph.
@@ -65,19 +54,18 @@ class PartDivider {
     /// Returns a box around all nodes; on a torus this is the fundamental cell.
     PartBox box_of_all() const;
 
-    /// Divides a part whose nodes represent `rows` rows of the matrix: assigns the nodes of the
-    /// separator to the zone Outside, and all other nodes of the part to Low or High. May change
-    /// the order of the nodes in `part`. If `box` has no value, positions are not used. Returns the
-    /// boxes of both zones. Precondition: all nodes of other parts that are coupled to nodes of the
-    /// part are in Outside.
-    ZoneBoxes divide(std::span<std::uint32_t> part, int rows, const std::optional<PartBox>& box);
+    /// Divides a part whose nodes represent `rows` rows of the matrix. Assigns the nodes of the
+    /// separator to the zone Outside, and all other nodes of the part to Low or High. If `box` has
+    /// no value, positions are not used. Returns the boxes of both zones. Precondition: all nodes
+    /// of other parts that are coupled to nodes of the part are in Outside.
+    ZoneBoxes divide(std::span<const std::uint32_t> part,
+                     int rows,
+                     const std::optional<PartBox>& box);
 
   private:
-    using Nodes = std::span<std::uint32_t>;
+    using Nodes = std::span<const std::uint32_t>;
 
-    ZoneBoxes divide_by_position(Nodes part, const PartBox& box);
-    double split_at_median(Nodes part, const PartBox& box, Eigen::Index axis);
-    void separate_halves(Nodes part);
+    std::optional<ZoneBoxes> divide_by_position(Nodes part, int rows, const PartBox& box);
     void refine(Nodes part, int rows);
     void move_rest(Nodes part, Zone low, Zone high);
     std::vector<std::uint32_t> nodes_near_separator(Nodes part);

@@ -8,11 +8,11 @@
 
 namespace foam {
 
-// The factorization is recursive and blocked: the left half of the columns is factored, the product
-// L D Lᵀ over this half is subtracted from the right half, and the right half is factored. Ranges
-// of at most kMaxDirectColumns columns are factored directly. Thus most of the work is in large
-// matrix products (dense_kernels.h). The two factors of a product are L and L D, of which L D is
-// packed (DenseProduct::right).
+// The factorization is recursive and blocked. The left half of the columns is factored. Then the
+// product L D Lᵀ over this half is subtracted from the right half, and the right half is factored.
+// Ranges of at most kMaxDirectColumns columns are factored directly. Thus most of the work is in
+// large matrix products (dense_kernels.h). The two factors of a product are L and L D, of which L D
+// is packed (DenseProduct::right).
 
 namespace {
 

@@ -15,9 +15,9 @@ namespace foam {
 template <class Real>
 using DenseView = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>;
 
-/// Returns the size of the scratch memory of factor_panel and complete_update_matrix, in
-/// floating-point numbers, for a front with `pivots` pivots and a border of `border` rows, which
-/// are the rows of its update matrix.
+/// Returns the size of the scratch memory of factor_panel and complete_update_matrix for one front,
+/// in floating-point numbers. The front has `pivots` pivots and a border of `border` rows. The rows
+/// of the border are the rows of the front's update matrix.
 constexpr std::size_t ldlt_scratch(std::size_t pivots, std::size_t border) {
     const std::size_t group = kTileColumns;
     return kMaxDepth * ((std::max(pivots, border) + group - 1) / group * group);
@@ -32,9 +32,9 @@ constexpr std::size_t ldlt_scratch(std::size_t pivots, std::size_t border) {
 template <class Real>
 bool factor_panel(DenseView<Real> panel, Real* scratch);
 
-/// Subtracts the product L D Lᵀ over the columns of a factored panel from `update_matrix`, which
-/// holds the rows and columns of the matrix that are not pivots. Only the lower triangle of the
-/// update matrix is changed. `scratch` has room for ldlt_scratch numbers.
+/// Subtracts the product L D Lᵀ over the columns of a factored panel from `update_matrix`. This
+/// matrix holds the rows and columns that are not pivots. Only the lower triangle of the update
+/// matrix is changed. `scratch` has room for ldlt_scratch numbers.
 template <class Real>
 void complete_update_matrix(const DenseView<Real>& panel,
                             DenseView<Real> update_matrix,

@@ -21,7 +21,7 @@ namespace {
 constexpr int kMaxSweeps = 20;
 
 // A sweep ends at the latest when it has made a certain number of moves since it found its best
-// separator; the move that found this separator counts as the first of them. The number is
+// separator. The move that found this separator counts as the first of these moves. Their number is
 // kMovesWithoutProgressPerNode times the number of nodes of the separator at the start of the
 // sweep, but at most kMaxMovesWithoutProgress.
 constexpr std::size_t kMovesWithoutProgressPerNode = 4;

@@ -18,17 +18,18 @@
 namespace foam {
 
 // SparseLdlt works in the usual three phases of a direct solver: analysis of the pattern, numeric
-// factorization, and solution (Davis, Direct Methods for Sparse Linear Systems, 2006). A
-// quasi-definite matrix has a factor L D Lᵀ for every order of elimination (Vanderbei, Symmetric
-// quasidefinite matrices, SIAM Journal on Optimization 5, 1995), so that no pivoting is needed: the
-// order is chosen for a small factor alone and is used for all matrices of the pattern. The
-// factorization is multifrontal (Duff, Reid 1983; Liu 1992): it eliminates dense fronts
-// (front_factor.cpp), which are planned during the analysis (front_planner.cpp).
+// factorization, and solution (Davis, Direct Methods for Sparse Linear Systems, 2006). For a
+// quasi-definite matrix, every order of elimination gives a factor L D Lᵀ, so that no pivoting is
+// needed. The proof is in Vanderbei, Symmetric quasidefinite matrices, SIAM Journal on Optimization
+// 5, 1995. The order is therefore chosen to make the factor small (within a front, to make it
+// accurate), and is used for all matrices of the pattern. The factorization is multifrontal (Duff,
+// Reid 1983; Liu 1992): it eliminates dense fronts (front_factor.cpp), which are planned during the
+// analysis (front_planner.cpp).
 
 namespace {
 
-// The factor of a repaired order of elimination (dissection_repair.h) may be at most this many
-// times as large as the factor of the order that was last computed anew.
+// The largest size of the factor of a repaired order of elimination (dissection_repair.h). The unit
+// is the size of the factor of the order that was last computed anew.
 constexpr double kLargestGrowth = 1.1;
 
 bool is_too_large(const FrontPlan& plan, std::size_t size_before_repairs) {

@@ -20,9 +20,11 @@ struct LdltOptions {
     std::size_t max_bytes = std::size_t{1} << 32U;
     // If true, the order of elimination of the last call of `analyze` is repaired
     // (dissection_repair.h) instead of computed anew. This is much faster if only a few edges of
-    // the graph of nodes have changed. The order is computed anew if the number of nodes has
-    // changed, or if with the repaired order the memory would exceed `max_bytes` or the factor
-    // would be more than a tenth larger than with the last new order.
+    // the graph of nodes have changed. The order is computed anew in any of these cases:
+    // - The number of nodes has changed.
+    // - With the repaired order, the memory would exceed `max_bytes`.
+    // - With the repaired order, the factor would be more than a tenth larger than with the order
+    //   that was last computed anew.
     bool keeps_order = false;
 };
 
@@ -33,9 +35,9 @@ enum class LdltAnalysis {
 };
 
 /// A direct solver for symmetric quasi-definite matrices whose rows have positions on a torus or in
-/// the plane: multifrontal L D Lᵀ without pivoting, in an order of elimination found by nested
-/// dissection. `threads` has the same meaning as in thread_count; the bits of the results do not
-/// depend on it.
+/// the plane. The method is multifrontal L D Lᵀ without pivoting; nested dissection finds the order
+/// of elimination. `threads` has the same meaning as in thread_count; the bits of the results do
+/// not depend on it.
 template <class Real>
 class SparseLdlt {
   public:

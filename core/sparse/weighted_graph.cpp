@@ -32,10 +32,10 @@ std::vector<std::uint32_t> match(const WeightedGraph& graph, int max_weight) {
     return partners;
 }
 
-// Appends the edges of one coarse node, whose fine nodes are `members`. edge_indices[k] is the
-// index of the edge that this call has appended for the neighbor k, a coarse node. Values from
-// before this call are not reset. They are recognized because they are kNone or below `begin`, the
-// index of the first edge that this call appends.
+// Appends the edges of one coarse node. `members` are the fine nodes of this coarse node. For a
+// neighbor k, which is a coarse node, too, edge_indices[k] is the index of the edge that this call
+// has appended. Values from before this call are not reset. They are recognized because they are
+// kNone or below `begin`, the index of the first edge that this call appends.
 void append_edges(const WeightedGraph& fine,
                   std::span<const std::uint32_t> members,
                   CoarseGraph& coarse,

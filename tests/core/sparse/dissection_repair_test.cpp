@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace foam {
@@ -68,6 +69,17 @@ TEST(DissectionRepair, SeparatesAgainAfterNewEdges) {
     ASSERT_GT(edges_across(dissection, graph), 0);
     ASSERT_TRUE(repair(dissection, graph));
     EXPECT_EQ(edges_across(dissection, graph), 0);
+}
+
+TEST(DissectionRepair, KeepsTheNodesOfAPartInDescendingOrder) {
+    Dissection dissection = dissection_of(grid());
+    ASSERT_TRUE(repair(dissection, node_graph_of(grid_with_long_edges())));
+    for (const DissectionPart& part : dissection.parts) {
+        EXPECT_TRUE(
+            std::is_sorted(dissection.order.begin() + static_cast<std::ptrdiff_t>(part.begin),
+                           dissection.order.begin() + static_cast<std::ptrdiff_t>(part.end),
+                           std::greater<>()));
+    }
 }
 
 TEST(DissectionRepair, KeepsAllNodesAndTheTree) {

@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -117,6 +119,16 @@ void expect_sound(const CoupledNodes& coupled) {
     EXPECT_EQ(dissection.order.size(), coupled.nodes.size());
     EXPECT_TRUE(covers_every_node_once(dissection));
     EXPECT_EQ(couplings_across(coupled, dissection), 0);
+}
+
+TEST(Dissect, EliminatesTheHighestNodesOfEachPartFirst) {
+    const Dissection dissection = dissect(random_nodes(300, 1.0));
+    for (const DissectionPart& part : dissection.parts) {
+        const auto begin = dissection.order.begin();
+        EXPECT_TRUE(std::is_sorted(begin + static_cast<std::ptrdiff_t>(part.begin),
+                                   begin + static_cast<std::ptrdiff_t>(part.end),
+                                   std::greater<>()));
+    }
 }
 
 TEST(Dissection, PartsFoamsOfEverySize) {

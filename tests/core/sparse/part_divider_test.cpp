@@ -39,9 +39,11 @@ TEST(PartDivider, TrustsPositionsThatProposeALightSeparator) {
     const Division division = divide_all(test::torus_grid(40, 30));
     EXPECT_EQ(division.separator, 2 * 30);
     ASSERT_TRUE(division.boxes.low && division.boxes.high);
-    EXPECT_EQ(division.boxes.low->low, Vec2(0.0, 0.0));
-    EXPECT_EQ(division.boxes.low->high.x(), division.boxes.high->low.x());
-    EXPECT_EQ(division.boxes.high->high, Vec2(40.0, 30.0));
+    const PartBox& low = *division.boxes.low;
+    const PartBox& high = *division.boxes.high;
+    EXPECT_EQ(Vec2(low.high - low.low), Vec2(20.0, 30.0));
+    EXPECT_EQ(low.high.x(), high.low.x());
+    EXPECT_EQ(Vec2(high.high - high.low), Vec2(20.0, 30.0));
 }
 
 // If scattered points were divided by position, half of all couplings would cross the cut.
@@ -62,6 +64,18 @@ TEST(PartDivider, DividesByTheGraphIfThereIsNoBox) {
     PartDivider divider(graph, system.nodes, system.domain, {}, memory);
     EXPECT_FALSE(divider.divide(part, 400, std::nullopt).low);
     EXPECT_LE(test::weight_of(test::graph_of(system), memory.zones, Zone::Outside), 25);
+}
+
+// Every other coupling between the columns 9 and 10, and between the columns 29 and 30, is missing.
+TEST(PartDivider, UsesTheLightestPositionOnATorus) {
+    constexpr Eigen::Index kWidth = 40;
+    test::PointSystem system = test::torus_grid(kWidth, 30);
+    system.matrix.prune([](Eigen::Index row, Eigen::Index column, double /*value*/) {
+        const bool is_horizontal = row == column + 1;
+        const bool is_weak = column % kWidth == 9 || column % kWidth == 29;
+        return !is_horizontal || !is_weak || row / kWidth % 2 == 0;
+    });
+    EXPECT_EQ(divide_all(system, {.min_refined_rows = 100000}).separator, 2 * 15);
 }
 
 // In every other group of four rows, points are shifted to the right, so that the cut at the median
