@@ -5,6 +5,7 @@
 //
 //     png_bench [SIDE [BUBBLES]]           default: 1024 pixels, 1000 bubbles
 #include "tests/bench/bench_foams.h"
+#include "tests/bench/encode_cost.h"
 #include "texgen/image/png.h"
 #include "texgen/maps/albedo.h"
 #include "texgen/raster/distance/distance.h"
@@ -13,12 +14,15 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
-#include <limits>
+#include <exception>
 #include <string>
+#include <vector>
 
 namespace foam::bench {
 
@@ -29,25 +33,7 @@ using texgen::Image;
 using texgen::ImageView;
 using texgen::PngFilter;
 
-constexpr int kRepeats = 7;
 constexpr double kSlope = 2.0;  // slope of the normal map at the largest slope in row 0
-
-struct Cost {
-    double milliseconds = std::numeric_limits<double>::infinity();
-    std::size_t bytes = 0;
-};
-
-Cost min_cost(const std::function<std::size_t()>& encode) {
-    using Clock = std::chrono::steady_clock;
-    Cost cost;
-    for (int k = 0; k < kRepeats; ++k) {
-        const Clock::time_point begin = Clock::now();
-        cost.bytes = encode();
-        const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
-        cost.milliseconds = std::min(cost.milliseconds, time.count());
-    }
-    return cost;
-}
 
 /// Returns the distance to the nearest film. The largest distance is mapped to 65535.
 Image<std::uint16_t> distance_map(const Frame& frame, int side) {
@@ -126,21 +112,9 @@ std::size_t libpng_encode(ImageView<const Sample> image,
     return stream.size();
 }
 
-void print(const std::string& name, const Cost& cost, const Cost& peer) {
-    fmt::print("| {:24} | {:7.2f} | {:9} | {:6.2f} | {:6.3f} |\n",
-               name,
-               cost.milliseconds,
-               cost.bytes,
-               peer.milliseconds / cost.milliseconds,
-               static_cast<double>(cost.bytes) / static_cast<double>(peer.bytes));
-}
-
 template <class Sample>
 void print_map(const std::string& name, const Image<Sample>& image, PngFilter filter) {
-    fmt::print(
-        "\n| {:24} | ms      | bytes     | faster | larger |\n"
-        "|--------------------------|---------|-----------|--------|--------|\n",
-        name);
+    print_head(name);
     std::vector<png_byte> stream;
     const auto libpng = [&](int level) {
         return min_cost([&] { return libpng_encode(image.view(), filter, level, stream); });
@@ -153,12 +127,12 @@ void print_map(const std::string& name, const Image<Sample>& image, PngFilter fi
         });
     };
     const Cost peer = libpng(1);
-    print("libpng, level 1", peer, peer);
-    print("fast", ours(Compression::Fast, 1), peer);
-    print("fast, two threads", ours(Compression::Fast, 2), peer);
-    print("small", ours(Compression::Small, 1), peer);
-    print("libpng, level 6", libpng(6), peer);
-    print("libpng, level 9", libpng(9), peer);
+    print_row("libpng, level 1", peer, peer);
+    print_row("fast", ours(Compression::Fast, 1), peer);
+    print_row("fast, two threads", ours(Compression::Fast, 2), peer);
+    print_row("small", ours(Compression::Small, 1), peer);
+    print_row("libpng, level 6", libpng(6), peer);
+    print_row("libpng, level 9", libpng(9), peer);
 }
 
 void run(int side, int bubbles) {

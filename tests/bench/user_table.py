@@ -5,7 +5,7 @@
     tests/bench/user_table.py                                   # all rows, with build/release/texgen/foamtex
     tests/bench/user_table.py --against OLD/foamtex lit exr     # rows whose names contain lit or exr, and the ratio to OLD
     tests/bench/user_table.py 1,000,000                         # a raw diagram of a million bubbles, left out by default
-    tests/bench/user_table.py --tables                          # all rows, and the tables of three other benchmarks
+    tests/bench/user_table.py --tables                          # all rows, and the tables of four other benchmarks
 
 Every row is measured over several presets, files or seeds. With --seeds N, rows of few presets are measured with N seeds of
 each. With --against, the two programs run alternately, so that other work on the machine affects both. Times are elapsed
@@ -14,7 +14,8 @@ frames that are drawn from a cache with one thread, raw diagrams, and files of S
 threads. Files are relaxed from file to file; beside them is the time of Surface Evolver, if it is installed. Memory is the
 largest of all runs of a row; in rows of frames of a foam it includes the way to equilibrium. Raw diagrams and frames of a
 coarsening foam need the program raw_table, which is run if it was built with the program. With --tables, the tables of
-solver_table, raster_peers (beside cairo, AGG and OpenCV) and png_bench (beside libpng) follow.
+solver_table, raster_peers (beside cairo, AGG and OpenCV), png_bench (beside libpng) and exr_bench (beside OpenEXR's own
+compressor) follow.
 """
 import argparse
 import math
@@ -28,7 +29,7 @@ import tempfile
 import time
 
 MILLION = 1_000_000
-TABLES = ("solver_table", "raster_peers/raster_peers", "png_bench")  # programs beside raw_table
+TABLES = ("solver_table", "raster_peers/raster_peers", "png_bench", "exr_bench")  # programs beside raw_table
 COARSENING_FRAMES = 10  # per foam
 SIZES = (1000, 10000, 20000, 30000, 100000, MILLION)  # of raw diagrams, bubbles
 EIGHT_MAPS = "albedo,height,normal,occlusion,curvature,roughness,motion,id"

@@ -2,8 +2,8 @@
 
 #pragma once
 
-// Converts samples to the layout that OpenEXR writes. Only exr_encode.cpp and exr_zip.cpp use these
-// declarations.
+// Converts samples to the layout that OpenEXR writes. Only exr_encode.cpp, exr_zip.cpp and a
+// benchmark use these declarations.
 
 #include "core/files/file_io.h"
 #include "texgen/image/exr.h"

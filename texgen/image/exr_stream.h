@@ -2,7 +2,8 @@
 
 #pragma once
 
-// OpenEXR streams in memory, shared by exr_encode.cpp, exr_decode.cpp and exr_header.cpp.
+// OpenEXR streams in memory, shared by exr_encode.cpp, exr_decode.cpp, exr_header.cpp and a
+// benchmark.
 
 #include "core/files/file_io.h"
 
