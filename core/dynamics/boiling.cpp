@@ -13,13 +13,14 @@
 #include <limits>
 #include <numbers>
 
-// The boil (E9) is our own. A bubble that shrinks to nothing and grows again at the same point
-// needs no T1 if it is always surrounded by the same bubbles: its birth is the inverse of its T2.
-// While a bubble is large, T1s give it further neighbors. When it shrinks, some of these T1s are
-// not undone. Therefore boiling bubbles are chosen far from each other, by farthest-point sampling
-// (T. F. Gonzalez, Clustering to minimize the maximum intercluster distance, Theoretical Computer
-// Science 38, 1985), and where neighbors keep changing from cycle to cycle, Cycle::calm makes the
-// boiling bubbles nearby grow less large. Stratified sampling spreads the births over the cycle.
+// The boil (E9) is our own design. A bubble may shrink to nothing and grow again at the same point.
+// It needs no T1 if it is always surrounded by the same bubbles, because its birth is then the
+// inverse of its T2. While a bubble is large, T1s give it further neighbors. When it shrinks, some
+// of these T1s are not undone. Therefore boiling bubbles are chosen far from each other, by
+// farthest-point sampling (T. F. Gonzalez, Clustering to minimize the maximum intercluster
+// distance, Theoretical Computer Science 38, 1985). Where neighbors keep changing from cycle to
+// cycle, Cycle::calm makes the boiling bubbles nearby grow less large. Stratified sampling spreads
+// the births over the cycle.
 
 namespace foam {
 
@@ -45,8 +46,8 @@ void lower_distances(const Domain& domain,
     }
 }
 
-// Returns the indices of `count` centers, by farthest-point sampling: the first center is random,
-// and each further center is as far as possible from the nearest center already chosen.
+// Returns the indices of `count` centers, chosen by farthest-point sampling. The first center is
+// random. Each further center is as far as possible from the nearest center already chosen.
 std::vector<std::size_t> spread_out(const Domain& domain,
                                     const std::vector<Vec2>& centers,
                                     std::size_t count,

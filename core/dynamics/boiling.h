@@ -15,16 +15,16 @@ namespace foam {
 /// with the same identity.
 struct BoilingBubble {
     BubbleIdentity identity = 0;
-    // The position in the cycle, from 0 to steps - 1, directly before the bubble appears: the
+    // The position in the cycle, from 0 to steps - 1, directly before the bubble appears. The
     // bubble is absent at this position and present at the next one.
     int birth = 0;
     double area_rise = 0.0;      // largest rise of the target area above `first_area` (area_at)
     double min_area_rise = 0.0;  // Cycle::calm does not reduce area_rise below this area
-    // The position at which the bubble last vanished. Before the bubble has vanished for the first
+    // The point at which the bubble last vanished. Before the bubble has vanished for the first
     // time, this is the mean position of the junctions that it had when it was chosen.
     Vec2 last_position{0.0, 0.0};
-    // The bubbles between which the bubble last vanished: an empty set if it last vanished as a
-    // lone bubble, and std::nullopt until it has vanished for the first time.
+    // The bubbles between which the bubble last vanished. The set is empty if it vanished as a lone
+    // bubble. The value is std::nullopt until the bubble has vanished for the first time.
     std::optional<std::set<BubbleIdentity>> neighbors{};
     // False if the bubble has vanished between the same bubbles the last two times.
     bool neighbors_changed = true;

@@ -12,9 +12,9 @@ struct CoarseningOptions {
 };
 
 /// Returns the growth rate of a bubble's area by von Neumann's law:
-/// dA/dt = (2 pi / 3) gamma kappa (n - 6), where n is the number of sides, gamma is half of the
-/// film tension, and kappa is the diffusion constant. In a patch n includes the outer films: gas
-/// also diffuses through them, to the ghost at pressure 0.
+/// dA/dt = (2 pi / 3) gamma kappa (n - 6). Here n is the number of sides, gamma is half of the film
+/// tension, and kappa is the diffusion constant. In a patch n includes the outer films: gas also
+/// diffuses through them, to the ghost at pressure 0.
 double growth_rate(const Foam& foam, BubbleId bubble, const CoarseningOptions& options);
 
 /// Returns the growth rate of the area of a lone bubble, which has no junction: n = 0.

@@ -85,8 +85,8 @@ FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
 }
 
 // Removes a bubble of a raft of two by tearing `film`, the film between the two bubbles. As in
-// every T2, the neighbors of the removed bubble get equal shares of its gas: the other bubble gets
-// one half, and the ghost gets the other half.
+// every T2, the neighbors of the removed bubble get equal shares of its gas. Here the other bubble
+// and the ghost get one half each.
 void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const bool is_left = foam.network.left(h) == bubble;

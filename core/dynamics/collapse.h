@@ -26,7 +26,7 @@ bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThreshold
 /// three junctions. The neighbors that it has before the T2 get equal shares of its gas. In a raft
 /// of two bubbles, the other bubble becomes a lone bubble and gets half of the gas; the ghost gets
 /// the other half. Returns false if the flips do not make the bubble able to vanish, for example
-/// among the last bubbles of a torus; the bubble then keeps its gas, and the flips are not undone.
+/// among the last bubbles of a torus. The bubble then keeps its gas, and the flips are not undone.
 /// Adds the T1s and T2s to `counts`.
 bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts);
 

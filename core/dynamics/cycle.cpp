@@ -15,13 +15,14 @@
 #include <optional>
 #include <set>
 
-// A position of the cycle is a number of steps since its start. At each position, a bubble has the
-// target area A (1 + amplitude sin 2 pi (t + phase)), where A is its mean area; each bubble has its
-// own phase (cycle_drive.h). The shear strain of the torus is strain * sin 2 pi t, relative to the
-// shear that the torus had when the Cycle was constructed. Here t is the position divided by the
-// number of steps per cycle. A step drives the foam from its present state to these target areas
-// and this shear (state_change.h). After each step, the foam is moved back to where it was at the
-// start (restore_positions), because equilibrium does not determine where the foam is.
+// A position of the cycle is a number of steps since its start. The time t of a position is the
+// position divided by the number of steps per cycle. At each position, the target area of a bubble
+// is A (1 + amplitude sin 2 pi (t + phase)). A is the mean area of the bubble, and each bubble has
+// its own phase (cycle_drive.h). The shear strain of the torus is strain * sin 2 pi t, relative to
+// the shear that the torus had when the Cycle was constructed. A step drives the foam from its
+// present state to these target areas and this shear (state_change.h). After each step, the foam is
+// moved back to where it was at the start (restore_positions), because equilibrium does not
+// determine where the foam is.
 //
 // Boiling bubbles have the target areas of boiling.h instead. A system that is driven periodically
 // either reaches a periodic state or keeps changing. In a sheared suspension, the amplitude of the
@@ -33,9 +34,9 @@ namespace foam {
 
 namespace {
 
-// The factor by which Cycle::calm multiplies the amplitudes of restless bubbles (the bubbles whose
-// neighbors keep changing from cycle to cycle, unrest.h), and the rise of the target areas of the
-// boiling bubbles nearest to them (BoilingBubble::area_rise).
+// A bubble is restless if it keeps getting other neighbors from cycle to cycle (unrest.h).
+// Cycle::calm multiplies the amplitudes of restless bubbles by this factor, and also the area rises
+// (BoilingBubble::area_rise) of the boiling bubbles nearest to them.
 constexpr double kCalming = 0.8;
 
 // Returns the center of each bubble: in a patch the mean of all points of its films
@@ -52,7 +53,8 @@ std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
 }
 
 // Returns the largest distance from a corner in `from` to the nearest corner in `to`, modulo the
-// periods of the torus. A translation of the whole foam between the two states is not removed.
+// periods of the torus. If the whole foam has moved between the two states to which the corners
+// belong, this motion counts as distance, too.
 double largest_distance(const Domain& domain,
                         const std::vector<Vec2>& from,
                         const std::vector<Vec2>& to) {
@@ -143,11 +145,12 @@ double Cycle::sine_at(int position, double phase) const {
     return ieee::sin(2.0 * std::numbers::pi * (turns + phase));
 }
 
-// Returns the strain that leads a torus with the given domain to the given position. Domain::shear
-// is determined only up to multiples of the width. Of the possible strains, the function therefore
-// returns the strain nearest to the difference between the strains of this position and of the
-// position before it. Without this choice, a tall torus would be sheared by a whole width in each
-// step in which its shear is above half of its width.
+// Returns the change of strain that leads a torus with the given domain to the given position. The
+// function `shear` reduces Domain::shear by whole widths until it is at most half of the width. The
+// present strain, and so the change, is therefore known only up to multiples of width / height. The
+// function returns the change that is nearest to the change of the prescribed strain since the
+// position before. Otherwise, a step could also undo the reduction, and shear the torus by a whole
+// width.
 double Cycle::strain_to(int position, const Domain& domain) const {
     const double target = options_.strain * sine_at(position, 0.0);
     const double before = position > 0 ? options_.strain * sine_at(position - 1, 0.0) : 0.0;
@@ -190,7 +193,7 @@ StateChange Cycle::change_to(int position,
 }
 
 // Moves the foam back to where it was at the start. A torus is moved as a whole, by minus the mean
-// displacement of the bubbles that do not boil; in a patch, each raft is moved by itself. Returns
+// displacement of the bubbles that do not boil. In a patch, each raft is moved by itself. Returns
 // the translation of a torus, or zero for a patch.
 Vec2 Cycle::restore_positions(Foam& foam) const {
     if (foam.domain.is_plane()) {

@@ -12,9 +12,9 @@
 namespace foam {
 
 /// A periodic sequence of foams, for looping animations. The equilibrium of a foam follows from its
-/// topology, its target areas and its domain. If the target areas and the domain change
-/// periodically, the foam returns to the same state after each cycle, once the T1s and T2s of the
-/// first cycles have happened. If bubbles boil, some regions may not return to the same state;
+/// topology, its target areas and its domain. In a Cycle, the target areas and the domain change
+/// periodically. The first cycles cause T1s and T2s. After these, the foam returns to the same
+/// state at the end of each cycle. If bubbles boil, some regions may not return to the same state;
 /// `calm` weakens the periodic change there. No gas diffuses. After each step, a torus as a whole,
 /// or each raft of a patch, is moved back to its position at the start.
 class Cycle {
@@ -70,11 +70,11 @@ class Cycle {
     Unrest unrest_;
 };
 
-/// Returns the distance between two states of a foam: the largest distance from a junction of a
-/// bubble in `one` to the nearest junction of the same bubble in `other`. The unit is the diameter
-/// of a circle of the mean target area. Returns infinity if a bubble is missing in one state, or if
-/// the number of sides of a bubble differs between the states. Lone bubbles do not count; the
-/// distance of states without other bubbles is 0.
+/// Returns the distance between two states of a foam. This is the largest distance from a junction
+/// of a bubble in `one` to the nearest junction of the same bubble in `other`. The unit is the
+/// diameter of a circle of the mean target area. Returns infinity if a bubble is missing in one
+/// state, or if the number of sides of a bubble differs between the states. Lone bubbles do not
+/// count; the distance of states without other bubbles is 0.
 double closing_error(const Foam& one, const Foam& other);
 
 }  // namespace foam

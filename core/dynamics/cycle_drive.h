@@ -16,13 +16,13 @@ struct CycleOptions {
     double area_amplitude = 0.0;  // relative amplitude of target areas, with random phases
     double strain = 0.0;          // amplitude of the shear strain of a torus
     double boiling = 0.0;         // fraction of the bubbles that vanish and are born again
-    // The largest rise of the target area of a boiling bubble at first (P in E9), relative to the
+    // The largest rise of the target area of a boiling bubble at first (P in E9). The unit is the
     // target area that the bubble had before the boil.
     double boiling_rise = 2.5;
     std::uint64_t seed = 1;  // seed of the random phases and of the choice of bubbles
 };
 
-/// A bubble whose target area oscillates: at the time t, in cycles, the target area is
+/// A bubble whose target area oscillates. At the time t, in cycles, the target area is
 /// mean_area * (1 + amplitude * sin 2 pi (t + phase)).
 struct OscillatingBubble {
     BubbleIdentity bubble = 0;

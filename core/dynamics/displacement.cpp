@@ -20,8 +20,9 @@ constexpr double kLargestStep = 0.1;
 // of the range that the paper recommends (eq. 16). With the default of TopologyThresholds, 0.05,
 // hardly any film would flip.
 constexpr double kT1Distance = 0.25;
-// A film may flip during a push if its length is below this fraction of its length at the start of
-// the push or, if it has flipped, after its last flip.
+// A film may flip during a push if it is shorter than this fraction of its reference length. The
+// reference length is the length at the start of the push or, if the film has flipped, after its
+// last flip.
 constexpr double kShortened = 0.5;
 
 // Returns the length of the chord.
@@ -41,8 +42,8 @@ void move_junctions(Foam& foam, const Displacement& step) {
 }
 
 // Applies the T1 rule to the short films that have lost more than half of their length. `lengths`
-// has the length of each film at the start of the push or, if the film has flipped, after its last
-// flip; the entries of removed films are unused. Returns the number of T1s.
+// has the reference length of each film: the length at the start of the push or, if the film has
+// flipped, after its last flip. The entries of removed films are unused. Returns the number of T1s.
 int flip_shortened(Foam& foam, TopologyThresholds thresholds, Indexed<FilmId, double>& lengths) {
     thresholds.t1_distance = std::max(thresholds.t1_distance, kT1Distance);
     int flips = 0;

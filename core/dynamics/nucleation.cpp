@@ -13,13 +13,13 @@
 #include <vector>
 
 // Nucleation (E10) is the inverse of the T2 process. The new bubble gets the shape and the pressure
-// that it would have in equilibrium if the films at its corners were straight, so that Newton's
-// method starts near the solution.
+// that it would have in equilibrium if the films at its corners were straight. Newton's method
+// therefore starts near the solution.
 //
 // Let g be segment_shape (E3). A regular three-sided bubble has three arcs with a half angle of 30
-// degrees on an equilateral triangle of side c: its area is c² (sqrt(3)/4 + 3 g(1/2)/4), the radius
+// degrees on an equilateral triangle of side c. Its area is c² (sqrt(3)/4 + 3 g(1/2)/4). The radius
 // of its arcs is c, and its corners are at c / sqrt(3) from its center. A regular lens has two arcs
-// with a half angle of 60 degrees on a chord c: its area is c² g(sqrt(3)/2) / 2, and the radius of
+// with a half angle of 60 degrees on a chord c. Its area is c² g(sqrt(3)/2) / 2, and the radius of
 // its arcs is c / sqrt(3).
 
 namespace foam {

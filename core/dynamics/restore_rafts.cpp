@@ -7,13 +7,13 @@
 #include <cmath>
 #include <vector>
 
-// For each raft, a connected component of a patch, the code finds the rigid motion that minimizes
-// the sum of the weighted squared distances from the centers of its bubbles to their earlier
-// centers. This is the orthogonal Procrustes problem in the plane. The translation matches the
-// weighted means of the present and the earlier centers. The rotation angle is atan2(sum of
-// weighted cross products, sum of weighted dot products), where each product combines the present
-// and the earlier center of a bubble, both relative to their means. The weight of a bubble is the
-// total length of its films.
+// A raft is a connected component of a patch. The code finds the rigid motion that moves a raft
+// back. This motion minimizes the sum of the weighted squared distances from the centers of the
+// raft's bubbles to their earlier centers. This is the orthogonal Procrustes problem in the plane.
+// The weight of a bubble is the total length of its films. The translation matches the weighted
+// means of the present and the earlier centers. The rotation angle is atan2(sum of weighted cross
+// products, sum of weighted dot products). Each product combines the present and the earlier center
+// of a bubble, both relative to their weighted means.
 
 namespace foam {
 

@@ -11,8 +11,9 @@ namespace foam {
 
 namespace {
 
-// The truncation error of the central difference is proportional to the square of this strain, and
-// the effect of the tolerance of Newton's method is proportional to the inverse of this strain.
+// The strain by which the central difference shears the foam to either side. The truncation error
+// is proportional to the square of this strain. The effect of the tolerance of Newton's method is
+// proportional to the inverse of this strain.
 constexpr double kStrain = 1e-4;
 // The final residual of Newton's method must be below this value. In large foams, rounding errors
 // keep the residual above the tolerance of Newton's method.

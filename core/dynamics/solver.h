@@ -10,8 +10,8 @@ namespace foam {
 enum class Solver {
     Newton,       // Newton's method for the whole foam (E3; core/equilibrium)
     GaussSeidel,  // the paper's solver, one block after another (E5; core/reference)
-    // The paper's solver, with colored blocks: blocks that share a bubble other than the ghost have
-    // different colors, and all blocks of one color are solved at once (core/reference).
+    // The paper's solver, with colored blocks (core/reference). Blocks that share a bubble other
+    // than the ghost have different colors. All blocks of one color are solved at once.
     ColoredGaussSeidel,
 };
 

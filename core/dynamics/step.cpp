@@ -12,11 +12,13 @@
 #include <vector>
 
 // The time step is quasi-static (paper section 4.1): each substep changes target areas and topology
-// and then finds the equilibrium anew. Three limits bound the length of a substep: the fraction of
-// its area that a bubble may lose by diffusion (E6), the imposed change of areas, and the strain. A
-// small bubble does not limit substeps by its diffusion; otherwise the last part of the life of
-// each bubble would need substeps of its own. Until the network changes, growth rates are constant
-// (von Neumann's law), so a long substep errs only in the moments at which the network changes. A
+// and then finds the equilibrium anew. Three quantities limit the length of a substep:
+//   - the fraction of its area that a bubble loses by diffusion (E6),
+//   - the imposed change of areas,
+//   - the strain.
+// The diffusion of a small bubble sets no limit; otherwise the last part of the life of each bubble
+// would need substeps of its own. Until the network changes, growth rates are constant (von
+// Neumann's law). A long substep therefore errs only in the moments at which the network changes. A
 // substep works on a copy of the foam. If it finds no equilibrium, the copy is dropped and a
 // substep of half the length is tried.
 
@@ -57,8 +59,8 @@ double vanishing_area(const Foam& foam) {
            static_cast<double>(std::max(count, std::size_t{1}));
 }
 
-// Returns the longest time that is safe for every bubble: in this time, no bubble above the
-// vanishing area loses more than the fraction `largest_loss` of its area.
+// Returns the longest time that is safe for every bubble. In this time, no bubble above the
+// vanishing area (vanishing_area) loses more than the fraction `largest_loss` of its area.
 double safe_time(const Foam& foam, const StepOptions& options) {
     const double vanishing = vanishing_area(foam);
     double time = std::numeric_limits<double>::infinity();

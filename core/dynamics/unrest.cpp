@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-// A T1 that is not undone by the end of its cycle is usually a single lasting change: in the
-// following cycles, the neighbors are the same at the end of each cycle. Where neighbors change
-// again and again, the foam does not reach a periodic state, or its period is several cycles. The
-// criterion is our own: changes are counted with exponentially decreasing weights, as in
-// exponential smoothing, and compared with a threshold. With the constants below, two changes of
+// A T1 that is not undone by the end of its cycle is usually a single lasting change. In the
+// following cycles, the neighbors are then the same at the end of each cycle. Where neighbors
+// change again and again, the foam does not reach a periodic state, or its period is several
+// cycles. The criterion is our own: changes are counted with exponentially decreasing weights, as
+// in exponential smoothing, and compared with a threshold. With the constants below, two changes of
 // its neighbors make a bubble restless if they are at most four cycles apart. If its neighbors
 // change in every fifth cycle, it is restless from the third change on.
 

@@ -16,7 +16,7 @@ namespace foam {
 // thresholds (TopologyThresholds) apply to these units. Up to three attempts start from the given
 // state: Newton's method without an initial relaxation, then relaxation and Newton's method, and
 // finally both with T1s. Each attempt may change more of the state than the attempt before. If T1s
-// are due at many films (kFewDueT1), as in a raw diagram, only the last attempt is made: a raw
+// are due at many films (kFewDueT1), as in a raw diagram, only the last attempt is made. A raw
 // diagram has no equilibrium with its own topology, and the attempts to find one would take longer
 // than the last attempt alone.
 
@@ -24,9 +24,10 @@ namespace {
 
 constexpr TopologyThresholds kKeepTopology{.t1_distance = 0.0, .t2_area = 0.0};
 
-// If T1s are due at more films than this number, and at more than this fraction of all films, the
-// topology of the foam is not kept. T1s are due at 2.5 % to 3.7 % of the films of raw diagrams of
-// 1,000 bubbles, and at no film of the reference foams of Surface Evolver (tests/data/evolver).
+// T1s are due at many films if they are due at more than kFewDueT1 films and at more than the
+// fraction kSmallDueFraction of all films. The topology of the foam is then not kept. In raw
+// diagrams of 1,000 bubbles, T1s are due at 2.5 % to 3.7 % of the films. In the reference foams of
+// Surface Evolver (tests/data/evolver), T1s are due at no film.
 constexpr std::size_t kFewDueT1 = 5;
 constexpr double kSmallDueFraction = 0.01;
 

@@ -20,9 +20,10 @@ struct EquilibriumOptions {
     double tolerance = 1e-9;
     bool relaxes_first = true;  // relaxes the foam first (E4), for a foam far from equilibrium
     // Number of sweeps of each relaxation of a region around a large error (worst_regions in
-    // local_solve.h), and of each pass of a relaxation of the whole foam (GlobalRelaxationOptions).
-    // Exception: in `equilibrate`, the first pass of the second, third, ... relaxation of the whole
-    // foam has 15, 3, 1, 60, 15, ... sweeps if this number is 60 (next_sweeps in equilibrate.cpp).
+    // local_solve.h). It is also the number of sweeps of each pass of a relaxation of the whole
+    // foam (GlobalRelaxationOptions). Exception: `equilibrate` varies the number in the first pass
+    // of each relaxation of the whole foam (next_sweeps in equilibrate.cpp). If this number is 60,
+    // the first passes have 60, 15, 3, 1, 60, ... sweeps.
     int relaxation_sweeps = 60;
     // Number of threads; 0 for all threads of the hardware (thread_count). The result has the same
     // bits for any number of threads.

@@ -10,26 +10,29 @@
 namespace foam {
 
 // Newton's method (E3) converges reliably only near equilibrium. Relaxation (E4) reaches such a
-// state from a raw diagram, but converges slowly, so it is ended after a fixed number of sweeps.
-// Further passes, which keep the pressures found so far, follow in two cases in which Newton's
-// method sometimes finds no equilibrium: many films are at the limit of their half angle, where the
-// clamped arc no longer satisfies Laplace-Young's law, or a patch has large errors. The criteria
-// for further passes are our own (measurements: NOTES.md).
+// state from a raw diagram, but converges slowly, so it is ended after a fixed number of sweeps. In
+// two cases, Newton's method sometimes finds no equilibrium afterwards:
+//   - Many films are at the limit of their half angle, where the clamped arc no longer satisfies
+//     Laplace-Young's law.
+//   - A patch has large errors.
+// In these cases, further passes follow, which keep the pressures found so far. The criteria for
+// further passes are our own (measurements: NOTES.md).
 
 namespace {
 
-// A pass is one call of `relax` for the whole foam. If the first pass leaves at most this many
-// inner films at the limit of their half angle (80 degrees, E3), for example around a two-sided
-// bubble, these films are no reason for a further pass.
+// A pass is one call of `relax` for the whole foam. The first pass may leave some inner films at
+// the limit of their half angle (80 degrees, E3), for example around a two-sided bubble. If there
+// are at most this many such films, they are no reason for a further pass.
 constexpr int kFewAtLimit = 10;
 constexpr int kMaxFurtherPasses = 10;  // largest number of passes after the first one
 
 // Returns true if the foam is a patch with a large error for which find_defect_regions returns no
-// region. Either the regions would contain more than DefectOptions::largest_fraction of the
-// bubbles, or there is no defect, because the large error is an error of Laplace-Young's law at an
-// outer film, which is not a defect. Always returns false for a torus, so that relax_globally does
-// not reset the pressures for this reason: several resets in one equilibration would collapse the
-// two-sided bubbles of the torus.
+// region. There are two possible reasons:
+//   - The regions would contain more than DefectOptions::largest_fraction of the bubbles.
+//   - There is no defect: the large error is an error of Laplace-Young's law at an outer film,
+//     which does not count as a defect.
+// Always returns false for a torus, so that relax_globally does not reset the pressures for this
+// reason. Several resets in one equilibration would collapse the two-sided bubbles of the torus.
 bool is_patch_far_from_equilibrium(const Foam& foam, int threads) {
     if (!foam.domain.is_plane()) {
         return false;

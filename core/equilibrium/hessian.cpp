@@ -30,11 +30,11 @@ using OuterFilmMatrix = Eigen::Matrix<double, 7, 7>;
 constexpr std::array<int, 5> kFilmRows = {2, 2, 1, 1, 1};
 constexpr std::array<int, 5> kFirstFilmRow = {0, 2, 4, 5, 6};
 
-// Returns the second derivatives of one film's term in L, including its polygon terms (E3), with
-// respect to the tail, the head, the left pressure and the right pressure. The derivatives of the
-// polygon terms at an end with respect to the same end are left out: those of the three films at a
-// junction add up to 0. `d` is the chord, and `delta` is the left pressure minus the right
-// pressure.
+// Returns the second derivatives of one film's term in L, including its polygon terms (E3). The
+// variables are the tail, the head, the left pressure and the right pressure. The derivatives of
+// the polygon terms at an end with respect to the same end are left out. For the three films at a
+// junction, these derivatives add up to 0. `d` is the chord, and `delta` is the left pressure minus
+// the right pressure.
 FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hessian) {
     Mat2 turn_right;
     turn_right << 0.0, 1.0, -1.0, 0.0;
@@ -72,9 +72,10 @@ OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergy
 // Adds one block of a film's matrix to `values`. The block has the rows of the first node of the
 // pair and the columns of the second node. `values` points to the first value of the block in the
 // Hessian. `stride` is FilmSlots::strides[b] for the second node b. `is_own` is true if the two
-// nodes of the pair are the same node of the Hessian. This is so if a = b, and on a small torus
-// also if a film ends at the junction at which it begins, or has the same bubble on both sides. The
-// block is then on the diagonal of the Hessian, and only its lower triangle is added.
+// nodes of the pair are the same node of the Hessian. This is so if a = b. On a small torus, it is
+// also so if a film ends at the junction at which it begins, or has the same bubble on both sides.
+// If `is_own` is true, the block is on the diagonal of the Hessian, and only its lower triangle is
+// added.
 template <class Matrix>
 void add_block(
     double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {
@@ -95,8 +96,8 @@ void append_rows(int begin, int end, std::vector<int>& rows) {
 
 }  // namespace
 
-// The block pattern of the matrix: for each node, the nodes of a larger index (the later nodes) to
-// which a film couples it, each once and in increasing order.
+// The block pattern of the matrix. It lists the later nodes of each node: the nodes of a larger
+// index to which a film couples it. Each later node is listed once, in increasing order.
 struct Hessian::NodePattern {
     std::vector<int> begins;  // start of each node's range in `later`; the last element is the end
     std::vector<int> later;
@@ -186,8 +187,8 @@ Hessian::Hessian(const Network& network, const Unknowns& unknowns)
     }
 }
 
-// Fills the sparsity pattern column by column. A column of a node has the node's own rows from the
-// diagonal down, and then the rows of the later nodes that are coupled to the node.
+// Fills the sparsity pattern column by column. A column of a node first has the node's own rows,
+// from the diagonal down. The rows of the later nodes that are coupled to the node follow.
 void Hessian::fill_pattern(const NodePattern& pattern) {
     const auto node_count = static_cast<int>(pattern.begins.size()) - 1;
     std::vector<int> rows;

@@ -33,21 +33,22 @@ class Hessian {
     double& diagonal(int row) { return matrix_.valuePtr()[matrix_.outerIndexPtr()[row]]; }
 
   private:
-    // The nodes of the pattern are those elements that are not held fixed (Unknowns), in this
-    // order: junctions with two rows each, bubbles with one row each, half angles of outer films
-    // with one row each. A film couples four nodes: its tail, its head, and the bubbles on its left
-    // and right. An outer film also couples a fifth node, its half angle.
+    // Each junction, bubble and half angle of an outer film that is not held fixed (Unknowns) is a
+    // node of the pattern. The order is: junctions with two rows each, bubbles with one row each,
+    // half angles of outer films with one row each. A film couples four nodes: its tail, its head,
+    // and the bubbles on its left and right. An outer film also couples a fifth node, its half
+    // angle.
     static constexpr std::size_t kMaxNodes = 5;
-    using FilmNodes = std::array<int, kMaxNodes>;  // negative if the node is held fixed or absent
+    using FilmNodes = std::array<int, kMaxNodes>;  // negative for an element that is no node
     // The positions of a film's contributions in the array of matrix values.
     struct FilmSlots {
         // Element b * kMaxNodes + a belongs to the nodes a and b of the film. It is the position of
-        // the first value of the block with the rows of a and the columns of b. It is negative if a
-        // node is held or absent, or if this block is not in the lower triangle.
+        // the first value of the block with the rows of a and the columns of b. It is negative if
+        // an element is no node, or if this block is not in the lower triangle.
         std::array<int, kMaxNodes * kMaxNodes> blocks;
-        // For each node b with two rows: the distance, in the array of matrix values, from an entry
-        // in its first column to the entry of the same row in its second column. Unused for other
-        // nodes.
+        // Element b belongs to the node b of the film and is used only if the node has two rows. It
+        // is the distance, in the array of matrix values, from a value in the node's first column
+        // to the value of the same row in its second column.
         std::array<int, kMaxNodes> strides;
     };
     struct NodePattern;

@@ -29,8 +29,8 @@ constexpr int kMaxIterations = 12;     // largest number of Newton steps in a ro
 constexpr int kMaxRounds = 5;          // largest number of rounds
 constexpr int kRelaxationSweeps = 30;  // sweeps in a region in which Newton's method stalls
 constexpr int kWorstRings = 3;         // rings of neighbors around the worst defects
-// A defect is among the worst if its force is at least this share of the largest force, or its area
-// error at least this share of the largest area error.
+// A defect whose force is at least this share of the largest force is among the worst. So is a
+// defect whose area error is at least this share of the largest area error.
 constexpr double kWorstFraction = 0.2;
 
 // Erases bubbles that are no longer in the network. This is only a precaution: at present,

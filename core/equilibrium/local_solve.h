@@ -28,20 +28,21 @@ struct LocalSummary {
 };
 
 /// Runs Newton's method on each region around defects (find_defect_regions), with everything else
-/// held fixed, and applies the T1s that the method requests. A region in which the method stalls or
-/// reaches its limit of iterations is relaxed once, because an unsolved region would also stall
-/// Newton's method on the whole foam. The tolerance is loose, since the surroundings of a region
-/// move later. Does nothing if find_defect_regions finds no region.
+/// held fixed, and applies the T1s that the method requests. If the method stalls or reaches its
+/// limit of iterations in a region, the region is relaxed once. Otherwise, the unsolved region
+/// would also stall Newton's method on the whole foam. The tolerance is loose, since the
+/// surroundings of a region move later. Does nothing if find_defect_regions finds no region.
 LocalSummary solve_defect_regions(Foam& foam,
                                   const DefectOptions& defects,
                                   const EquilibriumOptions& options,
                                   RegionBuffers& buffers);
 
-/// Returns the regions around the worst defects. A defect (DefectOptions) is among the worst if its
-/// force is at least a fifth of ResidualNorms::force of the whole foam, or if its area error is at
-/// least a fifth of the largest area error. Three rings of neighbors around the defects belong to
-/// the regions. Returns no region if there is no such defect, or if the regions would contain more
-/// than DefectOptions::largest_fraction of the bubbles.
+/// Returns the regions around the worst defects (DefectOptions). A defect is among the worst if its
+/// force is at least a fifth of the largest force in the foam (ResidualNorms::force). It is also
+/// among the worst if its area error is at least a fifth of the largest area error. Three rings of
+/// neighbors around these defects belong to the regions. Returns no region if there is no such
+/// defect, or if the regions would contain more than DefectOptions::largest_fraction of the
+/// bubbles.
 std::vector<DefectRegion> worst_regions(const Foam& foam, int threads);
 
 /// Relaxes each of the regions, with everything else held fixed. Returns the number of T1s.

@@ -11,9 +11,9 @@
 namespace foam {
 
 // Newton's method is globalized by limiting relative motion. The ends of a film may approach each
-// other, or rotate around each other, only by a fraction of its length. Their common motion is
-// free. Limiting the motion of each junction instead would also stop the common motion of short
-// films, and a step that is limited in this way would not be a descent direction (NOTES.md).
+// other, or rotate around each other, only by a fraction of its chord length. Their common motion
+// is free. A limit on the motion of each junction would also stop the common motion of short films.
+// Moreover, a step that is limited in this way would not be a descent direction (NOTES.md).
 
 namespace {
 
@@ -24,9 +24,10 @@ Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId j
     return row < 0 ? Vec2(0.0, 0.0) : Vec2(step.segment<2>(row));
 }
 
-// Returns true if three conditions are met: the whole step would make the film shorter than
-// `length`; the film can flip or tear; by the forces before the step, it would stay open after the
-// flip or tear (flipped_pulls_apart).
+// Returns true if three conditions are met:
+// - the whole step would make the film shorter than `length`;
+// - the film can flip or tear;
+// - by the forces before the step, it would stay open after the flip or tear (flipped_pulls_apart).
 bool would_flip_after_step(const Foam& foam,
                            const Unknowns& unknowns,
                            const Eigen::VectorXd& step,

@@ -46,15 +46,17 @@ double allowed_fraction(const Vec2& chord, const Vec2& change, double largest);
 /// (allowed_fraction), by a few sweeps over the films. Since a limited film changes the motion of
 /// its neighbors, a film may still exceed its limit after the last sweep. The common motion of the
 /// two ends is kept, so that a short film can move far. The half angle of an outer film may change
-/// by at most `largest` radians, and also by at most `largest` times its distance from pi (from -pi
-/// if the angle decreases). Returns true if the step was changed.
+/// by at most `largest` radians. The change is also at most `largest` times the distance of the
+/// half angle from pi, or from -pi if the half angle decreases. Returns true if the step was
+/// changed.
 bool limit_moves(const Foam& foam, const Unknowns& unknowns, double largest, Eigen::VectorXd& step);
 
 /// Returns the films that need a T1 before the step is made, in increasing order. These are all
 /// films that have collapsed (collapsed_length), and every other film that meets three conditions:
 /// - it is shorter than its T1 distance, and the step would shorten it by more than half;
 /// - it can flip or tear;
-/// - it would stay open after the flip or tear, judged by the forces before the step.
+/// - by the forces before the step, the flipped film would not shrink again, or the two bubbles
+///   beside the torn film would not be pulled together again.
 std::vector<FilmId> collapsing_films(const Foam& foam,
                                      const Unknowns& unknowns,
                                      const Eigen::VectorXd& step,
@@ -64,7 +66,8 @@ std::vector<FilmId> collapsing_films(const Foam& foam,
 /// These are all films that have collapsed, and every other film that meets three conditions:
 /// - it is shorter than its T1 distance now, and would still be shorter after the step;
 /// - it can flip or tear;
-/// - it would stay open after the flip or tear, judged by the forces before the step.
+/// - by the forces before the step, the flipped film would not shrink again, or the two bubbles
+///   beside the torn film would not be pulled together again.
 ///
 /// The length after the step decides because such a step predicts the length in equilibrium well.
 std::vector<FilmId> closing_films(const Foam& foam,

@@ -17,9 +17,10 @@ struct NewtonOptions {
     // area.
     double force_tolerance = 1e-11;
     double area_tolerance = 1e-11;
-    // In one limited step (limit_moves), the two ends of a film approach each other, or move across
-    // the chord relative to each other, by at most about this multiple of the chord length. Also
-    // limits the change of the half angle of an outer film, in radians.
+    // The limit of one step (limit_moves), as a multiple of the chord length of a film. The two
+    // ends of the film approach each other by at most about this limit. They also move across the
+    // chord, relative to each other, by at most about this limit. The same number, in radians,
+    // limits the change of the half angle of an outer film.
     double largest_move = 0.4;
     // The method ends with the status Slow if a step with a new factor leaves more than this share
     // of the norm of the residual. The value 1 disables this status.

@@ -21,9 +21,9 @@ constexpr double kDoubleRegularization = 1e-7;
 
 // Systems of fewer unknowns than this are factored in double precision. In a small foam, there may
 // be a motion of junctions that no film resists; only the area constraint of a bubble resists it.
-// If the pressure of this bubble is eliminated after these junctions, a pivot of the junctions is
-// only as large as the regularization, and the pivot of the pressure has about the magnitude of the
-// inverse of the regularization. Single precision is not enough for such pivots.
+// The pressure of this bubble may be eliminated after these junctions. A pivot of the junctions is
+// then only as large as the regularization. The pivot of the pressure has about the magnitude of
+// the inverse of the regularization. Single precision is not enough for such pivots.
 constexpr int kFewUnknowns = 500;
 
 // Subtracts the mean vector of all junctions from the vector of each junction. The vectors are in
@@ -111,11 +111,12 @@ void NewtonSystem::factor(const Foam& foam) {
 }
 
 // Returns the residual without the components that no step can change: the mean force and, on a
-// torus, the mean area error. The reason is that a translation of the whole foam and, on a torus, a
-// common change of all pressures change no force and no area, and that the Hessian is symmetric.
-// These components are zero except for rounding errors, which a factor in single precision would
-// concentrate in one bubble. Translations of single rafts of a patch, and rotations, are left to
-// the regularization. If the system covers only a part of the foam, returns the residual unchanged.
+// torus, the mean area error. A translation of the whole foam changes no force and no area. On a
+// torus, a common change of all pressures changes no force and no area either. Since the Hessian is
+// symmetric, no step changes the corresponding components of the residual. These components are
+// zero except for rounding errors, which a factor in single precision would concentrate in one
+// bubble. Translations of single rafts of a patch, and rotations, are left to the regularization.
+// If the system covers only a part of the foam, returns the residual unchanged.
 Eigen::VectorXd NewtonSystem::solvable_part(const Foam& foam, Eigen::VectorXd residual) const {
     if (is_whole_) {
         remove_mean(residual, unknowns_.junctions.size());

@@ -28,11 +28,14 @@ class NewtonSystem {
     void start(const Foam& foam, Unknowns unknowns, int threads);
 
     /// Prepares the system for all unknowns of a foam. Does less work than `start` if the system
-    /// was last prepared for a similar network. The analysis, and the factor of the earlier state
-    /// if there is one, are kept under three conditions: this function also made the last
-    /// preparation, the connections and the number of threads are the same, and the precision has
-    /// not been raised since (raise_precision). Otherwise, the order of elimination is repaired
-    /// (LinearSolver::start). In both cases, the steps depend on earlier calls.
+    /// was last prepared for a similar network. Keeps the analysis, and the factor of the earlier
+    /// state if there is one, under three conditions:
+    /// - this function also made the last preparation;
+    /// - the connections of the network and the number of threads are the same;
+    /// - the precision has not been raised since (raise_precision).
+    ///
+    /// Otherwise, the order of elimination is repaired (LinearSolver::start). In both cases, the
+    /// steps depend on earlier calls.
     void start_whole(const Foam& foam, int threads);
 
     const Unknowns& unknowns() const { return unknowns_; }

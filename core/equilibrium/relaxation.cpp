@@ -37,8 +37,8 @@ constexpr double kLargestBend = 0.3;  // largest change of a half angle by a cal
 constexpr double kMinStiffness = 0.1;
 
 // Describes how an arc acts on one end of its chord in the Newton step of the junction at this end
-// (`newton_step`). Tension and stiffness are divided by the film tension; c is the length of the
-// chord; q, h and w are the functions of the half angle alpha in E3. Inner arcs keep their half
+// (`newton_step`). Tension and stiffness are divided by the film tension. The length of the chord
+// is c; q, h and w are the functions of the half angle alpha in E3. Inner arcs keep their half
 // angles, so that their length c q and the area of their segment, c² h / 4, grow with the chord.
 // Outer arcs keep the area of their segments, since otherwise a bubble on a short chord would
 // collapse. With c² h constant, d(c q)/dc = cos alpha and d(alpha)/dc = -h / (w c) (E3).
@@ -99,9 +99,9 @@ class Relaxation {
         }
     }
 
-    // Returns an estimate of the pressures: the common pressure p for which T Σ c = 2 p Σ A, where
-    // c are chord lengths and A target areas. In the equilibrium of a patch, T Σ l = 2 Σ p A holds
-    // with arc lengths l and the pressure p of each bubble (E3).
+    // Returns an estimate of the pressures: the common pressure p for which T Σ c = 2 p Σ A. Here
+    // the c are chord lengths and the A are target areas. In the equilibrium of a patch,
+    // T Σ l = 2 Σ p A holds with arc lengths l and the pressure p of each bubble (E3).
     double mean_pressure() const {
         double length = 0.0;
         for (const FilmId film : part_.films) {

@@ -14,9 +14,9 @@ namespace foam {
 struct RelaxationOptions {
     int sweeps = 60;          // number of sweeps to make
     double stiffness = 10.0;  // resistance of a bubble to a change of its area, in film tensions
-    // Largest move of a junction in one step, for each film at the junction: the chord becomes
-    // shorter by at most this fraction of its length, and the end of the chord moves sideways by at
-    // most the same fraction of the length (for details, see allowed_fraction in moves.h).
+    // Largest move of a junction in one step, as a fraction of the chord length of each film at the
+    // junction. The fraction limits how much the chord becomes shorter, and how far the end of the
+    // chord moves sideways (for details, see allowed_fraction in moves.h).
     double largest_move = 0.33;
     // If true, the relaxation starts from pressures and half angles that are estimated from target
     // areas and chord lengths. If false, it starts from the present pressures and half angles of

@@ -43,7 +43,7 @@ bool is_collapsed(const Foam& foam, BubbleId bubble) {
 }
 
 // Returns the distance between the ends of a two-sided bubble in equilibrium if the pressures on
-// its two sides are equal: each film then has a half angle of 60 degrees and encloses half of the
+// its two sides are equal. Each film then has a half angle of 60 degrees and encloses half of the
 // area with its chord.
 double equilibrium_chord(double area) {
     const double of_unit_chord = 2.0 * segment_area({Vec2(1.0, 0.0), std::numbers::pi / 3.0});

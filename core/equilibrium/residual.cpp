@@ -15,11 +15,12 @@ namespace foam {
 
 // The residual is the gradient of L (E3) instead of the errors of angles and areas (paper eq. 8).
 // Three unit tangents add up to 0 exactly if they meet at 120 degrees, so both have the same
-// solutions, but the derivative of a gradient is symmetric. The gradient is assembled like the
-// Hessian (hessian.cpp): each film contributes a term to the rows of its ends, of its two bubbles
-// and, if it is an outer film, of its half angle; the row of each bubble also contains the error of
-// the area of its polygon. The terms are computed in parallel and added in the order of the films,
-// so that the bits of the sums do not depend on the number of threads.
+// solutions. The gradient has the advantage that its derivative is symmetric. It is assembled like
+// the Hessian (hessian.cpp). Each film contributes a term to the rows of its ends and of its two
+// bubbles. An outer film also contributes a term to the row of its half angle. The row of each
+// bubble also contains the target area minus the area of the bubble's polygon. The terms of the
+// films are computed in parallel and added in the order of the films. The bits of the sums
+// therefore do not depend on the number of threads.
 
 namespace {
 

@@ -9,13 +9,14 @@
 
 namespace foam {
 
-// The pressure of a soft bubble is the first-order estimate of the multiplier of its area
-// constraint in the method of multipliers, p + slope * (A_target - A) (Hestenes 1969; Powell 1969;
-// Nocedal and Wright, Numerical Optimization, 2006, section 17.3). The slope is B / A_target^1.5
-// (E4): a relative area error changes the pressure by this error times B / sqrt(A_target), so that
-// small and large bubbles are equally stiff for their size. Areas are not measured after each move:
-// a move changes the areas of few bubbles, and only their changes are added. A T1 changes the
-// polygons of its bubbles, which are then measured again (`renew`).
+// The pressure of a soft bubble is p + slope * (A_target - A), where p is the present multiplier of
+// its area constraint (E4). This pressure is the first-order estimate of the next multiplier in the
+// method of multipliers (Hestenes 1969; Powell 1969; Nocedal and Wright, Numerical Optimization,
+// 2006, section 17.3). The slope is B / A_target^1.5 (E4). A relative area error therefore changes
+// the pressure by this error times B / sqrt(A_target), so that small and large bubbles are equally
+// stiff for their size. Areas are not measured after each move: a move changes the areas of few
+// bubbles, and only their changes are added. A T1 changes the polygons of its bubbles, which are
+// then measured again (`renew`).
 
 namespace {
 

@@ -9,10 +9,10 @@
 
 namespace foam {
 
-/// The model of the foam in relaxation (E4): soft bubbles, whose pressure depends on their area,
-/// and films that are arcs, each with its half angle as an unknown. The model consists of the
+/// The model of the foam in relaxation (E4). Bubbles are soft: their pressure depends on their
+/// area. Films are arcs, and the half angle of each film is an unknown. The model consists of the
 /// loaded bubbles (`load`) and their films. It has one slot for each bubble and each film of the
-/// foam, so that its memory can be reused to relax one part of the foam after another.
+/// foam. Its memory can therefore be reused to relax one part of the foam after another.
 class SoftFoam {
   public:
     /// The arc of a film: its half angle in radians, the sine and cosine of this angle, and its
@@ -63,10 +63,10 @@ class SoftFoam {
     /// pressures; the half angle of an outer film is stored in the foam.
     void load_arc(FilmId film);
     /// Updates a bubble after the T1 rule has been applied near it: loads the arcs of its outer
-    /// films, since the rule may have joined two films into one, and measures its area. If
-    /// `may_be_empty` is true, for example after a film has torn, and the bubble has less than half
-    /// of its target area, its outer films are bent by bulge_outer_films. Precondition: the bubble
-    /// is loaded.
+    /// films and measures its area. The arcs are loaded because the rule may have joined two films
+    /// into one. `may_be_empty` is true, for example, after a film has torn. If it is true and the
+    /// bubble has less than half of its target area, the outer films of the bubble are bent by
+    /// bulge_outer_films. Precondition: the bubble is loaded.
     void renew(BubbleId bubble, bool may_be_empty);
 
   private:

@@ -10,11 +10,13 @@
 
 namespace foam {
 
-/// The unknowns of a solver, in the order of their rows in the solver's vectors and matrices: x and
-/// y of each free junction, then the pressure of each free bubble, then the half angle of each free
-/// outer film. Each of the three kinds is ordered by increasing id. A free outer film is an outer
-/// film with a free end. Everything that is not free is held, that is, not changed. The ghost is
-/// always held.
+/// The unknowns of a solver. In the solver's vectors and matrices, their rows are in this order:
+/// - x and y of each free junction;
+/// - the pressure of each free bubble;
+/// - the half angle of each free outer film.
+///
+/// Each of the three kinds is ordered by increasing id. A free outer film is an outer film with a
+/// free end. Everything that is not free is held, that is, not changed. The ghost is always held.
 struct Unknowns {
     std::vector<JunctionId> junctions;
     std::vector<BubbleId> bubbles;

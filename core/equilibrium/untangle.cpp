@@ -13,12 +13,12 @@
 
 namespace foam {
 
-// Tutte's embedding (W. T. Tutte, How to draw a graph, Proceedings of the London Mathematical
-// Society 13, 1963) is the solution of a linear system: every junction is at the mean of its
-// neighbors. The system is not solved exactly. Each sweep is a sweep of Gauss-Seidel, and only
-// junctions near tangled ones move, so that the rest of the foam keeps its shape. This restriction
-// is our own. Tutte's theorem assumes a fixed convex outline, which the moved junctions need not
-// have, so that success is not guaranteed. Relaxation (E4), which follows, needs no exact solution.
+// In Tutte's embedding, every junction is at the mean of its neighbors (W. T. Tutte, How to draw a
+// graph, Proceedings of the London Mathematical Society 13, 1963). The embedding is the solution of
+// a linear system, which is not solved exactly here. Instead, sweeps of Gauss-Seidel move only the
+// junctions near tangled ones, so that the rest of the foam keeps its shape. This restriction is
+// our own. Tutte's theorem assumes a fixed convex outline. The moved junctions need not have one,
+// so that success is not guaranteed. Relaxation (E4), which follows, needs no exact solution.
 
 namespace {
 
@@ -101,9 +101,9 @@ void move_to_mean_of_neighbors(Foam& foam, JunctionId junction) {
 
 }  // namespace
 
-// Network::leaving returns the films in the clockwise order that they should have. The clockwise
-// angles from each film to the next add up to one turn if the films really leave in this order, and
-// to two turns if they leave in the reversed order.
+// Network::leaving returns the films in the clockwise order that they should have. `turn` is the
+// sum of the clockwise angles from each film to the next. It is one turn if the films really leave
+// in this order, and two turns if they leave in the reversed order.
 bool is_tangled(const Foam& foam, JunctionId junction) {
     const std::array<HalfEdgeId, 3> leaving = foam.network.leaving(junction);
     std::array<Vec2, 3> directions;

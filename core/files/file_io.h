@@ -35,13 +35,15 @@ inline void append(Bytes& to, std::span<const std::byte> bytes) {
 /// Throws InputError with a message that names the file and the reason.
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& why);
 
-/// Returns the whole content of a file. Throws InputError if the file cannot be read, if it is not
-/// a regular file but, for example, a folder or a pipe, or if it is larger than `kind` allows.
+/// Returns the whole content of a file. Throws InputError if the file cannot be read or is larger
+/// than `kind` allows. Also throws InputError if the path leads not to a regular file but, for
+/// example, to a folder or a pipe.
 Bytes read_file(const std::filesystem::path& path, const InputKind& kind);
 
-/// Returns true if the name can be a part of a file name: it is not empty, has at most 200 bytes,
-/// is harmless (is_harmless in shown_text.h), and has no '/' and no leading '.'. A name that is
-/// read from an untrusted file must pass this test before it becomes a part of a path.
+/// Returns true if the name can be a part of a file name. Such a name is not empty, has at most 200
+/// bytes and is harmless (is_harmless in shown_text.h). It contains no '/' and does not begin with
+/// '.'. A name that is read from an untrusted file must pass this test before it becomes a part of
+/// a path.
 bool is_plain_name(std::string_view name);
 
 /// Selects when the content of a file reaches the disk.
@@ -56,7 +58,7 @@ enum class Durability {
 /// A file whose content is written before it gets its name, so that no reader sees a partial file.
 /// On a file system that supports files without names, the file has no name before `publish`, and
 /// the system removes it if the program is killed. On other file systems, the file is in the folder
-/// of the target under a temporary name such as NAME.foamtex-123-4.part, and stays there if the
+/// of the target under a temporary name such as NAME.foamtex-123-4.part. It stays there if the
 /// program is killed (remove_abandoned_files). The destructor removes the file if it has not been
 /// published.
 class StagedFile {
@@ -104,11 +106,12 @@ bool is_existing(const std::filesystem::path& path);
 /// system cannot tell whether a path exists.
 std::filesystem::path nearest_existing(const std::filesystem::path& folder);
 
-/// Throws OutputError if files cannot be written into a folder, or if the folder does not exist and
-/// cannot be created, for example because its path is too long. A long computation can call this
-/// function first. As a test, the function creates an empty folder with a temporary name inside
-/// `folder`, or inside the nearest existing folder above `folder`, and removes this empty folder
-/// again. It never creates `folder` itself. An empty path means the working directory.
+/// Throws OutputError if files cannot be written into a folder, or if a missing folder cannot be
+/// created, for example because its path is too long. A long computation can call this function
+/// first. As a test, the function creates an empty folder with a temporary name inside `folder`,
+/// and removes this empty folder again. If `folder` does not exist, the test is made inside the
+/// nearest existing folder above it. The function never creates `folder` itself. An empty path
+/// means the working directory.
 void check_writable(const std::filesystem::path& folder);
 
 /// Creates a folder and its parent folders if they do not exist. Does nothing for an empty path,

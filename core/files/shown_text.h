@@ -16,19 +16,23 @@ inline constexpr std::size_t kLongestQuote = 60;
 /// Returns true if the text is valid UTF-8.
 bool is_utf8(std::string_view text);
 
-/// Returns true if the text is valid UTF-8 without any character that could control a terminal:
-/// control characters, separators of lines, and characters that change the direction of writing.
+/// Returns true if the text is valid UTF-8 without any character that could control a terminal.
+/// Such characters are control characters, separators of lines, and characters that change the
+/// direction of writing.
 bool is_harmless(std::string_view text);
 
 /// Returns a text in which every byte that is not UTF-8 is replaced by U+FFFD.
 std::string valid_utf8(std::string_view text);
 
 /// Returns a text as one line of valid UTF-8 that a terminal shows without interpreting any
-/// character: a line break or a tab becomes a space, every other character that could control a
-/// terminal becomes a question mark, and every byte that is not UTF-8 becomes U+FFFD. If the result
-/// would have more than `longest` characters, its middle is replaced by " ... ". The beginning of
-/// an error message, which says where the error is, and its end, which gives the reason, are then
-/// kept.
+/// character:
+/// - a line break or a tab becomes a space;
+/// - every other character that could control a terminal becomes a question mark;
+/// - every byte that is not UTF-8 becomes U+FFFD.
+///
+/// If the result would have more than `longest` characters, its middle is replaced by " ... ". The
+/// beginning of an error message, which says where the error is, and its end, which gives the
+/// reason, are then kept.
 std::string shown_text(std::string_view text, std::size_t longest = kLongestMessage);
 
 /// Returns a text in which the same characters and bytes are replaced as in the result of

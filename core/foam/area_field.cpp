@@ -14,9 +14,9 @@
 // Non-Uniform Random Variate Generation, 1986): a binary search in the cumulative sums of 1 / area
 // finds the cell, in which the point is uniformly distributed. Integrals over polygons are sums
 // over sample points (polygon_samples.h), so that a polygon need not be clipped to the cells of the
-// grid. The mean over a polygon is harmonic because the integral of 1 / area is the number of
-// bubbles in the polygon, and the mean area of a bubble is the area of the polygon divided by this
-// number.
+// grid. The integral of 1 / area over a polygon is the number of bubbles in the polygon. The mean
+// area of a bubble is the area of the polygon divided by this number. The mean over a polygon is
+// therefore harmonic.
 
 namespace foam {
 

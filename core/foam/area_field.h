@@ -38,12 +38,12 @@ class AreaField {
     /// Precondition: the polygon is counter-clockwise.
     double mean_over(std::span<const Vec2> polygon) const;
 
-    /// Returns the point to which Lloyd's algorithm moves the site of a Voronoi cell: the centroid
-    /// of the cell, which is the given polygon, for the weight 1 / area^2. With this weight, the
-    /// algorithm makes the number of sites per unit area proportional to 1 / area (Q. Du, V. Faber,
-    /// M. Gunzburger, "Centroidal Voronoi tessellations", SIAM Review 41, 1999: in the plane, the
-    /// density of sites tends to the square root of the weight). Precondition: the polygon is
-    /// counter-clockwise.
+    /// Returns the point to which Lloyd's algorithm moves the site of a Voronoi cell. The polygon
+    /// is the cell, and the point is its centroid for the weight 1 / area^2. In the plane, the
+    /// density of sites tends to the square root of the weight (Q. Du, V. Faber, M. Gunzburger,
+    /// "Centroidal Voronoi tessellations", SIAM Review 41, 1999). With this weight, the algorithm
+    /// therefore makes the number of sites per unit area proportional to 1 / area. Precondition:
+    /// the polygon is counter-clockwise.
     Vec2 centroid_of(std::span<const Vec2> polygon) const;
 
   private:

@@ -6,9 +6,9 @@
 
 namespace foam {
 
-/// The shape of a bubble. Elongation and orientation are properties of the ellipse that has the
-/// same second moments of area about its center as the region within the arcs of the bubble (M. R.
-/// Teague, J. Opt. Soc. Am. 70, 920, 1980).
+/// The shape of a bubble. Elongation and orientation are properties of an ellipse (M. R. Teague, J.
+/// Opt. Soc. Am. 70, 920, 1980). The ellipse has the same second moments of area about its center
+/// as the region within the arcs of the bubble.
 struct BubbleShape {
     Vec2 center{0.0, 0.0};    // centroid; on a torus it may be outside of the fundamental cell
     double perimeter = 0.0;   // length of all films around the bubble

@@ -154,8 +154,8 @@ std::optional<Cell> merged(const Cell& a, const Cell& b) {
     return loop.size() == sides ? std::optional(loop) : std::nullopt;
 }
 
-// Returns the unit in which the area of a cell is compared with the areas of other cells: the mean
-// of the area field over the cell, or 1 if there is no area field.
+// Returns the unit in which the area of a cell is compared with the areas of other cells. The unit
+// is the mean of the area field over the cell, or 1 if there is no area field.
 double unit_area(const PolygonMesh& mesh, const Cell& cell, const AreaField* areas) {
     return areas != nullptr ? areas->mean_over(polygon_of(mesh, cell)) : 1.0;
 }
@@ -171,9 +171,9 @@ double mean_area(const PolygonMesh& mesh, const AreaField* areas) {
     return total / units;
 }
 
-// Removes the cell from the mesh after merging it into a neighbor: of the neighbors whose union
-// with the cell has a single loop as its boundary, the one with the longest common border. If there
-// is no such neighbor, the area of the cell is lost.
+// Merges the cell into a neighbor and removes it from the mesh. The union of the neighbor and the
+// cell must have a single loop as its boundary. Of several such neighbors, the one with the longest
+// common border is chosen. If there is no such neighbor, the area of the cell is lost.
 void merge_or_drop(PolygonMesh& mesh, std::size_t cell) {
     for (const std::size_t neighbor : neighbors_of(mesh, cell)) {
         if (const std::optional<Cell> both = merged(mesh.cells[cell], mesh.cells[neighbor])) {

@@ -75,16 +75,17 @@ void set_half_angle(Foam& foam, HalfEdgeId h, double angle);
 /// (kLargestSine). Does nothing to an inner film.
 void fit_half_angle(Foam& foam, FilmId film);
 
-/// Makes the foam a patch: sets the domain to the plane, appends the pressure, the target area and
-/// the identity of the ghost, and fits the half angles of all outer films. Precondition: the last
-/// bubble of the network is a new ghost, for which the foam has no values yet.
+/// Makes the foam a patch: sets the domain to the plane, appends the values of the ghost, and fits
+/// the half angles of all outer films. The values of the ghost are its pressure, target area and
+/// identity. Precondition: the last bubble of the network is a new ghost, for which the foam has no
+/// values yet.
 void complete_patch(Foam& foam);
 
 /// Moves the junction to a point of the plane. On a torus, the point may be outside of the
-/// fundamental cell: this function wraps the junction into it and updates the lattice offsets of
-/// the junction's films. Precondition: the point is the stored position of the junction plus the
-/// displacement of the move, not wrapped. Another lattice copy of this point would stretch the
-/// films across the torus.
+/// fundamental cell. The function then wraps the junction into the cell and updates the lattice
+/// offsets of the junction's films. Precondition: the point is the stored position of the junction
+/// plus the displacement of the move, not wrapped. Another lattice copy of this point would stretch
+/// the films across the torus.
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point);
 
 /// Moves all junctions by the same vector. Lone bubbles are not moved.

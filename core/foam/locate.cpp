@@ -9,14 +9,18 @@
 #include <cmath>
 #include <limits>
 
-// Locates points by winding numbers. The winding number of an outline of arcs is the winding number
-// of the polygon of its chords, plus or minus 1 for each arc that has the point between itself and
-// its chord. The winding number of the polygon is the number of times that its sides cross the ray
-// from the point to the right: a crossing counts as 1 if it is upwards and as -1 if it is
-// downwards. By the inscribed angle theorem, a point is between an arc and its chord under two
-// conditions: it is on the same side of the chord as the arc, and the chord, seen from the point,
-// subtends an angle of more than 180 degrees minus the half angle of the arc. If a point is on a
-// film, rounding may make the winding number of every bubble 0; bubble_at then tries points nearby.
+// Locates points by winding numbers. The winding number of an outline of arcs is a sum of two
+// parts. The first part is the winding number of the polygon of the chords. It counts the crossings
+// of the polygon's sides with the ray from the point to the right. An upward crossing counts as 1,
+// a downward crossing as -1. The second part is plus or minus 1 for each arc that has the point
+// between itself and its chord. By the inscribed angle theorem, a point is between an arc and its
+// chord under two conditions:
+// - it is on the same side of the chord as the arc;
+// - the chord, seen from the point, subtends an angle of more than 180 degrees minus the half angle
+//   of the arc.
+//
+// If a point is on a film, rounding may make the winding number of every bubble 0; bubble_at then
+// tries points nearby.
 
 namespace foam {
 

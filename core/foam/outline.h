@@ -19,9 +19,9 @@ struct Outline {
 
 /// Parses a polygon in the format WKT (well-known text), POLYGON((x y, ...), (...)): the outer
 /// ring, followed by the holes. Rings may have either direction; repeating the first corner at the
-/// end is optional. Throws std::invalid_argument, with the reason, if the text is not a polygon, or
-/// if the polygon is not valid, for example because it crosses itself or because its area is less
-/// than 1e-9 of the square of the longer side of its bounding box.
+/// end is optional. Throws std::invalid_argument, with the reason, if the text is not a polygon or
+/// if the polygon is not valid. For example, a polygon that crosses itself is not valid. It is also
+/// not valid if its area is less than 1e-9 of the square of the longer side of its bounding box.
 Outline outline_from_wkt(const std::string& text);
 
 /// Returns the unit disc around the origin as a regular polygon of 360 sides.

@@ -95,8 +95,8 @@ SeededParts seed_parts(std::span<const PreparedPart> parts,
     return seeded;
 }
 
-// Moves everything so that the mean of all corners of cells and of all centers of lone bubbles is
-// at the origin, and scales everything to a mean area of 1.
+// Moves everything so that the origin is the mean of all corners of cells and of all centers of
+// lone bubbles. Scales everything to a mean area of 1.
 void normalize(SeededParts& parts) {
     double area = 0.0;
     for (const PolygonMesh::Cell& cell : parts.mesh.cells) {

@@ -15,12 +15,12 @@
 #include <utility>
 
 // Divides the bubbles among the parts of an outline, and draws the cells of a part. Random sites
-// are drawn by rejection: points outside of the part are dropped. Lloyd's algorithm (S. P. Lloyd,
-// Least squares quantization in PCM, IEEE Transactions on Information Theory 28, 1982) moves each
-// site to the centroid of its clipped cell. An outline need not be convex, so the centroid may be
-// outside; the site then stays where it is, which is our own rule. The integral of 1 / field over a
-// part, to which its number of bubbles is proportional, is approximated by a sum over the points of
-// a grid.
+// are drawn by rejection: points outside of the part are dropped. Lloyd's algorithm moves each site
+// to the centroid of its clipped cell (S. P. Lloyd, Least squares quantization in PCM, IEEE
+// Transactions on Information Theory 28, 1982). An outline need not be convex, so the centroid may
+// be outside; the site then stays where it is, which is our own rule. If there is an area field,
+// the number of bubbles of a part is proportional to the integral of 1 / field over the part. This
+// integral is approximated by a sum over the points of a grid.
 
 namespace foam {
 
@@ -122,10 +122,10 @@ Vec2 random_point(const Box& box, Random& random) {
     return {x, y};
 }
 
-// Returns `count` random points inside the part. Draws points uniformly in the bounding box of the
-// part or, if there is an area field, in the bounding box of the whole outline with a density of
-// 1 / area. Keeps the points inside the part. Throws std::runtime_error if too few points are
-// inside.
+// Returns `count` random points inside the part, by drawing points and keeping those inside.
+// Without an area field, points are drawn uniformly in the bounding box of the part. With an area
+// field, they are drawn in the bounding box of the whole outline, where their density is
+// proportional to 1 / area. Throws std::runtime_error if too few points are inside.
 std::vector<Vec2> random_sites(const PreparedPart& part, int count, Random& random) {
     const Box box = box_of(part.outline);
     const std::int64_t max_points = kMaxPoints + std::int64_t{kMaxPointsPerBubble} * count;

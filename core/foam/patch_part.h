@@ -16,10 +16,10 @@
 namespace foam {
 
 /// A part of an outline, scaled and placed in the middle of a torus of its own. The cells of the
-/// part come from a Voronoi diagram of points within the part, called sites. Within the part, the
-/// lattice copies of sites do not affect the cells: because the torus is at least twice as wide and
-/// at least twice as high as the part, a copy of a site is never nearer to a point within the part
-/// than the site itself.
+/// part come from a Voronoi diagram of points within the part, called sites. The torus is at least
+/// twice as wide and at least twice as high as the part. So a lattice copy of a site is never
+/// nearer to a point within the part than the site itself. Copies therefore do not affect the cells
+/// within the part.
 struct PreparedPart {
     Outline outline;
     Domain domain;

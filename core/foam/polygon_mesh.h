@@ -21,9 +21,10 @@ struct PolygonMesh {
 
 /// Returns the mesh as a patch with straight films and pressures of 0. Bubbles are the cells, in
 /// the same order; target areas are the areas of the cells. A chain of sides becomes one film: a
-/// point where only two sides meet is dissolved. Throws std::runtime_error if a corner does not
-/// join two or three sides, if two cells use one side in the same direction, or if a cell has no
-/// corner that joins three sides.
+/// point where only two sides meet is dissolved. Throws std::runtime_error in three cases:
+/// - a corner does not join two or three sides;
+/// - two cells use one side in the same direction;
+/// - a cell has no corner that joins three sides.
 Foam foam_from_mesh(const PolygonMesh& mesh);
 
 }  // namespace foam

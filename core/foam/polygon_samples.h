@@ -36,11 +36,11 @@ void visit_parts(const std::array<Vec2, 3>& triangle, int n, const Visit& visit)
 }  // namespace detail
 
 /// Calls visit(point, weight) for points that are spread evenly over a polygon; the sum of the
-/// weights is its area. The polygon is divided into triangles that share its first corner, and each
-/// triangle into n^2 equal triangles, whose centroids are the points. n is the smallest number for
-/// which the sides of these triangles are at most `spacing` long, but at most 32. If the polygon is
-/// not convex, some weights may be negative and some points outside. Precondition: the polygon is
-/// counter-clockwise.
+/// weights is the area of the polygon. The polygon is divided into triangles that share its first
+/// corner. Each triangle is divided into n^2 equal parts, whose centroids are the points. The
+/// number n is the smallest for which the sides of the parts are at most `spacing` long, but never
+/// exceeds 32. If the polygon is not convex, some weights may be negative and some points outside.
+/// Precondition: the polygon is counter-clockwise.
 template <class Visit>
 void visit_polygon_samples(std::span<const Vec2> polygon, double spacing, const Visit& visit) {
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {

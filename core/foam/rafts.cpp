@@ -14,11 +14,11 @@
 #include <numeric>
 #include <vector>
 
-// Implements the topology changes at the ghost of a patch: films tear, which separates rafts or
-// joins a hole to the outside or to another hole, and small holes close. The ghost has several
-// boundaries if there are several rafts or holes. The network does not store which of these
-// boundaries are holes, so holes are recognized by the signed area that a boundary encloses. The
-// outer boundary of a raft runs clockwise, because the ghost is on its left, and has a large
+// Implements the topology changes at the ghost of a patch: films tear, and small holes close. The
+// tearing of a film separates rafts, or joins a hole to the outside or to another hole. The ghost
+// has several boundaries if there are several rafts or holes. The network does not store which of
+// these boundaries are holes, so holes are recognized by the signed area that a boundary encloses.
+// The outer boundary of a raft runs clockwise, because the ghost is on its left, and has a large
 // negative area. A hole has a positive area, or a small negative area if the bubbles around it
 // overlap.
 

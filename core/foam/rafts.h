@@ -10,11 +10,11 @@ namespace foam {
 bool is_inside_double_bubble(const Network& network, FilmId film);
 
 /// Tears a film with the ghost at both ends (core/network/split.h) and records a T1. On each side
-/// of the torn film, two outer films become one arc. The half angle that keeps the old tangent at
-/// the tail of the arc usually differs from the half angle that keeps the old tangent at its head;
-/// the arc gets the mean of both half angles. A bubble that no longer touches another bubble
-/// becomes a lone bubble, whose circle is tangent to the old outer film of this bubble at one end
-/// of the torn film. Precondition: can_split.
+/// of the torn film, two outer films become one arc. One half angle keeps the old tangent at the
+/// tail of the arc; usually, a different half angle keeps the old tangent at its head. The arc gets
+/// the mean of the two half angles. A bubble that no longer touches another bubble becomes a lone
+/// bubble. Its circle is tangent to the old outer film of this bubble at one end of the torn film.
+/// Precondition: can_split.
 void tear_film(Foam& foam, FilmId film);
 
 /// Returns true if the outer film is at a hole of at most three films, all with chords shorter than

@@ -14,11 +14,11 @@
 
 // Seeds a foam on a torus from the Voronoi diagram of uniformly random sites (paper section 5;
 // before it Weaire and Kermode, Philosophical Magazine B 50, 1984). Each iteration of Lloyd's
-// algorithm (S. P. Lloyd, Least squares quantization in PCM, IEEE Transactions on Information
-// Theory 28, 1982) moves every site to the centroid of its cell and takes the diagram of the new
-// sites, which makes the cells more regular. If there is an area field (the relative area that
-// bubbles should have at each point), the density of the random sites is proportional to 1 / area,
-// and the centroids are weighted (area_field.h).
+// algorithm moves every site to the centroid of its cell and takes the diagram of the new sites (S.
+// P. Lloyd, Least squares quantization in PCM, IEEE Transactions on Information Theory 28, 1982).
+// The iterations make the cells more regular. An area field gives the relative area that bubbles
+// should have at each point. If there is one, the centroids are weighted (area_field.h), and the
+// density of the random sites is proportional to 1 / area.
 
 namespace foam {
 

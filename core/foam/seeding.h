@@ -12,21 +12,21 @@ namespace foam {
 
 /// Options for seeding a foam on a torus.
 struct SeedingOptions {
-    int bubbles = 1000;            // also the area of the torus, because the mean bubble area is 1
-    double aspect = 1.0;           // width of the torus divided by its height
-    int lloyd_iterations = 0;      // iterations of Lloyd's algorithm; 0 keeps the random sites
-    double area_ratio = 0.0;       // largest target area divided by the smallest, if there is no
-                                   // field of areas; the logarithms of the target areas are evenly
-                                   // spaced; if it is 0, the target areas are the areas of the
-                                   // Voronoi cells (see `areas` for the case with a field)
+    int bubbles = 1000;        // also the area of the torus, because the mean bubble area is 1
+    double aspect = 1.0;       // width of the torus divided by its height
+    int lloyd_iterations = 0;  // iterations of Lloyd's algorithm; 0 keeps the random sites
+    /// The largest target area divided by the smallest, if there is no field of areas (`areas`).
+    /// The logarithms of the target areas are evenly spaced. If the ratio is 0, the target areas
+    /// are the areas of the Voronoi cells.
+    double area_ratio = 0.0;
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma
     std::uint64_t seed = 1;
-    /// The field of the relative areas of bubbles at every point. It is stretched over the torus;
-    /// in PatchOptions::areas, over the bounding box of the outline of the patch. Sites are denser
-    /// where bubbles are small, and Lloyd's algorithm is weighted. Every target area is
-    /// proportional to the value of the field at its cell and, if `area_ratio` is not 0, also to a
-    /// factor from 1 to `area_ratio`. If there is no field, the mean area of bubbles is the same
-    /// everywhere.
+    /// The field of the relative areas of bubbles at every point. It is stretched over the torus.
+    /// PatchOptions::areas is stretched over the bounding box of the outline of the patch. Sites
+    /// are denser where bubbles are small, and Lloyd's algorithm is weighted. Every target area is
+    /// proportional to the value of the field at its cell. If `area_ratio` is not 0, every target
+    /// area is also proportional to a factor from 1 to `area_ratio`. If there is no field, the mean
+    /// area of bubbles is the same everywhere.
     std::optional<AreaField> areas = std::nullopt;
 };
 

@@ -4,8 +4,8 @@
 
 namespace foam {
 
-// A lone bubble of radius r and pressure T / r contributes nothing to the sum: its circle
-// contributes pi r T, and its gas -pi r² T / r, to each diagonal entry.
+// A lone bubble of radius r and pressure T / r contributes nothing to the sum. To each diagonal
+// entry, its circle contributes pi r T, and its gas -pi r² T / r.
 Mat2 mean_stress(const Frame& frame) {
     Mat2 sum = Mat2::Zero();
     for (const FilmArc& arc : frame.arcs) {

@@ -6,10 +6,10 @@
 
 namespace foam {
 
-/// Returns the mean stress of the foam (E11 in core/EQUATIONS.md) as a symmetric matrix: a force
-/// per length, in the unit of Frame::film_tension divided by the foam unit of length. Tension is
-/// positive, pressure negative. The mean is taken over the torus, or over the area of all bubbles
-/// of a patch, including lone bubbles.
+/// Returns the mean stress of the foam (E11 in core/EQUATIONS.md) as a symmetric matrix. A stress
+/// is a force per length. Its unit is the unit of Frame::film_tension divided by the foam unit of
+/// length. Tension is positive, pressure negative. The mean is taken over the torus, or over the
+/// area of all bubbles of a patch, including lone bubbles.
 ///
 /// On a torus, adding a constant to all pressures subtracts it from xx and yy, and leaves xy and
 /// xx - yy unchanged. After an equilibration the mean pressure is 0, so that the trace of the
@@ -19,7 +19,7 @@ Mat2 mean_stress(const Frame& frame);
 
 /// Returns the mean stress of a bubble with its share of the films around it: half of each inner
 /// film, and the whole of each outer film. The mean of these stresses over all bubbles, weighted by
-/// area, is mean_stress. (The stress of a lone bubble in equilibrium is 0.)
+/// area, is mean_stress. The stress of a lone bubble in equilibrium is 0.
 Mat2 bubble_stress(const Frame& frame, BubbleId bubble);
 
 }  // namespace foam

@@ -11,9 +11,9 @@
 #include <cmath>
 
 // The paper flips every film below the T1 distance (paper eq. 2). This rule adds a test of forces,
-// so that a flip does not have to be undone (E7 in core/EQUATIONS.md). In units of the film
-// tension, the flipped film pulls the junctions at its ends together with a force of 1, and the
-// neighboring films pull them apart. The flipped film stays open if the neighboring films pull
+// so that a flip does not have to be undone (E7 in core/EQUATIONS.md). Forces are in units of the
+// film tension. The flipped film pulls the junctions at its ends together with a force of 1, and
+// the neighboring films pull them apart. The flipped film stays open if the neighboring films pull
 // harder. The same forces decide whether a collapsed film is flipped before it is reopened.
 
 namespace foam {
@@ -46,9 +46,9 @@ Vec2 tangent(const Foam& foam, HalfEdgeId h) {
     return arc.chord == Vec2::Zero() ? Vec2(0.0, 0.0) : tangent_at_tail(arc);
 }
 
-// The pull with which the four neighboring films stretch a film, in units of the film tension: half
-// of the difference between the forces on its two ends. The flipped film is across the present
-// film: its left end is on the left of the present film.
+// The pull with which the four neighboring films stretch a film, in units of the film tension. The
+// pull is half of the difference between the forces on the two ends of the film. The flipped film
+// is across the present film: its left end is on the left of the present film.
 struct NeighborPull {
     Vec2 present;  // half of (force on head - force on tail) of the present film
     Vec2 flipped;  // half of (force on left end - force on right end) of the flipped film

@@ -10,19 +10,20 @@
 
 namespace foam {
 
-/// Applies the T1 rule (E7 in core/EQUATIONS.md): decides whether a film flips, tears or is
-/// reopened, or whether the hole beside the film closes, and performs the change. The functions
-/// that change the network are in core/network (t1.h, split.h, t2.h) and rafts.h. The first case
-/// that applies is decisive:
+/// Applies the T1 rule (E7 in core/EQUATIONS.md). The rule decides whether a film flips, tears or
+/// is reopened, or whether the hole beside the film closes. The function then performs the change.
+/// The functions that change the network are in core/network (t1.h, split.h, t2.h) and rafts.h. The
+/// first case that applies is decisive:
 /// - A film that can tear (can_tear) tears or does not change. It never flips, because the flipped
 ///   film would have the ghost on both sides. It tears if it is shorter than its T1 distance
 ///   (t1_distance_at) and its neighboring films would pull its two sides apart
-///   (flipped_pulls_apart). It also tears if it has collapsed (collapsed_length) and the pull of
-///   its neighboring films across it exceeds their pull along it minus the tension of the film.
+///   (flipped_pulls_apart). It also tears if it has collapsed (collapsed_length) and its
+///   neighboring films pull hard enough. Their pull across it must exceed their pull along it minus
+///   the tension of the film.
 /// - If an outer film is at a small hole (is_small_hole with the T1 distance of the thresholds),
 ///   the hole closes, if it can.
 /// - If an outer film is at a hole in which bubbles overlap (is_overlapping_hole), the hole closes
-///   or, if it cannot close, the film flips, if it can. This does not depend on the length of the
+///   if it can. Otherwise, the film flips if it can. This case does not depend on the length of the
 ///   film, so callers must apply the rule only to films that they consider short.
 /// - A collapsed film (collapsed_length) is reopened (reopen_film).
 /// - Any other film that is shorter than its T1 distance (t1_distance_at) flips if it can and if it
@@ -75,8 +76,9 @@ bool can_tear(const Network& network, FilmId film);
 /// Returns true if the film can flip or tear.
 bool can_change(const Network& network, FilmId film);
 
-/// Arms each of the given films that is disarmed (Foam::t1_armed) and has grown: its chord is
-/// longer than twice the T1 distance that the film has when it is armed (t1_distance_at).
+/// Arms each of the given films that is disarmed (Foam::t1_armed) and has grown. A film has grown
+/// if its chord is longer than twice the T1 distance that the film has when it is armed
+/// (t1_distance_at).
 void rearm_grown_films(Foam& foam,
                        std::span<const FilmId> films,
                        const TopologyThresholds& thresholds);

@@ -8,11 +8,12 @@
 #include <numeric>
 #include <vector>
 
-// If target areas are to differ by a given ratio, their logarithms are evenly spaced, and they are
-// assigned by rank: the k-th smallest cell gets the k-th smallest target area. Of all assignments
-// of the same target areas, this one minimizes the sum of the squared changes of log area
-// (rearrangement inequality; Hardy, Littlewood and Polya, Inequalities, 1934, chapter 10). The
-// method is our own; core/NOTES.md tells why it is used instead of a weighted Voronoi diagram.
+// If the target areas are to have a given ratio of the largest to the smallest, their logarithms
+// are evenly spaced. They are assigned by rank: the k-th smallest cell gets the k-th smallest
+// target area. Of all assignments of the same target areas, this one minimizes the sum of the
+// squared changes of log area (rearrangement inequality; Hardy, Littlewood and Polya, Inequalities,
+// 1934, chapter 10). The method is our own; core/NOTES.md tells why it is used instead of a
+// weighted Voronoi diagram.
 
 namespace foam {
 

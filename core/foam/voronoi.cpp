@@ -13,12 +13,12 @@
 #include <string>
 #include <utility>
 
-// The periodic diagram is part of the planar Voronoi diagram (Boost.Polygon) of the sites and of
-// their lattice copies within a margin around the fundamental cell of the torus. Each corner of a
-// cell is the center of a circle through the sites of the cells that meet at this corner. A cell is
-// final if all these circles are within the margin, because no copy farther away can then cut off a
-// part of the cell. If a cell is not final, the margin is doubled and the diagram is computed
-// again.
+// The periodic diagram is part of a planar Voronoi diagram (Boost.Polygon). The planar diagram
+// contains the sites, and their lattice copies within a margin around the fundamental cell of the
+// torus. Each corner of a cell is the center of a circle through the sites of the cells that meet
+// at this corner. A cell is final if all these circles are within the margin, because no copy
+// farther away can then cut off a part of the cell. If a cell is not final, the margin is doubled
+// and the diagram is computed again.
 
 namespace foam {
 
@@ -102,8 +102,8 @@ Copies copies_within(const std::vector<GridPoint>& sites, const Grid& grid, doub
 }
 
 // Returns the corners of one cell. Returns nothing if the cell is unbounded. Also returns nothing
-// if the circle around a corner through the sites nearest to it may extend beyond the margin: a
-// copy outside of the margin might then cut off a part of the cell.
+// if the circle around a corner, through the sites nearest to the corner, may extend beyond the
+// margin. A copy outside of the margin might then cut off a part of the cell.
 std::optional<std::vector<CellCorner>> corners_of(const Diagram::cell_type& cell,
                                                   const Copies& all,
                                                   const Grid& grid,
@@ -147,8 +147,8 @@ std::optional<CellDiagram> cells_within(const std::vector<GridPoint>& sites,
     return cells;
 }
 
-// Throws std::runtime_error if a site has no cell, because it shares a grid point, and so its cell,
-// with another site.
+// Throws std::runtime_error if a site has no cell. This happens if two sites are at the same grid
+// point: the diagram then has one cell for both.
 void check_every_site_has_a_cell(const CellDiagram& cells) {
     for (const std::vector<CellCorner>& cell : cells) {
         if (cell.empty()) {

@@ -12,9 +12,9 @@ namespace foam {
 /// rounded to a grid with a spacing of 2^-26 of the longer period of the torus. The diagram of the
 /// rounded sites is exact, except that the coordinates of its corners are rounded. If four sites
 /// are on one circle, a corner may join more than three cells; foam_from_cells rejects such a
-/// diagram. Throws std::runtime_error if two sites share a grid point, or if the gaps between sites
-/// are too large, for example if a very long torus has few sites. Precondition: the torus has no
-/// shear, and the sites are in its fundamental cell.
+/// diagram. Throws std::runtime_error if two sites share a grid point. Also throws
+/// std::runtime_error if the gaps between sites are too large, for example if a very long torus has
+/// few sites. Precondition: the torus has no shear, and the sites are in its fundamental cell.
 CellDiagram voronoi_cells(const Domain& domain, const std::vector<Vec2>& sites);
 
 }  // namespace foam

@@ -5,9 +5,9 @@
 #include "core/geometry/elementary.h"
 
 // The energy of an outer film is T c q(alpha) - delta c² h(alpha) / 4. Here T is the film tension,
-// c the length of the chord, delta the pressure difference and alpha the half angle; q, h and w are
-// the functions of ArcShape. The derivatives of the energy with respect to the chord, the pressure
-// difference and the half angle (E3 in core/EQUATIONS.md) follow from
+// c the length of the chord, delta the pressure difference and alpha the half angle. The functions
+// q, h and w are defined in ArcShape. The energy is differentiated with respect to the chord, the
+// pressure difference and the half angle (E3 in core/EQUATIONS.md). The derivatives follow from
 // q' = sin(alpha) w and h' = 2 w.
 
 namespace foam {

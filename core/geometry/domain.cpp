@@ -9,10 +9,13 @@ namespace foam {
 
 namespace {
 
-// Returns k = floor(x / period), the number of whole periods in x, with three exceptions. The
-// result is 0 if x is negative and so close to 0 that x + period rounds to the period, if k does
-// not fit into 32 bits, or if x is NaN. In all other cases, k is corrected for rounding errors: the
-// computed value of x - k * period is in [0, period).
+// Returns k = floor(x / period), the number of whole periods in x. Returns 0 in three cases:
+// - x is negative and so close to 0 that x + period rounds to the period;
+// - k does not fit into 32 bits;
+// - x is NaN.
+//
+// In all other cases, k is corrected for rounding errors: the computed value of x - k * period is
+// in [0, period).
 std::int32_t periods_below(double x, double period) {
     double k = std::floor(x / period);
     if (x - k * period < 0.0) {

@@ -47,9 +47,9 @@ inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
     return power * power_of_two(half) * power_of_two(k - half);
 }
 
-// Returns log x, with a relative error of about 2^-65, for a positive finite number x. x is 2^k m
-// with m in [sqrt(1/2), sqrt 2), and log m = 2 s (1 + z / 3 + z² L(z)) with s = (m - 1) / (m + 1)
-// and z = s².
+// Returns log x, with a relative error of about 2^-65, for a positive finite number x. The number x
+// is 2^k m with m in [sqrt(1/2), sqrt 2), so that log x = k log 2 + log m. With
+// s = (m - 1) / (m + 1) and z = s², log m = 2 s (1 + z / 3 + z² L(z)).
 [[gnu::always_inline]] inline TwoDoubles logarithm(double x) {
     constexpr std::array kLogarithm = {0x1.9999999999996p-3,
                                        0x1.2492492493038p-3,

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-// In the closed forms of most functions of an arc (E1 and E3 in core/EQUATIONS.md), terms nearly
-// cancel if the film is nearly straight, that is, if its half angle alpha is near 0. The functions
-// of such films are evaluated as power series in s = sin alpha. The coefficients of these series
-// follow from the coefficients of the binomial series of 1/sqrt(1 - s²).
+// Most functions of an arc have closed forms (E1 and E3 in core/EQUATIONS.md) in which terms nearly
+// cancel if the film is nearly straight. A film is nearly straight if its half angle alpha is near
+// 0. The functions of such films are evaluated as power series in s = sin alpha. The coefficients
+// of these series follow from the coefficients of the binomial series of 1/sqrt(1 - s²).
 
 namespace foam {
 
@@ -119,9 +119,9 @@ double segment_shape_derivative(double s) {
     return 2.0 / std::sqrt((1.0 - s) * (1.0 + s)) - 2.0 * segment_shape(s) / s;
 }
 
-// Near a straight film, the series of w follows from 2 w = h' and h = segment_shape(sin alpha):
-// w = cos(alpha) segment_shape_derivative(sin alpha) / 2. w' is the derivative of this expression
-// with respect to alpha.
+// If the film is nearly straight, w = cos(alpha) segment_shape_derivative(sin alpha) / 2 is
+// computed from a series. This formula follows from 2 w = h' and h = segment_shape(sin alpha). The
+// derivative of this formula with respect to alpha is w'.
 ArcShape arc_shape(double half_angle) {
     const auto [s, c] = ieee::sincos(half_angle);
     ArcShape shape{

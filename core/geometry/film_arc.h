@@ -44,9 +44,9 @@ Mat2 tangent_tensor(const FilmArc& arc);
 
 /// Moments of area of the segment between an arc and its chord. Coordinates are relative to the
 /// middle of the chord: x along the chord, y to its left. As in segment_area, the integrals count
-/// with a negative sign if the segment is on the left of the chord, so that the moments of a bubble
-/// are the moments of its polygon plus the moments of the segments of its films. The moments of x
-/// and of xy are 0 by symmetry.
+/// with a negative sign if the segment is on the left of the chord. The moments of a bubble are
+/// therefore the moments of its polygon plus the moments of the segments of its films. The moments
+/// of x and of xy are 0 by symmetry.
 struct SegmentMoments {
     double area = 0.0;  // segment_area
     double y = 0.0;     // integral of y

@@ -12,13 +12,12 @@ namespace foam {
 /// delta = p_left - p_right the pressure difference. The film is a Laplace-Young arc: the arc that
 /// satisfies Laplace-Young's law (E1). The sine of its half angle is s = delta |d| / 2T.
 ///
-/// If the half angle of the Laplace-Young arc would exceed the limit of 80 degrees
-/// (|s| > kLargestSine), or if there is no such arc (|s| > 1), the half angle is clamped to the
-/// limit and `at_limit` is set.
-/// The gradient is continuous at the limit, because the energy of a Laplace-Young arc is stationary
-/// in the half angle. So even a film that has no Laplace-Young arc exerts finite forces, which move
-/// the foam away from states in which a film has no such arc. A foam that has a film at the limit
-/// does not count as being in equilibrium.
+/// The half angle of the Laplace-Young arc is limited to 80 degrees. If it would exceed this limit
+/// (|s| > kLargestSine), it is clamped to the limit and `at_limit` is set. The same happens if
+/// there is no such arc (|s| > 1). The gradient is continuous at the limit, because the energy of a
+/// Laplace-Young arc is stationary in the half angle. So even a film that has no Laplace-Young arc
+/// exerts finite forces. These forces move the foam away from states in which a film has no such
+/// arc. A foam that has a film at the limit does not count as being in equilibrium.
 struct FilmEnergy {
     double half_angle = 0.0;  // radians, clamped to the limit
     double value = 0.0;

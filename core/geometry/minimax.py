@@ -77,7 +77,8 @@ def series_safe(f):
 
 if __name__ == "__main__":
     quarter = (pi / 4 * mpf("1.0001")) ** 2
-    # sin x = x + x z S(z), cos x = 1 - z/2 + z² C(z), asin x = x + x z A(z), atan x = x - x z T(z), z = x²
+    # The polynomials S, C, A and T are defined by the following formulas, with z = x²:
+    # sin x = x + x z S(z), cos x = 1 - z/2 + z² C(z), asin x = x + x z A(z), atan x = x - x z T(z)
     show("sine", series_safe(lambda z: (sin(sqrt(z)) / sqrt(z) - 1) / z), lambda z: z, 0, quarter, 6)
     show("cosine", series_safe(lambda z: (cos(sqrt(z)) - 1 + z / 2) / z**2), lambda z: z**2, 0, quarter, 6)
     show("arcsine", series_safe(lambda z: (asin(sqrt(z)) / sqrt(z) - 1) / z), lambda z: z, 0, mpf("0.25"), 13)

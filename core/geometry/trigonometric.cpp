@@ -45,9 +45,9 @@ struct Turns {
     std::uint64_t low;
 };
 
-// Returns x * 2/pi modulo 4. Precondition: x is positive and normal. The mantissa of x, an integer,
-// is multiplied by 192 bits of 2/pi: higher bits contribute only multiples of 4, and lower bits
-// contribute too little to matter.
+// Returns x * 2/pi modulo 4. The mantissa of x, an integer, is multiplied by 192 bits of 2/pi.
+// Higher bits contribute only multiples of 4, and lower bits contribute too little to matter.
+// Precondition: x is positive and normal.
 Turns quarter_turns(double x) {
     const std::uint64_t mantissa = (bits_of(x) & ((std::uint64_t{1} << kMantissaBits) - 1)) |
                                    (std::uint64_t{1} << kMantissaBits);

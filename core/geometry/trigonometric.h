@@ -36,9 +36,10 @@ inline constexpr double kLargestAngle = 0x1p20;
 // Reduces an angle of at least kLargestAngle. The result is NaN if x is infinite or NaN.
 ReducedAngle reduced_large(double x);
 
-// Reduces an angle in [0, kLargestAngle] by subtraction of k pi/2 (W. J. Cody and W. Waite,
-// "Software Manual for the Elementary Functions", 1980). pi/2 is the sum of three numbers of at
-// most 33 bits, whose products with k are exact, and a small remainder.
+// Reduces an angle in [0, kLargestAngle] by subtraction of k pi/2, where k is a whole number (W. J.
+// Cody and W. Waite, "Software Manual for the Elementary Functions", 1980). The number pi/2 is the
+// sum of three numbers of at most 33 bits and a small remainder. The products of the three numbers
+// with k are exact.
 [[gnu::always_inline]] inline ReducedAngle reduced(double x) {
     const double shifted = x * (2.0 / std::numbers::pi) + kRounder;
     const double k = shifted - kRounder;

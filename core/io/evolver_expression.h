@@ -13,12 +13,12 @@ namespace foam::evolver {
 using Parameters = std::map<std::string, double>;
 
 /// Reads a constant expression and returns its value. The expression consists of numbers,
-/// parameters, pi and e, + - * / ^, parentheses, and functions of one argument such as sqrt and sin
-/// (find_function in evolver_expression.cpp has the list). Outside parentheses, a sign with white
-/// space before it and none after it begins the next expression of a list, as in Evolver: `1 -2` is
-/// two expressions. Outside parentheses, an operator at the start of a line also ends the
-/// expression. Throws FormatError if the expression is missing, malformed or nested too deeply, or
-/// if its value is not finite.
+/// parameters, pi and e, the operators + - * / ^, and parentheses. It may also contain functions of
+/// one argument such as sqrt and sin (find_function in evolver_expression.cpp has the list).
+/// Outside parentheses, a sign with white space before it and none after it begins the next
+/// expression of a list, as in Evolver: `1 -2` is two expressions. Outside parentheses, an operator
+/// at the start of a line also ends the expression. Throws FormatError if the expression is
+/// missing, malformed or nested too deeply, or if its value is not finite.
 double take_expression(TokenReader& tokens, const Parameters& parameters);
 
 }  // namespace foam::evolver

@@ -18,9 +18,9 @@ struct EvolverFoam {
 };
 
 /// Reads a Surface Evolver data file or dump: a two-dimensional string model on a torus or a free
-/// cluster, with straight edges or arcs. Bubbles are the faces, films are the edges (vertices of
-/// two edges are dissolved), and junctions are the vertices of three edges, all in the order of the
-/// file. On a torus, the magnitude of the shear is reduced to at most half of the width
+/// cluster, with straight edges or arcs. Bubbles are the faces, films are the edges, and junctions
+/// are the vertices of three edges, all in the order of the file. Vertices of two edges are
+/// dissolved. On a torus, the magnitude of the shear is reduced to at most half of the width
 /// (reduced_lattice). Target areas are the volumes of the bodies; pressures are the Lagrange
 /// multipliers of the bodies, by default 0. README.md lists all elements that are read, ignored or
 /// rejected. Throws FormatError, with `file` as the name in its message, if the file is not valid
@@ -36,11 +36,11 @@ enum class EvolverEdges {
 /// Returns the foam as the text of a Surface Evolver data file. Elements are numbered from 1 by
 /// increasing id; dead slots are skipped. The pressures of a torus are shifted so that the first
 /// body has the pressure 0, which is Evolver's convention. Every number is written with the fewest
-/// digits that read back to the same bits. The time, the identities, the armed flags of films
-/// (Foam::t1_armed) and the half angles of outer films are not written. (The midpoints of arcs show
-/// the half angles, but read_evolver ignores midpoints.) Throws std::range_error if the format
-/// cannot store the foam: if it has lone bubbles, or if a component of a lattice offset is below
-/// -16 or above 15.
+/// digits that read back to the same bits. The time, the identities and the armed flags of films
+/// (Foam::t1_armed) are not written. The half angles of outer films are not written either. The
+/// midpoints of arcs show them, but read_evolver ignores midpoints. Throws std::range_error if the
+/// foam has lone bubbles, or if a component of a lattice offset is below -16 or above 15. The
+/// format cannot store such a foam.
 std::string write_evolver(const Foam& foam, EvolverEdges edges = EvolverEdges::Arcs);
 
 }  // namespace foam

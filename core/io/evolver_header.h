@@ -16,7 +16,7 @@ struct Header {
     Domain domain;  // the plane for a free cluster
     Parameters parameters;
     // The sum of the factors of all energies that the file declares, to be added to the film
-    // tension. Each energy is its factor times the total length of all edges; the factor is the
+    // tension. Each energy is its factor times the total length of all edges. The factor is the
     // modulus of the energy times the sum of the moduli of its methods.
     double added_tension = 0.0;
     std::vector<std::string> notes;  // remarks on ignored statements, one line each
@@ -25,11 +25,13 @@ struct Header {
 /// Reads and returns the top section. The next token is then the keyword of the section of
 /// vertices. Ignores quantities that are not energies; adds a note if they are fixed or conserved.
 /// Also ignores all other statements, except those that README.md lists as rejected. Throws
-/// FormatError if the file is not a string model in the plane or on a torus whose first period is
-/// along x. Throws FormatError if the width or the height of the torus is not positive, if they
-/// differ too much (has_moderate_shape), or if the shear is more than 1e6 widths. Also throws
-/// FormatError if the file adds an energy other than the length of all edges, or has a statement
-/// that README.md lists as rejected.
+/// FormatError in these cases:
+/// - the file is not a string model in the plane or on a torus whose first period is along x;
+/// - the width or the height of the torus is not positive, or they differ too much
+///   (has_moderate_shape);
+/// - the shear is more than 1e6 widths;
+/// - the file adds an energy other than the length of all edges;
+/// - the file has a statement that README.md lists as rejected.
 Header read_header(TokenReader& tokens);
 
 }  // namespace foam::evolver

@@ -28,12 +28,12 @@ struct FilmLoop {
 /// Mesh::faces. The lattice offsets of the films refer to reduced_lattice(domain)
 /// (core/foam/lattice.h). The wrap of an edge is the lattice offset that the file gives for its
 /// head. If no edge of the file has a wrap, each edge ends at the copy of its head that is nearest
-/// to its tail; on a sheared torus, the nearest row of copies is chosen first. If some edges have a
-/// wrap, the wrap of all other edges is zero. In the plane, wraps are ignored. Throws FormatError,
-/// with `file` as the name in its message, in these cases:
+/// to its tail. On a sheared torus, the nearest row of copies is chosen first, and then the nearest
+/// copy in this row. If some edges have a wrap, the wrap of all other edges is zero. In the plane,
+/// wraps are ignored. Throws FormatError, with `file` as the name in its message, in these cases:
 /// - the faces do not cover the torus once;
-/// - an edge has two faces on one side, or no face on one side; in the plane, one of the two sides
-///   of an edge may have no face;
+/// - an edge has two faces on one side;
+/// - an edge has no face on one side (in the plane: on both sides);
 /// - a vertex joins one edge or more than three;
 /// - a face is not a closed loop, or has no vertex of three edges;
 /// - the edges of a face lead more than kMaxPeriods periods away from its first vertex

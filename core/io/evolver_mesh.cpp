@@ -104,8 +104,8 @@ class MeshReader {
         return false;
     }
 
-    // Returns true at the end of an element: at the end of the file, or before a line that begins
-    // with an integer, with the name of a later section or with `read`.
+    // Returns true at the end of an element. An element ends at the end of the file. It also ends
+    // before a line that begins with an integer, with the name of a later section or with `read`.
     bool at_element_end() const {
         return tokens_.at_end() ||
                (tokens_.at_line_start() &&

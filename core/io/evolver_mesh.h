@@ -71,8 +71,8 @@ struct Mesh {
 
 /// Reads the sections of vertices, edges, faces and bodies, up to the keyword `read` or the end of
 /// the file. Skips attributes that foamtex does not use. Throws FormatError if a section is missing
-/// or malformed, refers to an element that the file does not define, or has an attribute that
-/// changes the physics in a way that foamtex does not support, such as `boundary`.
+/// or malformed, or refers to an element that the file does not define. Also throws FormatError if
+/// an attribute, such as `boundary`, changes the physics in a way that foamtex does not support.
 Mesh read_mesh(TokenReader& tokens, const Parameters& parameters);
 
 }  // namespace foam::evolver

@@ -208,9 +208,9 @@ class FoamBuilder {
         }
     }
 
-    // Checks that target areas are positive. On a torus, also checks that their sum is the area of
-    // the torus within kVolumeTolerance, and scales them to the area of the torus if the relative
-    // difference exceeds kVolumeRounding.
+    // Checks that target areas are positive. On a torus, also checks that the relative difference
+    // between their sum and the area of the torus is below kVolumeTolerance. If this difference
+    // exceeds kVolumeRounding, scales the target areas to the area of the torus.
     void check_and_scale_areas() {
         double sum = 0.0;
         for (const BubbleId bubble : foam_.network.bubbles()) {

@@ -26,8 +26,8 @@ struct Token {
     bool starts_line = false;     // true for the first token of a line; a line break in a comment
                                   // or a quoted text starts no new line
     bool follows_space = false;   // true if white space or a comment is before the token
-    bool precedes_space = false;  // true if the next character is white space (a comment does not
-                                  // count), or at the end of the file
+    bool precedes_space = false;  // true if white space (not a comment) or the end of the file
+                                  // directly follows the token
 
     bool is_symbol(char symbol) const {
         return kind == TokenKind::Symbol && text.front() == symbol;

@@ -120,8 +120,8 @@ class EvolverWriter {
         }
     }
 
-    // Writes the wrap of an edge: as two symbols, each of them '*', '+' or '-', if the wrap is at
-    // most one period along each axis, otherwise as a number.
+    // Writes the wrap of an edge. A wrap of at most one period along each axis is written as two
+    // symbols, each of them '*', '+' or '-'. Any other wrap is written as a number.
     void write_wrap(int edge, LatticeOffset offset) {
         const auto is_symbol = [](std::int32_t periods) { return -1 <= periods && periods <= 1; };
         if (is_symbol(offset.i) && is_symbol(offset.j)) {

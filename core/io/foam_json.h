@@ -20,9 +20,9 @@ inline constexpr int kFoamJsonVersion = 2;
 /// finite, except the target area of the ghost, which is not written.
 std::string write_foam_json(const Foam& foam);
 
-/// Parses a state file and returns the foam. Ignores unknown members. Throws FormatError, with
-/// `file` as the name in its message, if the text is not JSON, is not a state, has a version above
-/// kFoamJsonVersion, or does not describe a valid foam.
+/// Parses a state file and returns the foam. Ignores unknown members. Throws FormatError if the
+/// text is not JSON, is not a state, has a version above kFoamJsonVersion, or does not describe a
+/// valid foam. The message begins with `file` as the name of the file.
 Foam read_foam_json(std::string_view text, const std::string& file);
 
 }  // namespace foam

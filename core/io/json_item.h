@@ -12,9 +12,12 @@
 namespace foam {
 
 /// A value of a state file, together with its position for error messages. The root of the file is
-/// an object. A member is a text, a number, an array of numbers that form one value (such as
-/// "torus"), or a list of the elements of a foam (such as "films"). Each element of a list is a
-/// number or an array of numbers.
+/// an object. A member of the root has one of four kinds:
+/// - a text;
+/// - a number;
+/// - an array of numbers that form one value, such as "torus";
+/// - a list of the elements of a foam, such as "films"; each element is a number or an array of
+///   numbers.
 ///
 /// All functions except `is_text` throw FormatError if the value is not of the requested kind. The
 /// message names the value: "'films'[12], value 3: ...". Elements are counted from 0 like the ids

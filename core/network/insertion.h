@@ -11,10 +11,12 @@ namespace foam {
 /// Each bubble around the junction gains a side.
 ///
 /// If the network was compact, removing the new bubble with `vanish` (t2.h), followed by `compact`,
-/// restores the network, with one exception: outgoing() of a junction and first() of a bubble may
-/// be other half-edges than before the insertion. Three properties of the insertion make this
-/// possible: the new films have a lattice offset of zero, the new elements have the highest ids of
-/// their kinds, and the first half-edge of the new bubble leaves the old junction.
+/// restores the network. There is one exception: outgoing() of a junction and first() of a bubble
+/// may be other half-edges than before the insertion. Three properties of the insertion make the
+/// restoration possible:
+/// - the new films have a lattice offset of zero;
+/// - the new elements have the highest ids of their kinds;
+/// - the first half-edge of the new bubble leaves the old junction.
 BubbleId insert_triangle(Network& network, JunctionId junction);
 
 /// Inserts a two-sided bubble, a lens, into the film of h and returns the bubble. This is the

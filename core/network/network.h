@@ -110,7 +110,7 @@ class Network {
     void remove(BubbleId bubble);  // precondition: the bubble is not the ghost
 
     /// Adapts the lattice offsets of the films of a junction to a move of the junction by whole
-    /// periods: subtracts `by` from the offset of each half-edge that leaves the junction. Changes
+    /// periods. Subtracts `by` from the offset of each half-edge that leaves the junction. Changes
     /// nothing else. The caller must also subtract the translation of `by` from the position of the
     /// junction; the chords of the films are then unchanged.
     void rebase(JunctionId junction, LatticeOffset by);

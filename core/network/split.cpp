@@ -11,8 +11,8 @@ namespace foam {
 
 namespace {
 
-// The two outer films that meet the torn film on one of its sides, one at each end. Both are films
-// of the bubble on this side.
+// The outer films that meet the torn film on one of its sides, one at each end. Both are films of
+// the bubble on this side. If this bubble has only two sides, both are the same film.
 struct TornSide {
     HalfEdgeId before;          // arrives at the torn film, with the bubble on its left
     HalfEdgeId after;           // leaves the torn film, with the bubble on its left

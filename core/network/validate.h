@@ -27,15 +27,17 @@ constexpr bool exceeds_max_periods(LatticeOffset offset) {
 /// - exactly three half-edges of live films leave each junction;
 /// - next(), left(), tail(), first() and outgoing() are consistent with each other (first() of the
 ///   ghost is not checked);
-/// - every bubble has at least two sides; the loop around it closes after sides() half-edges, and
-///   the lattice offsets of these half-edges add up to zero, so that the bubble is a disc;
+/// - every bubble has at least two sides, and the loop around it closes after sides() half-edges;
+/// - the lattice offsets of the half-edges around a bubble add up to zero, so that the bubble is a
+///   disc;
 /// - no lattice offset, and no sum of the offsets along a loop, exceeds kMaxPeriods;
 /// - no film has the same copy of a bubble on both sides;
 /// - the numbers of sides of all bubbles and of the ghost add up to 2 E, and 3 V = 2 E;
-/// - Euler's relation holds: on a torus V - E + F = 0;
-/// - in the plane, all lattice offsets are zero, and each boundary of the ghost (a closed chain of
-///   outer films around a raft or a hole) has at least two films; Euler's relation is
-///   V - E + F + B = 2 R for B boundaries and R rafts.
+/// - in the plane, all lattice offsets are zero;
+/// - each boundary of the ghost (a closed chain of outer films around a raft or a hole) has at
+///   least two films;
+/// - Euler's relation holds: V - E + F = 0 on a torus; V - E + F + B = 2 R in the plane, for B
+///   boundaries and R rafts.
 std::optional<std::string> find_fault(const Network& network);
 
 }  // namespace foam

@@ -12,7 +12,7 @@ namespace foam {
 
 /// Returns the results of make(first, last) for each chunk of [0, count), in the order of the
 /// chunks. The chunks are the same as in parallel_for. Each result is computed in the memory of its
-/// thread and then moved into the vector, so that threads do not write to the same cache lines
+/// thread and then moved into the vector. Threads therefore do not write to the same cache lines
 /// while they work. Preconditions: grain > 0; the type of the results has a default constructor and
 /// is not bool.
 template <class Make>

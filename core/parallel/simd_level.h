@@ -77,10 +77,11 @@ template <SimdLevel Level, class Kernel>
     }
 }
 
-// These functions run a kernel at one level. The attribute `flatten` inlines the kernel and all
-// functions that the kernel calls, so that all of this code is compiled for the level. The targets
-// name exactly the instruction sets for which available_simd_levels() tests. A processor name would
-// not do: x86-64-v4, for example, also contains BMI2, which a virtual machine may lack.
+// These functions run a kernel at one level. The attribute `flatten` inlines the kernel and the
+// functions that the kernel calls, so that this code is compiled for the level. Large functions are
+// an exception: they must also have the attribute `always_inline`. The targets name exactly the
+// instruction sets for which available_simd_levels() tests. A processor name would not do:
+// x86-64-v4, for example, also contains BMI2, which a virtual machine may lack.
 template <class Kernel>
 [[gnu::flatten, gnu::noinline]] auto run_at_baseline(Kernel kernel) {
     return call_kernel<SimdLevel::Baseline>(kernel);

@@ -9,9 +9,9 @@
 
 namespace foam {
 
-/// Adds threads to `threads` until it has at least `count` elements. `start` starts one thread. If
-/// `start` throws std::system_error or std::bad_alloc, because the system allows no further thread
-/// or has no memory for it, this function starts no further thread and keeps those that it has
+/// Adds threads to `threads` until it has at least `count` elements. `start` starts one thread. It
+/// throws std::system_error or std::bad_alloc if the system allows no further thread or has no
+/// memory for it. In this case, this function starts no further thread and keeps those that it has
 /// started. 128 MiB of address space are left free for other memory. Returns true if `threads` has
 /// at least `count` elements in the end.
 bool start_up_to(std::size_t count,

@@ -27,13 +27,13 @@ using BlockMatrix = Eigen::MatrixXd;
 /// so that the block has fewer pressures and areas.
 ///
 /// In a patch the ghost's pressure and area are left out of the block (paper eq. 15). Each outer
-/// film of the block's bubbles adds one unknown, the change of the film's half angle, and one
-/// constraint, Laplace-Young's law (E1) at the film. In the order of the unknowns, the half angles
-/// come after the pressures and before x and y. In the order of the constraints, Laplace-Young's
-/// law comes after the areas and before the angles. Below 90 degrees, where the law determines the
-/// half angle, the Newton step is the same as without these unknowns and constraints if the law
-/// holds before the step. At 90 degrees, where the half angle has no finite derivative with respect
-/// to the pressures, the step is still well defined.
+/// film of the block's bubbles adds one unknown and one constraint. The unknown is the change of
+/// the film's half angle. The constraint is Laplace-Young's law (E1) at the film. In the order of
+/// the unknowns, the half angles come after the pressures and before x and y. In the order of the
+/// constraints, Laplace-Young's law comes after the areas and before the angles. Below 90 degrees,
+/// the law determines the half angle. If the law then holds before the Newton step, the step is the
+/// same as without these unknowns and constraints. At 90 degrees, the half angle has no finite
+/// derivative with respect to the pressures, but the step is still well defined.
 ///
 /// All quantities are dimensionless and of order one for bubbles of any size. The unit of a
 /// pressure is the film tension divided by the square root of the bubble's target area. The unit of

@@ -6,9 +6,9 @@
 
 namespace foam::texgen {
 
-// The arc from one point through a second point to a third point has a half angle that is easy to
-// compute: it equals the angle by which the path along the two chords turns left at the second
-// point (inscribed angle theorem).
+// The half angle of an arc through three points is easy to compute. The chords from the first point
+// to the second and from the second point to the third form a path. The half angle equals the angle
+// by which this path turns left at the second point (inscribed angle theorem).
 Frame displaced(Frame frame,
                 const Indexed<JunctionId, Vec2>& of_junctions,
                 const Indexed<FilmId, Vec2>& of_middles) {

@@ -11,11 +11,11 @@ namespace foam::texgen {
 /// shear loop.
 bool has_display_transform(const LoopOptions& loop);
 
-/// Returns the foam as images show it after the fraction `progress` of the loop, from 0 to 1, but
-/// without the displacement by a current (class Current), which is applied elsewhere. The foam is
+/// Returns the foam as images show it after the fraction `progress` of the loop, from 0 to 1. The
+/// displacement by a current (class Current) is not included; it is applied elsewhere. The foam is
 /// displaced by the fraction `progress` of the drift. In a shear loop the shear is removed, so that
 /// images tile. Removing the shear moves the junctions but keeps the pressures, so that films keep
-/// their curvatures; angles between films change by up to about the strain, in radians.
+/// their curvatures. Angles between films change by up to about the strain, in radians.
 Foam transformed_for_display(Foam foam, const LoopOptions& loop, double progress);
 
 /// Returns the displacement by the drift of the loop, in foam units, after the fraction `progress`

@@ -162,9 +162,10 @@ std::shared_ptr<const FrameOne> FrameAssembly::frame_one_of(const SimulatedFrame
     });
 }
 
-// Returns a state of the simulation as it is kept: with the ranks of its bubbles (FadeOrder) if the
-// loop has a cross-fade, and moved by the current if there is one. Ranks are computed for the
-// positions before the drift and the current, so that a bubble keeps its rank.
+// Returns a state of the simulation in the form in which it is kept. If the loop has a cross-fade,
+// the ranks of the bubbles (FadeOrder) are added. If there is a current, the foam is moved by it.
+// Ranks are computed for the positions before the drift and the current, so that a bubble keeps its
+// rank.
 SimulatedFrame FrameAssembly::prepared(const SimulatedFrame& state) const {
     SimulatedFrame frame = state;
     const double progress = loop_progress(state.frame->number, loop_, count_);
@@ -194,9 +195,9 @@ void FrameAssembly::emit(const Request& request) {
 }
 
 // Adds the foam that fades in. Bubbles that are in both foams (displacements_of_shared) are moved
-// to about the same positions. They do not grow: when the growth of such a bubble would be half
-// complete, the bubble of the foam that fades in replaces the same bubble of the other foam in one
-// step. All other bubbles of the foam that fades in grow.
+// to about the same positions. Such a bubble does not grow. When its growth would be half complete,
+// its copy in the foam that fades in replaces its copy in the other foam in one step. All other
+// bubbles of the foam that fades in grow.
 void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame) const {
     const ShownStates& shown = request.shown;
     const double passed = shown.fade_progress;
@@ -244,9 +245,9 @@ void FrameAssembly::release(const Request& request) {
 
 // Returns the part of the effort `total` that emitted frames have not reported yet. `total` is the
 // effort from the start of the simulation to a state, and `event_count` is the number of events up
-// to this state. If emitted frames have already reported the effort up to this state or a later
-// one, the counts and the time in the result are 0, and the result has no events. The measurements
-// in the result are the measurements of the state.
+// to this state. Emitted frames may already have reported the effort up to this state or a later
+// one. The result then has no events, and its counts and its time are 0. The measurements in the
+// result are the measurements of the state.
 FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total, std::size_t event_count) {
     FrameEffort effort = total;
     if (total.seconds < reported_.seconds) {

@@ -23,10 +23,10 @@ enum class NextFrames { Omitted, Included };
 
 /// Assembles the frames of an animation from the states of a simulation. Emits each frame, that is,
 /// passes it to the visitor, as soon as all states that it needs exist. The frames are emitted in
-/// increasing order, except in a pingpong: the second half shows states of the first half, so the
-/// frames of the second half are emitted among the frames of the first half. States are released
-/// when no further frame needs them. If `loop.current` is above 0, frames show the foam as
-/// this current displaces it (current.h).
+/// increasing order, except in a pingpong. There, the second half shows states of the first half,
+/// so that its frames are emitted among the frames of the first half. States are released when no
+/// further frame needs them. If `loop.current` is above 0, frames show the foam as this current
+/// displaces it (current.h).
 class FrameAssembly {
   public:
     /// Prepares the frames with the given numbers. `on_frame` is called for each of them.
@@ -36,13 +36,14 @@ class FrameAssembly {
                   FrameVisitor on_frame);
 
     /// Returns the numbers of the states that the frames need, in increasing order. The state of
-    /// frame 1 is included, because some maps show colors of frame 1, and because this state
+    /// frame 1 is always included, because some maps show colors of frame 1. This state also
     /// determines the view of all frames of a patch.
     std::vector<int> states() const;
 
-    /// Adds a state and emits the frames that are complete with it. Preconditions: states are added
-    /// in the order of states(); the effort of each state (its T1s, T2s and computing time) covers
-    /// the steps since the state added before it, or since the start of the simulation.
+    /// Adds a state and emits the frames that are complete with it. Precondition: states are added
+    /// in the order of states(), and the effort of each state covers the steps since the state
+    /// added before it. The effort consists of T1s, T2s, computing time and events. For the first
+    /// state, it covers all steps since the start of the simulation.
     void add(const SimulatedFrame& state);
 
   private:

@@ -73,8 +73,8 @@ void History::set_pressures(std::vector<double> first_pressures) {
 }
 
 // The averages of a bubble begin with its values in the first frame after its birth. A bubble is
-// new if its identity did not exist at the last call, or if it is in newborn_: a boiling bubble
-// that is born again has its old identity.
+// new if its identity did not exist at the last call. A boiling bubble that is born again has its
+// old identity; it is new if it is in newborn_.
 void History::average_values(const Foam& foam) {
     if (smoothing_ == 0.0) {
         return;
@@ -103,7 +103,7 @@ void History::average_values(const Foam& foam) {
     approach(record_.averages.mean_area, present.mean_area);
 }
 
-// A cycle of n frames changes an average from v to c + k v, where k = (1 - weight)^n, with the
+// A cycle of n frames changes an average from v to c + k v. Here k = (1 - weight)^n, with the
 // weight of average_values, and c depends only on the values in the cycle. After infinitely many
 // cycles, v = c / (1 - k); this value replaces the average. The averages of a bubble that was born
 // in the cycle depend only on the values since its birth. They are not changed.

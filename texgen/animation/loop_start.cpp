@@ -16,12 +16,12 @@
 #include <set>
 
 // The state after a cycle is a function of the state before it, a stroboscopic Poincaré map (S. H.
-// Strogatz, "Nonlinear Dynamics and Chaos", 1994). A loop that closes is a fixed point of this map,
-// and the cycles of Simulation::close_loop are the search for it, which in a boil also changes the
-// drive and thus the map. This file stores a fixed point as text: the foam, its drive and the first
-// pressures, in decimal numbers that are read as the same bits, and a hash of the keys that
-// determine the map. Because the text may come from an untrusted source, all numbers
-// are checked before a simulation uses them. The format is our own.
+// Strogatz, "Nonlinear Dynamics and Chaos", 1994). A loop that closes is a fixed point of this map.
+// The cycles of Simulation::close_loop are the search for the fixed point. In a boil, the search
+// also changes the drive and thus the map. This file stores a fixed point as text: the foam, its
+// drive and the first pressures, in decimal numbers that are read as the same bits. The text begins
+// with a hash of the keys that determine the map. Because the text may come from an untrusted
+// source, all numbers are checked before a simulation uses them. The format is our own.
 
 namespace foam::texgen {
 

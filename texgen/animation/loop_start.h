@@ -24,13 +24,13 @@ struct LoopStart {
 };
 
 /// Returns a hash of everything in the preset that determines how its loop closes. Unlike
-/// simulation_hash, it ignores the keys that only change how the closed loop is shown: the drift
-/// and the current of the loop, and the smoothing of values.
+/// simulation_hash, it ignores the keys that only change how the closed loop is shown. These keys
+/// are the drift and the current of the loop, and the smoothing of values.
 std::string loop_hash(const Preset& preset);
 
-/// Returns the content of a file of presets/loops: the foam as a state file
-/// (core/io/foam_json.h) with the additional first member "loop", which contains the hash, the
-/// drive and the pressures. `hash` is the loop_hash of the preset.
+/// Returns the content of a file of presets/loops: the foam as a state file (core/io/foam_json.h)
+/// with an additional first member "loop". This member contains the hash, the drive and the
+/// pressures. `hash` is the loop_hash of the preset.
 std::string write_loop_start(const LoopStart& start, const std::string& hash);
 
 /// Parses the content of a file of presets/loops. `file` is its name in error messages. Throws
@@ -39,9 +39,9 @@ LoopStart read_loop_start(std::string_view text, const std::string& file);
 
 /// Returns the start of the loop of a preset that write_loop_start has written. Returns nullopt if
 /// `text` was written with another hash than the loop_hash of this preset. `file` is the name of
-/// the file in error messages. Throws the exceptions of read_loop_start, and InputError if the
-/// start is impossible for the preset, for example because its drive names a bubble that the foam
-/// never had.
+/// the file in error messages. Throws the exceptions of read_loop_start. Also throws InputError if
+/// the start is impossible for the preset, for example because its drive names a bubble that the
+/// foam never had.
 std::optional<LoopStart> matching_loop_start(const Preset& preset,
                                              std::string_view text,
                                              const std::string& file);

@@ -7,9 +7,9 @@
 
 namespace foam::texgen {
 
-/// A plane wave on a torus, cos(2 pi (across x + up y) + phase). x and y are positions as fractions
-/// of the width and height of the torus. `across` is the number of wavelengths in the width, `up`
-/// the number in the height; both are whole, so that the wave has no seam.
+/// A plane wave on a torus, cos(2 pi (across x + up y) + phase). The position (x, y) is given in
+/// fractions of the width and height of the torus. `across` is the number of wavelengths in the
+/// width, `up` the number in the height. Both are whole, so that the wave has no seam.
 struct PeriodicWave {
     int across = 0;
     int up = 0;
@@ -27,8 +27,8 @@ struct WaveOptions {
     std::uint64_t seed = 1;
 };
 
-/// Returns waves with random phases, and with random directions that are spread evenly. No wave is
-/// constant.
+/// Returns waves with random phases. Half a turn is divided into as many equal sectors as there are
+/// waves, and each wave has a random direction in its own sector. No wave is constant.
 std::vector<PeriodicWave> periodic_waves(const WaveOptions& options);
 
 }  // namespace foam::texgen

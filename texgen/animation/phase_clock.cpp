@@ -8,9 +8,10 @@ namespace foam::texgen {
 
 namespace {
 
-// The number of reports from which the speed is computed: the first report of the phase (or of the
-// present cycle of a loop), the next report in which more units are done than before, and the
-// latest such report (see PhaseClock::seconds_per_unit).
+// The number of reports from which the speed is computed (PhaseClock::seconds_per_unit):
+// - the first report of the phase, or of the present cycle of a loop;
+// - the next report in which more units are done than before;
+// - the latest such report.
 constexpr std::size_t kMarks = 3;
 
 double seconds_between(PhaseClock::Clock::time_point from, PhaseClock::Clock::time_point to) {

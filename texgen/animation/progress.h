@@ -10,13 +10,14 @@ namespace foam::texgen {
 /// The phases of a long run, in the order in which they occur. Each phase counts its progress in a
 /// unit of its own. The phases before Ranges prepare the first frame. Between Ranges and Frames,
 /// the phase States occurs again if the frames are read from a cache. When a simulation is stored
-/// in a cache, States and Ranges follow Frames.
+/// in a cache, Frames comes first. States and Ranges follow, because the stored states are read
+/// again to fit the ranges.
 enum class Phase {
     Seeding,      // places the bubbles of the first foam; counts nothing
     Equilibrium,  // brings the first foam to equilibrium; counts nothing
     WarmUp,       // simulates the time before frame 1; counts steps
     LoopClosing,  // repeats the cycle of a loop until it closes; counts the steps of each cycle
-    States,       // simulates or reads states before the first frame of the run; counts states
+    States,       // simulates or reads the states that the next phase needs; counts states
     Ranges,       // fits the automatic ranges of maps; counts frames
     Frames,       // simulates, draws or measures the frames of the run; counts frames
     Files,        // verifies files; counts files
@@ -34,8 +35,8 @@ struct RunProgress {
     // complete.
     std::optional<double> measure = {};
     int cycle = 0;  // LoopClosing: number of the cycle, from 1
-    // LoopClosing: the number of cycles after which half of the loops like this one have closed; 0
-    // if unknown.
+    // LoopClosing: the number of cycles after which half of the measured loops with about as many
+    // bubbles had closed; 0 if unknown.
     int usual_cycles = 0;
     int frame = 0;             // number of the frame that was done last; 0 if there is none
     int bubbles = 0;           // number of bubbles of the foam; 0 if unknown

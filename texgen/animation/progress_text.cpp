@@ -57,8 +57,8 @@ std::string minutes_and_seconds(double seconds) {
     return fmt::format("{}:{:02}", rounded / 60, rounded % 60);
 }
 
-/// Returns the last part of the text of a bar: the time left or, if it is unknown and nothing else
-/// shows that the run advances, the time that the phase has taken so far.
+/// Returns the last part of the text of a bar: the time left, if it is known. If it is unknown and
+/// nothing else shows that the run advances, returns the time that the phase has taken so far.
 std::string time_text(const RunProgress& progress, const PhaseTimes& times) {
     if (times.left) {
         return fmt::format("  {} left", minutes_and_seconds(*times.left));

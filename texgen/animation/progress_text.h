@@ -13,9 +13,9 @@ namespace foam::texgen {
 /// Returns the name of a phase in the lines of JSON (progress_json), such as "warm_up".
 std::string_view name_of(Phase phase);
 
-/// Returns the progress of a phase in its own unit, for example "warm-up 40 of 60", "frame 3 of 48"
-/// or "closing the loop: cycle 3 (12/48), error 1e-04" (steps done, steps of a cycle, the closing
-/// error).
+/// Returns the progress of a phase in its own unit, for example "warm-up 40 of 60" or "frame 3 of
+/// 48". In the phase LoopClosing, an example is "closing the loop: cycle 3 (12/48), error 1e-04".
+/// Of the 48 steps of this cycle, 12 are done, and the closing error is 1e-04.
 std::string phase_text(const RunProgress& progress);
 
 /// The times of the present phase, in seconds.
@@ -26,8 +26,8 @@ struct PhaseTimes {
 
 /// Returns the text of the progress bar, without a newline. Example:
 /// "[######------------------] frame 12 of 48  583 bubbles  0:14 left".
-/// If the time left is not known and RunProgress::done is 0, the text shows the time since the
-/// phase began, provided that it is at least one second and the phase is not LoopClosing:
+/// If the time left is not known, the text may show the time since the phase began. It does so if
+/// this time is at least one second, RunProgress::done is 0, and the phase is not LoopClosing:
 /// "[------------------------] finding the first equilibrium  0:12 so far".
 std::string progress_bar(const RunProgress& progress, const PhaseTimes& times);
 

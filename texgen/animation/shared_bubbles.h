@@ -16,12 +16,12 @@ namespace foam::texgen {
 /// same torus.
 std::vector<std::optional<Vec2>> displacements_of_shared(const Frame& from, const Frame& to);
 
-/// Returns the frame `from` with its bubbles moved toward the bubbles of the same identity in
-/// `to`, by a fraction of the displacement. A bubble that has no displacement moves with its
-/// neighbors; if it is more than two bubbles away from all bubbles that have one, it stays in
-/// place. A junction moves by the mean displacement of its three bubbles. If two frames are moved
-/// toward each other by fractions that add up to 1, bubbles of the same identity are therefore at
-/// about the same positions.
+/// Returns the frame `from` with its bubbles moved toward the bubbles of the same identity in `to`,
+/// by a fraction of the displacement. A bubble that has no displacement moves with its neighbors.
+/// If it is more than two bubbles away from all bubbles that have a displacement, its displacement
+/// counts as 0. A junction moves by the mean displacement of its three bubbles. If two frames are
+/// moved toward each other by fractions that add up to 1, bubbles of the same identity are at about
+/// the same positions.
 Frame moved_toward(const Frame& from, const Frame& to, double fraction);
 
 }  // namespace foam::texgen

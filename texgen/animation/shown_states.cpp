@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-// Frame n of a loop of N frames shows
-// - in a pingpong the state n up to frame N/2 + 1, and the state N + 2 - n after it. (N is even.)
-//   So the frames of the loop show the states 1, 2, ..., N/2 + 1, ..., 3, 2;
-// - in a flow with a fade of A frames the state A + n. Each of the last A frames fades into the
-//   state A + n - N, which is one of the A states before the state of frame 1. In frame N, the last
-//   one, the state A has nearly replaced the state A + N. Frame 1 then shows the state after A;
-// - otherwise the state n.
+// The states that frame n of a loop of N frames shows:
+// - In a pingpong, it is the state n up to frame N/2 + 1, and the state N + 2 - n after it. N is
+//   even. The frames of the loop therefore show the states 1, 2, ..., N/2 + 1, ..., 3, 2.
+// - In a flow with a fade of A frames, it is the state A + n. Each of the last A frames fades into
+//   the state A + n - N. This is one of the A states before the state of frame 1. In frame N, the
+//   last one, the state A has nearly replaced the state A + N. Frame 1 then shows the state after
+//   A.
+// - Otherwise, it is the state n.
 
 namespace foam::texgen {
 

@@ -18,12 +18,12 @@
 #include <utility>
 
 // States are passed on as soon as they exist and are not kept here. A boil whose start is not known
-// is simulated twice. The first simulation searches for the start and ends. The second one begins
-// with the start, which was written as text and read again. It is therefore in the same situation
-// as a simulation whose start was stored earlier: nothing else that the search leaves behind, such
-// as its history (history.h), can make the frames differ. All other animations are simulated once;
-// the frames of a breathe or shear loop continue from the foam whose cycle has closed. The method
-// is our own.
+// is simulated twice. The first simulation searches for the start and ends. The second simulation
+// begins with the start, which was written as text and read again. It is therefore in the same
+// situation as a simulation whose start was stored earlier. Nothing else that the search leaves
+// behind, such as its history (history.h), can make the frames differ. All other animations are
+// simulated once. The frames of a breathe or shear loop continue from the foam whose cycle has
+// closed. The method is our own.
 
 namespace foam::texgen {
 
@@ -46,8 +46,8 @@ bool advance(Simulation& simulation, FrameEffort& effort) {
 }
 
 // Returns the mean stress of the simulated foam. `frame` shows this foam. If the loop has a display
-// transform, the frame shows the foam displaced or with the shear removed, so that the stress of
-// the frame may be another one.
+// transform, `frame` shows the foam displaced or with the shear removed. The stress of `frame` may
+// then differ.
 Mat2 stress_of(const Simulation& simulation, const LoopOptions& loop, const Frame& frame) {
     if (has_display_transform(loop)) {
         return mean_stress(snapshot(simulation.foam(), simulation.number()));
@@ -96,8 +96,9 @@ RunOutcome failed(const Simulation& simulation, const Preset& preset) {
             simulation.missing_bubbles()};
 }
 
-// Returns why a loop did not close. `closing_error` is infinite if, at the end of the last cycle, a
-// bubble is missing or has another number of sides than at the start of this cycle.
+// Returns why a loop did not close. `closing_error` compares the foam at the start and at the end
+// of the last cycle. It is infinite if a bubble is missing in one of the two states, or has another
+// number of sides.
 std::string open_loop_failure(double closing_error) {
     if (!std::isfinite(closing_error)) {
         return "the loop does not close: at the end of its last cycle, bubbles are missing or have "

@@ -64,9 +64,10 @@ struct LoopMemory {
 /// or, for a boil, in `memory`. Otherwise it begins with the seeded foam; for a boil, another
 /// simulation first searches for the start. A boil therefore has the same states whether or not its
 /// start was known. The FrameEffort of a state covers the steps since the previous state that was
-/// passed to `on_state`; for the first such state, all steps since the start of the simulation,
-/// without the search. `on_progress` receives the same reports as from a FrameSource. Throws the
-/// exceptions of Simulation and of the callbacks. Precondition: `states` is in increasing order.
+/// passed to `on_state`. For the first such state, it covers all steps since the start of the
+/// simulation, but not the search. `on_progress` receives the same reports as from a FrameSource.
+/// Throws the exceptions of Simulation and of the callbacks. Precondition: `states` is in
+/// increasing order.
 RunOutcome simulate_states(const Preset& preset,
                            int threads,
                            const std::vector<int>& states,

@@ -15,10 +15,11 @@
 #include <vector>
 
 // The foam is quasi-static, as in the paper (Section 4.1): each step ends in equilibrium. Before
-// frame 1 the foam is seeded, equilibrated and warmed up, that is, simulated for the time
-// FramesOptions::warm_up. (With FirstFrame::Diagram it is equilibrated and warmed up before frame
-// 2.) Every further frame is one step (core/dynamics/step.h): gas diffuses (E6) while the changes
-// of the events (timeline.h) are imposed (E9). Loops differ from this sequence as follows:
+// frame 1 the foam is seeded, equilibrated and warmed up. Warming up is a simulation over the time
+// FramesOptions::warm_up. With FirstFrame::Diagram, the foam is equilibrated and warmed up before
+// frame 2 instead. Every further frame is one step (core/dynamics/step.h). In a step, gas diffuses
+// (E6) while the changes of the events (timeline.h) are imposed (E9). Loops differ from this
+// sequence as follows:
 // - breathe, shear, boil: a periodic change without diffusion (core/dynamics/cycle.h). Cycles run
 //   before frame 1 until one cycle closes (close_loop), or, in a boil, two cycles in a row. This is
 //   a search for a fixed point (loop_start.cpp). The frames are the steps of the next cycle. If a
@@ -143,8 +144,8 @@ FoamRecord Simulation::record() const {
             transformed_for_display(event.position, foam_.domain, loop_, loop_progress());
     }
     if (loop_.is_cycle()) {
-        // Births of bubbles, and changes of their neighbors, more than one period ago count as
-        // exactly one period old, so that the record is the same in every cycle.
+        // Births of bubbles, and changes of their neighbors, count as at most one period old. The
+        // record is therefore the same in every cycle.
         const double oldest = foam_.time - frames_.count * frames_.time_step;
         clamp_to_min(oldest, record.births);
         clamp_to_min(oldest, record.changes);
@@ -157,12 +158,13 @@ double Simulation::loop_progress() const {
 }
 
 // Runs cycles, at most loop_.cycles, until a cycle closes: its closing error is below kClosed, and
-// Cycle::repeats returns true. In a boil, two cycles in a row must close: the closing error does
-// not compare the flags of films that have flipped (Foam::t1_armed), so the T1s of the next cycle
-// may still differ after one cycle has closed. In a boil, after each cycle that does not
-// close, Cycle::calm reduces the oscillation of bubbles that keep changing neighbors, and the
-// growth of the boiling bubbles nearest to them. From a LoopStart, one cycle that closes is enough:
-// the last cycle before the stored state has closed, too, and the flags are stored with the foam.
+// Cycle::repeats returns true. In a boil, two cycles in a row must close. The reason is that the
+// closing error does not compare the flags of films that have flipped (Foam::t1_armed). The T1s of
+// the next cycle may therefore still differ after one cycle has closed. From a LoopStart, one cycle
+// that closes is enough: the last cycle before the stored state has closed, too, and the flags are
+// stored with the foam. After each cycle of a boil that does not close, Cycle::calm reduces the
+// oscillation of bubbles that keep changing neighbors. It also reduces the growth of the boiling
+// bubbles nearest to them.
 //
 // Returns false if the loop does not close or if a step finds no equilibrium. The cycles before the
 // last one are transients: some of their T1s and T2s do not recur. The last step of each cycle is

@@ -39,13 +39,13 @@ class Simulation {
                ProgressCallback on_progress = {});
 
     /// Advances to the next frame. Before frame 1, the foam is equilibrated and warmed up, that is,
-    /// simulated for the time FramesOptions::warm_up; if frame 1 shows the raw diagram
-    /// (FirstFrame::Diagram), this happens before frame 2. Before frame 1 of a breathe, shear or
-    /// boil loop, cycles are run until the loop closes. Each later frame takes one time step with
-    /// the events of the preset. In a breathe, shear or boil loop it takes one step of the cycle
-    /// instead, and in a drift loop no step. In a flow loop, new bubbles replace bubbles that
-    /// have vanished, also in the warm-up. Returns false if no equilibrium is found or the loop
-    /// does not close; the foam must not be used after that. Rethrows the exceptions of the
+    /// simulated for the time FramesOptions::warm_up. If frame 1 shows the raw diagram
+    /// (FirstFrame::Diagram), this happens before frame 2 instead. Before frame 1 of a breathe,
+    /// shear or boil loop, cycles are run until the loop closes. Each later frame takes one time
+    /// step with the events of the preset. In a breathe, shear or boil loop it takes one step of
+    /// the cycle instead, and in a drift loop no step. In a flow loop, new bubbles replace bubbles
+    /// that have vanished, also in the warm-up. Returns false if no equilibrium is found or the
+    /// loop does not close; the foam must not be used after that. Rethrows the exceptions of the
     /// callback.
     bool advance();
 
@@ -54,8 +54,8 @@ class Simulation {
     Frame frame() const;
 
     /// Returns the distance between the states at the start and at the end of the last cycle before
-    /// frame 1, in diameters of a mean bubble (closing_error in core/dynamics/cycle.h). Returns
-    /// nullopt if no cycle was run.
+    /// frame 1 (closing_error in core/dynamics/cycle.h). The unit is the diameter of a mean bubble.
+    /// Returns nullopt if no cycle was run.
     const std::optional<double>& closing_error() const { return closing_error_; }
 
     /// Returns the state at frame 1 of a loop that has closed. Precondition: the loop is a breathe,
@@ -83,8 +83,9 @@ class Simulation {
     /// Returns the number of bubbles of the foam.
     int bubble_count() const;
 
-    /// Returns, for each event of the preset, the number of missing bubbles: bubbles that the event
-    /// should have chosen or created by now, but that did not exist or could not be created.
+    /// Returns, for each event of the preset, the number of missing bubbles. A bubble is missing if
+    /// the event should have chosen or created it by now, but it did not exist or could not be
+    /// created.
     std::vector<int> missing_bubbles() const { return timeline_.missing_bubbles(); }
 
     /// Returns the number of the frame that was reached; 0 before the first call of advance().

@@ -28,15 +28,15 @@ class Timeline {
     /// Begins the events that are due in the step to a frame and returns the change to impose
     /// during that step. New bubbles of events are added to the foam, small at first. In a flow,
     /// new bubbles replace the bubbles that have vanished. It is not an error if an event finds no
-    /// bubble to choose, if a new bubble would be outside of a patch, or if there is too little gas
-    /// for a new bubble: the event or the new bubble is skipped.
+    /// bubble to choose: the event is skipped. A new bubble is also skipped without an error if it
+    /// would be outside of a patch or if there is too little gas.
     ///
     /// Preconditions: the foam is in equilibrium; the function is called once for each frame, in
     /// increasing order.
     StateChange changes_to(int frame, Foam& foam);
 
-    /// Returns, for each event, the number of missing bubbles: bubbles that the event should have
-    /// chosen or created by now, but that did not exist or could not be created.
+    /// Returns, for each event, the number of missing bubbles. A bubble is missing if the event
+    /// should have chosen or created it by now, but it did not exist or could not be created.
     std::vector<int> missing_bubbles() const;
 
     /// Sets the view of a patch. The positions of events are fractions of this view. Until the

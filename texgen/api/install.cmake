@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
-# The libraries foam_core and foam_texgen, shared and static, and what other programs need to find them: headers, a
-# CMake package and pkg-config files. samples/library shows how to use them.
+# Defines and installs the libraries foam_core and foam_texgen, shared and static. Also installs what other programs
+# need to find them: headers, a CMake package and pkg-config files. samples/library shows how to use the libraries.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

@@ -17,7 +17,8 @@ namespace foam::texgen {
 
 /// The frames to bake and how to compute them: options of `bake`, and of bake_recorded
 /// (manifest/recorded_bake.h), which bakes, too. If the source simulates the preset or reads a
-/// cache of it, `sequence` is the only option on which the pixels of a frame depend.
+/// cache of it, the pixels of a frame depend on none of these options, with one exception:
+/// bake_recorded fits automatic ranges of maps to the frames in `sequence`.
 struct BakeOptions {
     std::vector<int> frames;  // numbers from 1, in any order, each once
     int threads = 0;          // 0: one per hardware thread
@@ -26,15 +27,15 @@ struct BakeOptions {
     // to frames.count. `bake` does not use it.
     std::vector<int> sequence = {};
     // The folder of the cache from which `source` reads its frames; empty if there is none.
-    // bake_recorded reads the automatic ranges of maps from there, or stores them there. `bake`
-    // does not use it.
+    // bake_recorded reads the automatic ranges of maps from this folder, or stores them in it.
+    // `bake` does not use this member.
     std::filesystem::path cache = {};
     std::set<int> existing_frames = {};  // subset of `frames`, whose existing files are kept
 };
 
-/// A map or packing that is drawn for every frame, its range, and the extent of its numbers in all
-/// of its files that a bake has written. The extent is measured before the numbers are rounded to
-/// codes (integer samples).
+/// A map or packing that is drawn for every frame, with the range that its codes represent and the
+/// extent of its numbers. The extent is the smallest and the largest number in all files that a
+/// bake has written. It is measured before the numbers are rounded to codes (integer samples).
 struct WrittenNumbers {
     DrawnImage image;
     std::array<double, 2> range{};  // the numbers that the smallest and the largest code represent
@@ -76,12 +77,15 @@ struct BakeCallbacks {
     std::function<void(const BakedFrame&)> on_baked = {};
 };
 
-/// Checks the arguments of a bake. Throws std::invalid_argument if there are no frames, if a frame
-/// number is below 1, if the file pattern is malformed, if it would give two images the same file,
-/// if the format of the files cannot store the primaries or a packing of the preset, or if the
-/// manifest would become too large (check_measurements). Also throws as check_vector_files and
-/// check_file_words do. Throws OutputError if the images of the first frame cannot be written into
-/// their folders.
+/// Checks the arguments of a bake. Throws std::invalid_argument in these cases:
+///
+/// - There are no frames, or a frame number is below 1.
+/// - The file pattern is malformed, or would give two images the same file.
+/// - The format of the files cannot store the primaries or a packing of the preset.
+/// - The manifest would become too large (check_measurements).
+///
+/// Also throws as check_vector_files and check_file_words do. Throws OutputError if the images of
+/// the first frame cannot be written into their folders.
 void check_bake(const Preset& preset, const BakeOptions& options);
 
 /// Takes the frames from their source, draws them, and writes all maps of each frame. Creates

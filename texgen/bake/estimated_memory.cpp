@@ -17,9 +17,9 @@
 
 // A bake holds the foam and the solver's matrices, and one frame per thread that draws. The memory
 // of a frame is in proportion to its pixels. If each map has a file of its own, the maps are drawn
-// one after the other, so the map that needs the most memory determines the peak. If all maps share
-// a file, the images of all maps are in memory at the same time. The grains of colors and of the
-// relief (maps/grain.h) are kept until all maps of the frame are drawn.
+// one after the other. The map that needs the most memory then determines the peak. If all maps
+// share a file, the images of all maps are in memory at the same time. The grains of colors and of
+// the relief (maps/grain.h) are kept until all maps of the frame are drawn.
 
 namespace foam::texgen {
 
@@ -32,8 +32,9 @@ struct MeasuredMemory {
     double exr;  // if the file is an EXR
 };
 
-// Measured with bakes of one frame of the preset sea_foam on one thread: the growth of the peak
-// memory from 512 x 512 to 1024 x 1024 pixels, divided by the number of added pixels:
+// Measured with bakes of one frame of the preset sea_foam on one thread. Each number is the growth
+// of the peak memory from 512 x 512 to 1024 x 1024 pixels, divided by the number of added pixels.
+// The command for 512 x 512 pixels was:
 //   foamtex bake sea_foam --set loop.kind=none --set frames.count=1 --set frames.warm_up=0
 //     --set foam.bubbles=100 --threads 1 --size 512 --maps ... --out '{map}.png' (or '{map}.exr')
 constexpr std::array<MeasuredMemory, 28> kMeasured{

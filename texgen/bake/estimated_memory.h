@@ -18,14 +18,14 @@ std::uint64_t estimated_foam_memory(std::size_t bubbles);
 std::uint64_t estimated_foam_memory(const Preset& preset);
 
 /// Returns the estimated peak memory, in bytes, of a process that simulates the given number of
-/// frames of a preset into a cache and then draws reduced images on thread_count(threads) threads,
-/// in order to fit the automatic ranges of maps. The estimate is too large by the memory of these
-/// images if there are no such ranges.
+/// frames of a preset into a cache. The process then draws reduced images on thread_count(threads)
+/// threads, in order to fit the automatic ranges of maps. The estimate is too large by the memory
+/// of these images if there are no such ranges.
 std::uint64_t estimated_cache_memory(const Preset& preset, std::size_t frames, int threads);
 
 /// Returns the estimated peak memory, in bytes, of a process that bakes the given number of frames
-/// of a preset on thread_count(threads) threads and then joins the frames into the sheets that
-/// output.sheets selects. The estimate is usually right within a factor of 1.5.
+/// of a preset on thread_count(threads) threads. The process then joins the frames into the sheets
+/// that output.sheets selects. The estimate is usually right within a factor of 1.5.
 std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads);
 
 }  // namespace foam::texgen

@@ -20,23 +20,25 @@ struct VectorFormat;
 /// Names the files of a bake. A pattern may contain these placeholders:
 ///
 ///     {map}             the name of the map, or of the table or drawing in a vector file
-///     {preset} {seed}   the name and the seed of the preset; {size} and the keys of the preset,
-///                       such as {foam.bubbles}, are also placeholders (placeholder_text in
-///                       preset/placeholder.h)
+///     {preset} {seed}   the name and the seed of the preset
 ///     #                 the frame number in four digits
 ///     ## ###            the frame number in as many digits as there are characters
 ///     @ @@              the frame number in as many digits as there are characters
 ///     %04d %d           the frame number as in C's printf, with a width of at most 9
 ///
-/// Shorter numbers get leading zeros; longer numbers are written in full. If the pattern of a
-/// format with several tables (CSV) has no {map}, "_{map}" is inserted before the first period of
-/// the file name. Periods in braces, and a period with which the file name begins, do not count.
+/// {size} and the keys of the preset, such as {foam.bubbles}, are also placeholders
+/// (placeholder_text in preset/placeholder.h). Frame numbers with fewer digits get leading zeros;
+/// longer numbers are written in full.
+///
+/// If the pattern of a format with several tables (CSV) has no {map}, "_{map}" is inserted before
+/// the first period of the file name. Periods in braces, and a period with which the file name
+/// begins, do not count.
 class FilePattern {
   public:
     /// Parses the pattern of a preset, output.pattern, and replaces the placeholders of the preset
-    /// by its values. Throws std::invalid_argument for an unknown or malformed placeholder, for a
-    /// placeholder whose value cannot be a part of a file name, or if the pattern does not end in
-    /// the suffix of an image format or of a vector format.
+    /// by its values. Throws std::invalid_argument if a placeholder is unknown or malformed, or if
+    /// its value cannot be a part of a file name. Also throws it if the pattern does not end in the
+    /// suffix of an image format or of a vector format.
     explicit FilePattern(const Preset& preset);
 
     /// Parses the pattern of files that may be of any preset: {map} is the only placeholder in
@@ -96,9 +98,10 @@ class FilePattern {
     std::vector<Piece> pieces_;
 };
 
-/// Returns a pattern that contains the placeholder {size}: the given pattern, if it does already;
-/// otherwise the pattern with a folder {size} in the deepest folder that contains the files of all
-/// maps and frames. For example, "out/{map}/####.png" becomes "out/{size}/{map}/####.png".
+/// Returns a pattern that contains the placeholder {size}. If the given pattern contains it,
+/// returns this pattern. Otherwise adds a folder {size} in the deepest folder that contains the
+/// files of all maps and frames. For example, "out/{map}/####.png" becomes
+/// "out/{size}/{map}/####.png".
 std::string with_size_folder(std::string_view pattern);
 
 /// Returns a pattern without the folders that the files of all maps and frames share. For example,

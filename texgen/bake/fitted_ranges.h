@@ -14,8 +14,8 @@ namespace foam::texgen {
 /// pixels.
 inline constexpr int kMeasuredSide = 512;
 
-/// Returns the maps of the preset that have an automatic range (AutoReal) which is needed, because
-/// the files store codes (integers, as in a PNG), or because the map is packed.
+/// Returns the maps of the preset that have an automatic range (AutoReal) and need it. A map needs
+/// its range if the files store codes (integers, as in a PNG), or if the map is packed.
 std::vector<const Map*> maps_with_automatic_ranges(const Preset& preset);
 
 /// Returns true if maps_with_automatic_ranges returns at least one map.
@@ -27,11 +27,12 @@ bool has_automatic_ranges(const Preset& preset);
 ///
 /// The maps are drawn at a reduced size with exactly the aspect ratio of the preset. The longer
 /// side then has at most 512 pixels, if the width and the height have a large enough common
-/// divisor. The largest absolute value of a map's numbers, in the unit of the key of its range
-/// (such as height.full), is increased by 1 % and rounded up to a preferred number of the series
-/// R10 of ISO 3 (1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10), times a power of 10. The result
-/// becomes the value of the key. A range thus exceeds the largest absolute value by at most 30 %. A
-/// map whose numbers are all 0 keeps its range.
+/// divisor. The range of a map results from the largest absolute value of its numbers, in the unit
+/// of the key of its range (such as height.full). This value is increased by 1 % and rounded up to
+/// a preferred number times a power of 10. The preferred numbers are the series R10 of ISO 3: 1,
+/// 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10. The result becomes the value of the key. A range thus
+/// exceeds the largest absolute value by at most 30 %. A map whose numbers are all 0 keeps its
+/// range.
 ///
 /// `source` gives the frames. The maps are drawn on thread_count(threads) threads. `on_progress`
 /// receives the phases of the source, and then the phase Ranges. If the source fails, its outcome

@@ -66,9 +66,9 @@ ChannelGroup coded(const MapImage& image, int bits) {
                       quantize(image, bits).codes);
 }
 
-// Returns the extent of the numbers in the channels whose map has a key for its range, for an image
-// that is stored as codes (WrittenFile::numbers). nullopt if the pixels are not numbers or there is
-// no such channel. `pixels` are the drawn pixels of the image.
+// Returns the extent of the numbers of an image that is stored as codes (WrittenFile::numbers).
+// Only the channels whose map has a key for its range count. Returns nullopt if the pixels are not
+// numbers or there is no such channel. `pixels` are the drawn pixels of the image.
 std::optional<NumberExtent> extent_in(const DrawnImage& image, const MapImage& pixels) {
     const std::vector<std::size_t> channels = image.ranged_channels();
     const auto* const numbers = std::get_if<NumberPixels>(&pixels);
@@ -199,8 +199,9 @@ Picture FrameFiles::picture_of(std::span<const DrawnImage> images,
     return picture;
 }
 
-// Returns the height that the largest code or the number 1 of an image represents, as a fraction of
-// the width of the image (WrittenFile::displacement); nullopt if the image contains no heights.
+// Returns a height, as a fraction of the width of the image (WrittenFile::displacement). It is the
+// height that the largest code or the number 1 of the image represents. Returns nullopt if the
+// image contains no heights.
 std::optional<double> FrameFiles::displacement_of(const DrawnImage& image,
                                                   const ShownLayers& shown) const {
     const auto sources = image.sources();
@@ -213,10 +214,11 @@ std::optional<double> FrameFiles::displacement_of(const DrawnImage& image,
            height_unit(shown.layers, preset_.maps.relief);
 }
 
-// Returns the metadata of a file. Unless output.texts leaves texts out, a file of codes contains,
-// besides the texts of all files (texts_of), the name and the unit of its image, and the range and
-// the note if the image has them. In a file of numbers, such as an EXR, the samples are in the unit
-// of their map, so only the notes of its images are added.
+// Returns the metadata of a file. Unless output.texts leaves texts out, they contain the texts of
+// all files (texts_of) and texts about the images of the file. A file of codes states the name and
+// the unit of its image, and the range and the note if the image has them. In a file of numbers,
+// such as an EXR, the samples are in the unit of their map. Such a file therefore states only the
+// notes of its images.
 ImageMetadata FrameFiles::metadata_of(std::span<const DrawnImage> images) const {
     ImageMetadata metadata = metadata_;
     if (metadata.text.empty()) {

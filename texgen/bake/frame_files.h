@@ -31,9 +31,9 @@ class FrameFiles {
     /// malformed.
     explicit FrameFiles(const Preset& preset);
 
-    /// Returns the paths of the files of a frame: one per image (drawn_images), or one for all
-    /// images if the file pattern stores them in one file
-    /// (FilePattern::stores_all_maps_in_one_file), or one per drawing or table of a vector format.
+    /// Returns the paths of the files of a frame. A vector format has one file per drawing, table
+    /// or mesh. An image format has one file per image (drawn_images), or one file for all images
+    /// (FilePattern::stores_all_maps_in_one_file).
     std::vector<std::filesystem::path> paths(int frame) const;
 
     /// Returns true if the files are vector files.

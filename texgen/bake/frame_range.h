@@ -19,9 +19,9 @@ constexpr int kLastFrame = 1'000'000;
 ///     1-10x2   every second: 1 3 5 7 9       1-10y3   all but every third: 2 3 5 6 8 9
 ///     10-1     backwards                     1-3,7    a list of ranges
 ///
-/// Throws std::invalid_argument for any other text, for frames and steps outside 1 to kLastFrame,
-/// for a text that selects no frame, and for ranges that are together longer than ten million
-/// frames.
+/// Throws std::invalid_argument for any other text, and for a text that selects no frame. Also
+/// throws it for frames and steps outside 1 to kLastFrame, and for ranges that are together longer
+/// than ten million frames.
 std::vector<int> parse_frame_range(std::string_view text);
 
 /// Returns the frames from 1 to `last`.
@@ -38,8 +38,8 @@ std::string format_frame_range(std::span<const int> frames);
 
 /// Returns true if the frames, played repeatedly in increasing order, advance evenly through a loop
 /// of `count` frames. This is the case if the step from each frame to the next one is the same,
-/// modulo `count`; the next frame after the last one is the first one. Examples for a loop of 48
-/// frames are 1-48, 1-48x2 and a single frame. Preconditions: there is a frame; `count` is
+/// modulo `count`. The first frame counts as the next frame after the last one. Examples for a loop
+/// of 48 frames are 1-48, 1-48x2 and a single frame. Preconditions: there is a frame; `count` is
 /// positive.
 bool closes_loop(std::span<const int> frames, int count);
 

@@ -24,8 +24,9 @@ VectorSettings vector_settings(const Preset& preset);
 /// files of the preset are vector files.
 std::vector<std::string> vector_parts(const Preset& preset);
 
-/// Returns the words that take the place of {map} in the names of the files of a frame: the result
-/// of vector_parts if they are vector files, otherwise the file_word of each image.
+/// Returns the words that take the place of {map} in the names of the files of a frame. These are
+/// the names of vector_parts if the files are vector files, and otherwise the file_word of each
+/// image.
 std::vector<std::string> file_words(const Preset& preset);
 
 /// Checks a preset whose files are vector files; does nothing for other presets. Throws

@@ -25,10 +25,10 @@ struct MapSamples {
     std::string type;         // name of the SampleType, such as "uint8"
     std::string color_space;  // "sRGB", "linear sRGB", "ACEScg" or "data"
     std::string alpha;        // "none", "straight" or "premultiplied"
-    // Only for kind "number": the number that the smallest code represents, and the number that the
-    // largest code represents. (A code is an integer sample, as a PNG stores it.) Formats that
-    // store floating-point numbers do not clamp them to this range. Previews show the first number
-    // of the range as black and the second number as white.
+    // Only for kind "number": the numbers that the smallest and the largest code represent. A code
+    // is an integer sample, as a PNG stores it. Formats that store floating-point numbers do not
+    // clamp them to this range. Previews show the first number of the range as black and the second
+    // number as white.
     std::optional<std::array<double, 2>> range;
     // Only in a file for graphics hardware, such as a DDS: the name of the PixelFormat.
     std::string pixel_format{};
@@ -58,9 +58,9 @@ struct WrittenFile {
                                                             // empty for a vector file
     std::uint64_t bytes = 0;                                // size of the file in bytes
     std::string pixels;  // pixel_hash of the picture, or text_hash of a vector file
-    // The extent of the numbers that the codes represent, in the channels whose map has a key for
-    // its range (DrawnImage::ranged_channels); nullopt if there is no such channel, if the file
-    // stores floating-point numbers, or if it is a packing of colors.
+    // The extent of the numbers that the codes represent. Only the channels whose map has a key for
+    // its range count (DrawnImage::ranged_channels). nullopt if there is no such channel, if the
+    // file stores floating-point numbers, or if it is a packing of colors.
     std::optional<NumberExtent> numbers{};
     // A height, as a fraction of the width of the image. In a file of codes, it is the height that
     // the largest code of the map `height` represents. In a file of floating-point numbers, it is

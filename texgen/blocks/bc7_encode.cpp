@@ -30,8 +30,8 @@ namespace {
 using namespace bc7;  // NOLINT(google-build-using-namespace): the parts of the encoder
 
 // Limits for the sum of squared errors of a block. A block above kGoodEnough is tried in modes
-// other than mode 6. If an opaque block is then still above kBad, it is also tried with more
-// partitions in the modes 1 and 3, and in the modes of three subsets.
+// other than mode 6. If an opaque block is then still above kBad, it is also tried in the modes of
+// three subsets. In the modes 1 and 3, it is tried with more partitions.
 constexpr float kGoodEnough = 8.0F;
 constexpr float kBad = 40.0F;
 

@@ -120,9 +120,11 @@ class Fitter {
         choose_indices(unrounded);
     }
 
-    /// Does the following steps `rounds` times: improves the endpoints by least squares, rounds the
-    /// endpoints to values of the format, chooses indices, and takes over the result in the lanes
-    /// of `best` in which the result has the smaller error.
+    /// Repeats the following steps `rounds` times:
+    ///   - improves the endpoints by least squares
+    ///   - rounds the endpoints to values of the format
+    ///   - chooses indices
+    ///   - takes over the result in the lanes of `best` in which the result has the smaller error
     FOAM_INLINE void refine(int rounds, Result& best) {
 #pragma GCC unroll 1
         for (int round = 0; round < rounds; ++round) {
@@ -140,8 +142,8 @@ class Fitter {
   private:
     static constexpr auto kSteps = static_cast<float>(Format::kSteps);
 
-    // The numbers that are needed to compute two things: the position of a texel along the line of
-    // its subset, and the color that the index of the texel selects.
+    // Numbers that two computations need: the position of a texel along the line of its subset, and
+    // the color that the index of the texel selects.
     struct Positions {
         Array<Array<Floats, kSubsets>, kChannels> origins;  // first endpoint plus 1/2, for rounding
         Array<Array<Floats, kSubsets>, kChannels> strides;  // change of color per 1/64 of weight
@@ -231,8 +233,9 @@ class Fitter {
 
 inline constexpr int kImprovements = 2;  // number of rounds of Fitter::refine
 
-/// If the colors of a subset are rounded to the evenly spaced colors of a line, their squared error
-/// grows by this share of their spread along the line (bc7_partition.h).
+/// The growth of the squared error if the colors of a subset are rounded to the evenly spaced
+/// colors of a line. It is given as a share of the spread of the colors along the line
+/// (bc7_partition.h).
 template <class Format>
 inline constexpr float kRoundingShare = 1.0F / static_cast<float>(Format::kSteps* Format::kSteps);
 

@@ -90,9 +90,9 @@ constexpr std::size_t pairs_of(std::size_t channels) {
     return channels * (channels + 1) / 2;
 }
 
-/// Sums over the texels of a subset: their number, the sum of their relative colors and, for each
-/// pair of channels c <= d, the sum of the products of these two channels. The pairs are ordered by
-/// c and then by d.
+/// Sums over the texels of a subset: their number, the sum of their relative colors, and sums of
+/// products of two channels. There is a sum of products for each pair of channels c <= d. The pairs
+/// are ordered by c and then by d.
 template <class Simd, std::size_t kChannels>
 struct ColorSums {
     using Floats = typename Simd::Floats;

@@ -25,8 +25,8 @@ enum class LowestBits : std::uint8_t {
     None,
     PerEndpoint,
     PerSubset,  // both endpoints of a subset share one bit
-    // Both bits are 1. The encoder uses this for opaque blocks in mode 6, because an endpoint can
-    // have the alpha 255 in this mode only if its lowest bit is 1.
+    // Both bits are 1. The encoder uses this value for opaque blocks in mode 6. In this mode, an
+    // endpoint can have the alpha 255 only if its lowest bit is 1.
     Ones,
 };
 

@@ -20,9 +20,8 @@ struct IndexedChannels {
 };
 
 // Makes the highest bit of the index of the subset's anchor texel 0, because a block does not store
-// this bit. If the bit is 1, exchanges the endpoints of the subset in the given channels, and
-// replaces each index of the subset by the largest index minus this index. The colors stay the
-// same.
+// this bit. If the bit is 1, exchanges the endpoints of the subset in the given channels. Each
+// index i of the subset then becomes the largest index minus i. The colors stay the same.
 void order_ends(BlockFields& fields,
                 int subset,
                 const IndexedChannels& channels,

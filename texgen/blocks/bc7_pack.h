@@ -26,10 +26,10 @@ struct BlockFields {
     Indices alpha_indices{};          // only in the modes 4 and 5
 };
 
-/// Returns the block with the given fields. If the highest bit of the index of an anchor is set,
-/// exchanges the endpoints of its subset and replaces each index of the subset by the largest index
-/// minus it, because a block does not store this bit. Precondition: the mode can store the values
-/// of the endpoints.
+/// Returns the block with the given fields. A block does not store the highest bit of the index of
+/// an anchor texel (bc7_modes.h); decoders take it as 0. If this bit is 1 in `fields`, this
+/// function exchanges the endpoints of the subset. It then replaces each index i of the subset by
+/// the largest index minus i. Precondition: the mode can store the values of the endpoints.
 Bc7Block pack_bc7(BlockFields fields);
 
 }  // namespace foam::texgen::bc7

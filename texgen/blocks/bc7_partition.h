@@ -11,11 +11,11 @@
 
 // A partition divides the texels of a block into subsets; BC7 approximates the colors of each
 // subset by colors on a line of its own. The functions below estimate the sum of the squared errors
-// for all partitions. The squared distances of the colors of a subset from its principal axis add
-// up to the trace of the scatter matrix minus the largest eigenvalue of this matrix. Rounding the
-// colors to n steps along the axis adds this eigenvalue divided by n^2. The reason: evenly spaced
-// colors between two endpoints at the distance L have the variance L^2 / 12, and rounding to n
-// steps has the mean squared error (L / n)^2 / 12.
+// for all partitions. The line of a subset is taken to be the principal axis of its colors. The
+// squared distances of the colors from this axis add up to the trace of the scatter matrix minus
+// the largest eigenvalue of this matrix. Rounding the colors to n steps along the axis adds this
+// eigenvalue divided by n^2. The reason: evenly spaced colors between two endpoints at the distance
+// L have the variance L^2 / 12. Rounding to n steps has the mean squared error (L / n)^2 / 12.
 //
 // The largest eigenvalue is estimated by the Frobenius norm of the matrix, which is the root of the
 // sum of the squares of all eigenvalues. The estimate is good if one eigenvalue is much larger than

@@ -32,9 +32,9 @@ struct Format {
 };
 
 /// The squared error of a subset whose texels have given indices, as a function of its endpoints.
-/// Apart from a constant, the error of channel c is
+/// At the two endpoints, channel c has the values x and y. Apart from a constant, the error of this
+/// channel is
 ///     first x^2 + 2 mixed x y + second y^2 - 2 sums[0][c] x - 2 sums[1][c] y
-/// where x and y are the values of the channel at the two endpoints.
 template <class Simd, std::size_t kChannels>
 struct SquaredError {
     using Floats = typename Simd::Floats;

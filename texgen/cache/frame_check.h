@@ -23,9 +23,9 @@ bool is_plausible(double number);
 /// - The half angle of each film is between -pi and pi.
 /// - The domain is the plane if there is a ghost bubble. Otherwise it is a torus whose sides have a
 ///   moderate ratio (has_moderate_shape). The absolute value of its shear is at most its width.
-/// - On a torus, |x| of each junction is at most twice the width, |y| at most twice the height, and
-///   no film is longer than the width plus the height. Coordinates in pixels then stay within the
-///   limits of the rasterizer.
+/// - On a torus, |x| of each junction is at most twice the width, and |y| is at most twice the
+///   height. No film is longer than the width plus the height. Coordinates in pixels then stay
+///   within the limits of the rasterizer.
 std::optional<std::string> find_frame_fault(const Frame& frame);
 
 }  // namespace foam::texgen

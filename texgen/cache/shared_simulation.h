@@ -52,9 +52,9 @@ class SharedSimulation {
 /// Returns the frames that are in one of the lists or in both, each once, in increasing order.
 std::vector<int> united(const std::vector<int>& some, const std::vector<int>& others);
 
-/// Returns the frames that must be simulated to bake the given frames of the presets: these frames
-/// and, if a preset has automatic ranges of maps, all frames of its animation, because the ranges
-/// are fitted to them.
+/// Returns the frames that must be simulated to bake the given frames of the presets. These are the
+/// given frames and, if a preset has automatic ranges of maps, all frames of its animation.
+/// Automatic ranges are fitted to all frames of an animation.
 std::vector<int> frames_to_simulate(const std::vector<Preset>& presets,
                                     const std::vector<int>& frames);
 

@@ -19,7 +19,7 @@
 // its measurements, in this order. The effort and the measurements together are the members of
 // FrameEffort. Older versions of foamtex did not store the measurements; their states end after the
 // record. In the record, values per bubble are in the order of the bubbles of the frame, followed
-// by its lone bubbles, so identities are stored only once, in the frame. A flag precedes
+// by its lone bubbles. Identities are therefore stored only once, in the frame. A flag precedes
 // FoamRecord::first_pressures, the pressures at the end of the warm-up. If the flag is 1, these
 // pressures equal the pressures in the file pressures.foam of the cache and are left out. At the
 // end of the record are the averages (RecentAverages). A flag precedes them, too; it is 0 if there

@@ -37,7 +37,7 @@ struct BakeArguments {
     ImageArguments images;
 };
 
-/// Returns the frames that the simulation must compute. All sizes share this simulation.
+/// Returns the frames that the simulation shared by several sizes must compute.
 std::vector<int> simulated_frames(const std::vector<Preset>& presets,
                                   const std::vector<int>& frames,
                                   bool dry_run) {
@@ -69,8 +69,8 @@ ExitCode bake_sizes(const std::vector<Preset>& presets,
     std::vector<ImageRun> runs;
     for (const Preset& preset : presets) {
         BakeOptions options{.frames = frames, .threads = arguments.run.threads};
-        // In a dry run, the first size runs a simulation of its own, so that its estimate measures
-        // the time of a simulation.
+        // A single size needs no shared simulation. In a dry run, the first size does not use it
+        // either, so that its estimate measures the time of a simulation.
         if (!is_single && !(is_dry && runs.empty())) {
             options.source = shared.source(preset);
         }

@@ -5,11 +5,11 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
-// In the generated script, a loop over the words of the command line finds the command path: the
-// program, its subcommand and further subcommands, such as "foamtex presets show". After the loop,
-// a first `case` completes the value of the option before the cursor. For each command path, it has
-// one entry for each option with a value. A second `case` completes options, subcommands and
-// positional arguments. It has one entry per command path.
+// In the generated script, a loop over the words of the command line finds the command path. The
+// command path consists of the program, its subcommand and further subcommands, such as "foamtex
+// presets show". After the loop, a first `case` completes the value of the option before the
+// cursor. For each command path, it has one entry for each option with a value. A second `case`
+// completes options, subcommands and positional arguments. It has one entry per command path.
 
 namespace foam::texgen {
 
@@ -143,8 +143,9 @@ class BashScript {
 
     // Adds the entry of a command to the second `case`. A word that begins with a hyphen is
     // completed to an option. Any other word is completed to a subcommand or a value of a
-    // positional argument. If none of these match and the command has a positional argument that
-    // may be a file (PRESET, or any argument of the kind Path), the word is completed to a file.
+    // positional argument. If none of these match, the word is completed to a file, provided that a
+    // positional argument of the command may be a file. Such arguments are PRESET and all arguments
+    // of the kind Path.
     void add_words(const CommandGrammar& command,
                    const std::string& path,
                    const std::vector<std::string>& options) {

@@ -17,8 +17,8 @@ namespace foam::texgen {
 /// An unknown option or subcommand is probably the cause of the error, even if the parser reports
 /// another error, such as a missing argument. The message then names the unknown word, and suggests
 /// the most similar option or subcommand, if any is similar. An option of the selected subcommand
-/// is also unknown if it stands before the name of the subcommand; the message then says that the
-/// option must follow this name.
+/// is also unknown if it precedes the name of the subcommand. In this case, the message says that
+/// the option must follow this name.
 std::string command_line_error(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace foam::texgen

@@ -14,7 +14,7 @@ enum class ValueKind {
     Words,  // one of Values::words
     List,   // several of Values::words, separated by commas
     Key,    // one of Values::words, followed by '=' and any value
-    Path,   // the path of a file or folder; also the kind of all values that are not words
+    Path,   // the path of a file or folder; also used for values for which there are no words
 };
 
 /// The values that completion offers for an argument.

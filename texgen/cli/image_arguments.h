@@ -17,8 +17,8 @@ class App;
 
 namespace foam::texgen {
 
-/// The options that `bake` and `render` share, apart from RunArguments, as given on the command
-/// line.
+/// The options that `bake` and `render` share, apart from RunArguments, and the option --watch of
+/// `bake`, as given on the command line.
 struct ImageArguments {
     std::optional<std::string> maps;
     std::vector<std::string> pack;  // the values of all options --pack

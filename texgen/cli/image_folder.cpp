@@ -47,8 +47,8 @@ void choose_size(SetChoice& choice, const std::string& size) {
     }
 }
 
-// Returns a part of a message that suggests the first subfolder with a manifest, by name, or an
-// empty text if no subfolder has one.
+// Returns a part of a message that suggests a subfolder with a manifest: the first in the order of
+// names. Returns an empty text if no subfolder has a manifest.
 std::string suggested_subfolder(const std::filesystem::path& folder) {
     std::optional<std::filesystem::path> first;
     std::error_code error;

@@ -23,9 +23,9 @@ void describe_several_sizes(CLI::App& command);
 /// the images of each size get a folder of their own. A pattern that contains {size} is not
 /// changed.
 ///
-/// Throws the exceptions of `load`. Throws std::invalid_argument if a size occurs twice, if the
-/// sizes need different simulations (simulation_hash) because their aspect ratios differ, or if
-/// scene files of different sizes would have the same name.
+/// Throws the exceptions of `load`. Throws std::invalid_argument if a size occurs twice, or if
+/// scene files of different sizes would have the same name. Also throws it if the sizes need
+/// different simulations (simulation_hash), because their aspect ratios differ.
 std::vector<Preset> presets_of_sizes(const RunArguments& arguments,
                                      const std::function<Preset(const RunArguments&)>& load);
 

@@ -18,9 +18,9 @@ class Interrupted : public std::runtime_error {
     int signal_;
 };
 
-/// Selects how a run stops after a signal: after its current step, such as a time step or the
-/// drawing of a frame, or soon if the run has no steps. The signal handler writes to stderr which
-/// of the two it is.
+/// Selects how a run stops after a signal. AfterStep: it stops after its current step, such as a
+/// time step or the drawing of a frame. Soon: the run has no steps and stops soon. The signal
+/// handler writes to stderr which of the two it is.
 enum class Stopping { AfterStep, Soon };
 
 /// Installs handlers for SIGINT, SIGTERM and SIGHUP. If one of these signals arrives, the process

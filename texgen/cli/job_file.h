@@ -16,13 +16,17 @@ struct Job {
     std::string command() const;
 };
 
-/// Reads a job file: a TOML document with a table [[bake]] for each job. The key `preset` names the
-/// preset; every other key is an option of `bake` without its leading dashes, such as `size` or
-/// `normal-y` (kJobKeys in job_file.cpp lists them). The value may be a list if the key is `set` or
-/// `pack`, whose options may be repeated, or `maps` or `scene`, whose options take several words.
-/// The value of the flag `stats` is true or false. `source` is the name of the document in
-/// messages. Throws PresetError if the document is malformed or has no job, if a job has no preset
-/// or an unknown key, or if a value has the wrong type. All other checks of values are made when a
+/// Reads a job file: a TOML document with a table [[bake]] for each job. `source` is the name of
+/// the document in messages.
+///
+/// The key `preset` names the preset. Every other key is an option of `bake` without its leading
+/// dashes, such as `size` or `normal-y` (kJobKeys in job_file.cpp lists them). The value may be a
+/// list if the key is `set` or `pack`, because these options may be repeated. It may also be a list
+/// if the key is `maps` or `scene`, because these options take several words. The value of the flag
+/// `stats` is true or false.
+///
+/// Throws PresetError if the document is malformed or has no job. Also throws it if a job has no
+/// preset, an unknown key or a value of the wrong type. All other checks of values are made when a
 /// job runs.
 std::vector<Job> read_jobs(std::string_view toml, const std::string& source);
 

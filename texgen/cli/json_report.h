@@ -7,9 +7,12 @@
 
 namespace foam::texgen {
 
-/// Returns the JSON object that a command prints for --json in two cases: the command simulates
-/// nothing (for example, the command `maps`), or the command has several parts, each with an
-/// outcome of its own (the variations of the command `vary`, and the jobs of the command `run`).
+/// Returns the JSON object that a command prints for --json in two cases:
+///
+/// - The command simulates nothing, as the command `maps`.
+/// - The command has several parts, each with an outcome of its own: the variations of the command
+///   `vary`, or the jobs of the command `run`.
+///
 /// The only member is `status`: "complete", or "failed" if a part is not complete. The command adds
 /// further members.
 Json json_report(bool is_complete = true);

@@ -10,7 +10,7 @@
 namespace {
 
 // Makes the program keep freed memory for the next image. By default, glibc returns most of it to
-// the system, and clearing the pages of each new image takes 3 to 12 % of the time of a bake.
+// the system. Clearing the pages of each new image then takes 3 to 12 % of the time of a bake.
 void keep_freed_memory() {
 #ifdef __GLIBC__
     constexpr int kLargestBlock = 32 << 20;  // bytes; the largest value that mallopt accepts

@@ -166,7 +166,7 @@ std::optional<double> ProgressReporter::seconds_per_unit() const {
 }
 
 // The estimate multiplies the measured time of a unit, such as a step, by the number of units left.
-// Before the phase Frames, the frames are added to the units left, because a step that prepares
+// Before the phase Frames, the frames are added to the units left. The reason: a step that prepares
 // frame 1 takes about as long as the step to a later frame. If the usual number of cycles of a loop
 // is known, the steps of its further cycles are added, too. Without this number, the estimate in
 // the phases before Frames is a lower bound, because it includes neither drawing nor further

@@ -30,20 +30,20 @@ struct ProgressOptions {
 ///
 /// - JSON lines (progress_json), if ProgressOptions::json is true: the first and the last report of
 ///   the run, and otherwise one line per second.
-/// - lines, for Verbosity::Verbose: in the phase Frames one per frame; in every other phase one at
-///   its start, one when its last unit is reported (in the phase LoopClosing, the last unit of each
-///   cycle), and otherwise at most one per second.
+/// - lines, for Verbosity::Verbose. The phase Frames has one line per frame. Every other phase has
+///   one line at its start, one when its last unit is reported, and otherwise at most one per
+///   second. In the phase LoopClosing, this holds for the last unit of each cycle.
 /// - a bar, for Verbosity::Normal if stderr is a terminal. It is in color only if the environment
 ///   variable NO_COLOR is unset or empty.
 /// - nothing, in all other cases, and always for Verbosity::Quiet.
 ///
 /// In the styles JSON lines and bar, a thread repeats the latest report, with the present times, if
-/// no other has followed for a second. Long steps, such as the first equilibrium of a large foam,
-/// are therefore not silent.
+/// no other report has followed for a second. Long steps, such as the first equilibrium of a large
+/// foam, are therefore not silent.
 ///
 /// With Verbosity::Normal and without JSON, a note tells the user that the rest of the run takes a
-/// minute or more, as soon as this can be estimated from the first units, such as frames, of a
-/// phase.
+/// minute or more. It is printed as soon as this can be estimated from the first units, such as
+/// frames, of a phase.
 class ProgressReporter {
   public:
     /// Begins the run. From now on, SIGINT, SIGTERM and SIGHUP stop the run after its current step

@@ -31,12 +31,13 @@ void note_other_version(const CacheInfo& cache, const std::filesystem::path& fol
 /// (closes_loop). Precondition: `frames` is not empty.
 void note_open_loop(const Preset& preset, std::span<const int> frames);
 
-/// Prints a note on stderr if events of the preset begin after its last frame and after the last of
-/// the given frames, so that they never happen. Precondition: `frames` is not empty.
+/// Prints a note on stderr if events of the preset never happen. Such events begin both after the
+/// last frame of the preset and after the last of the given frames. Precondition: `frames` is not
+/// empty.
 void note_late_events(const Preset& preset, std::span<const int> frames);
 
-/// Prints a warning on stderr for each event of the preset that was to choose bubbles that did not
-/// exist, or to create bubbles where this was impossible.
+/// Prints a warning on stderr for each event of the preset whose bubbles did not all exist, or
+/// could not all be created.
 void warn_of_missing_bubbles(const Preset& preset, const RunOutcome& outcome);
 
 /// Prints a warning on stderr if files of the given total size, in bytes, do not fit on the disk of

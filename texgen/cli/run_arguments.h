@@ -67,8 +67,8 @@ std::vector<Assignment> assignments_of(const RunArguments& arguments);
 /// profile, every `--set`, the other options that set a key, and `more`. Later assignments override
 /// earlier ones. Throws PresetError if the preset or the profile is missing or invalid, or if a
 /// value is not allowed. Also throws PresetError for a cache in place of a preset. Unless -q is
-/// given, prints each remark on the preset (remarks_on) as a note on stderr, for example on a key
-/// that the command line, `more` or the file of the preset sets without effect.
+/// given, prints each remark on the preset (remarks_on) as a note on stderr. A remark can concern,
+/// for example, a key that the command line, `more` or the file of the preset sets without effect.
 Preset preset_of(const RunArguments& arguments, const std::vector<Assignment>& more = {});
 
 /// Returns the given preset after the same assignments as in preset_of. Throws PresetError if the
@@ -79,9 +79,9 @@ Preset changed(Preset preset,
                const std::vector<Assignment>& more = {});
 
 /// Prints a note on stderr for each key that the command line sets although none of the maps that
-/// the preset draws uses it (keys_without_maps). Prints nothing if -q is given, if the files of the
-/// preset are not images, or if a profile selects the maps, because keys such as lit.glow influence
-/// this selection.
+/// the preset draws uses it (keys_without_maps). Prints nothing if -q is given, or if the files of
+/// the preset are not images. Also prints nothing if a profile selects the maps, because keys such
+/// as lit.glow influence this selection.
 void note_keys_without_maps(const RunArguments& arguments, const Preset& preset);
 
 /// Returns the frames of the option --frames, or all frames of the preset if the option is not

@@ -18,8 +18,8 @@ namespace foam::texgen {
 
 /// Opens /dev/null for each standard stream that is closed. Otherwise, a file that is opened later
 /// could get the descriptor of the stream and receive messages. /dev/null is opened only for
-/// writing as stdin and only for reading as stdout or stderr, so that reading from this stdin and
-/// writing to this stdout or stderr fail, as with a closed stream. Must be called before any file
+/// writing as stdin, and only for reading as stdout or stderr. Reading from this stdin and writing
+/// to this stdout or stderr therefore fail, as with a closed stream. Must be called before any file
 /// is opened.
 void open_missing_streams();
 

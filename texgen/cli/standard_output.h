@@ -14,9 +14,9 @@
 
 namespace foam::texgen {
 
-// Results are written to stdout only through these functions. (CLI11 prints the help and the
-// version.) The functions do not throw if stdout is closed or full: run_program checks at the end
-// whether all output was written.
+// Results are written to stdout only through these functions. The help and the version are no
+// results: CLI11 prints them. The functions do not throw if stdout is closed or full. Instead,
+// run_program checks at the end whether all output was written.
 
 /// Writes a text to stdout. If stdout is a terminal, characters that could control it, for example
 /// in the names of files, are replaced (shown_lines).

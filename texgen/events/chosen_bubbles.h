@@ -24,9 +24,8 @@ struct ChosenBubble {
 /// - `bubble`, a list of identities: the bubbles from the index `first_index` of the list on.
 ///   Precondition: the list has at least first_index + count elements.
 /// - `sides`, a list of numbers of sides: the numbers take turns, beginning at the index
-///   `first_index` modulo the length of the list. Each turn of a number chooses, among the bubbles
-///   with this number of sides that the call has not chosen yet, the one with the smallest target
-///   area.
+///   `first_index` modulo the length of the list. Each turn considers the bubbles with this number
+///   of sides that the call has not chosen yet. It chooses the one with the smallest target area.
 /// - `at`, a position: the bubble that contains it.
 ///
 /// Bubbles that do not exist are left out, so that the result may be shorter or empty.

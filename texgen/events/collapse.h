@@ -30,9 +30,9 @@ Keys<CollapseOptions> collapse_keys();
 void check_collapse(const EventCheck& check, const CollapseOptions& options);
 
 /// Schedules the collapse of the bubbles that begin to collapse in the step that leads to the frame
-/// `context.frame`: their target areas shrink to the T2 area, and the bubbles vanish at the last
-/// frame of their collapse. With EventOrder::AtOnce, this is the last frame of the event. Adds
-/// the number of bubbles that do not exist to context.missing.
+/// `context.frame`. Their target areas shrink to the T2 area, and the bubbles vanish at the last
+/// frame of their collapse. With EventOrder::AtOnce, this is the last frame of the event. Adds the
+/// number of bubbles that do not exist to context.missing.
 void advance_collapse(const EventBase& event,
                       const CollapseOptions& options,
                       EventContext& context);

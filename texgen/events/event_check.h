@@ -33,13 +33,19 @@ struct EventCheck {
     std::string name;  // name of the event in messages, such as "event[2]"
     std::function<bool(std::string_view key)> is_given;  // true if the key was assigned
     // Throws PresetError. The message quotes an assignment, followed by the reason. The assignment
-    // is the last one to the key or, if the key was not assigned, to any key of the event. If no
-    // key of the event was assigned, it is the last one to a key outside of the event, such as
-    // foam.bubbles, on which the allowed values of events depend; otherwise the last one of all.
+    // is the first of these that exists:
+    //   - the last assignment to the key
+    //   - the last assignment to any key of the event
+    //   - the last assignment to a key outside of the event, such as foam.bubbles, on which the
+    //     allowed values of events depend
+    //   - the last assignment of all
     std::function<void(std::string_view key, std::string_view reason)> reject;
     // Throws PresetError. The message quotes an assignment, followed by the reason. The assignment
-    // is the last one to a key outside of the event on which the allowed values of events depend.
-    // If there is none, it is the last one to a key of the event; otherwise the last one of all.
+    // is the first of these that exists:
+    //   - the last assignment to a key outside of the event on which the allowed values of events
+    //     depend
+    //   - the last assignment to any key of the event
+    //   - the last assignment of all
     std::function<void(std::string_view reason)> reject_foam;
 
     /// Calls `reject` with the key and the reason unless `holds` is true. `holds` must be a
@@ -51,8 +57,8 @@ struct EventCheck {
         }
     }
     /// Rejects a value of a key that does not fit the foam, unless `holds` is true. If the key was
-    /// assigned, calls `reject` with the reason. Otherwise the value is older or the default, and
-    /// this function calls `reject_foam` with the reason "event[2].key" + separator + reason, so
+    /// assigned, calls `reject` with the reason. Otherwise the value is older or the default. This
+    /// function then calls `reject_foam` with the reason "event[2].key" + separator + reason, so
     /// that the message names the key of the event, too. `separator` is, for example, " = ".
     void require_fit(bool holds,
                      std::string_view key,

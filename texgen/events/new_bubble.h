@@ -13,7 +13,7 @@ enum class NucleationSite { Junction, Film };
 
 /// Creates a bubble with the target area `area`, in square foam units, on the junction or film
 /// nearest to a point. Returns nullopt, and leaves the foam unchanged, if the point is in no bubble
-/// of the network, or if the bubbles around the junction or film have too little gas
+/// of the network. Does the same if the bubbles around the junction or film have too little gas
 /// (core/dynamics/nucleation.h). Precondition: the target area is positive.
 std::optional<BubbleId> nucleate_near(NucleationSite on,
                                       const Vec2& point,

@@ -52,8 +52,8 @@ void append_chunk(Bytes& to, std::string_view type, Content content) {
 }
 
 /// Returns all chunks of a PNG. They refer to the bytes of `png`. Throws std::invalid_argument if
-/// the signature is wrong, if a chunk is incomplete, if the first chunk is not IHDR or is shorter
-/// than kSizeBytes, if no chunk is IDAT, or if the PNG has a palette.
+/// the signature is wrong, if a chunk is incomplete, if no chunk is IDAT, or if the PNG has a
+/// palette. Also throws it if the first chunk is not IHDR or is shorter than kSizeBytes.
 std::vector<PngChunk> chunks_of(Content png) {
     std::optional<Content> rest = after_png_signature(png);
     std::vector<PngChunk> chunks;

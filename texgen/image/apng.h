@@ -22,8 +22,8 @@ class ApngMuxer {
 
     /// Appends the next frame. `png` is the content of a PNG file without a palette. Precondition:
     /// the PNG is not itself an animation. Throws std::invalid_argument if `png` is not a PNG or
-    /// has a palette, if its width, height, type of samples or interlacing differs from that of the
-    /// first frame, or if all frames have already been added.
+    /// has a palette, or if all frames have already been added. Also throws it if the width,
+    /// height, type of samples or interlacing of `png` differs from that of the first frame.
     void add(std::span<const std::byte> png);
 
     /// Completes the stream and returns it. May be called only once. Throws std::invalid_argument

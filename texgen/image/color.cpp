@@ -18,8 +18,9 @@ namespace {
 
 using Encoding = std::array<std::uint8_t, 65536>;
 
-// Returns the sRGB codes of the values 0 to 65535 of linear light. A value has the code k if its
-// sRGB encoding, a number from 0 to 1, is at least (k - 1/2) / 255 and less than (k + 1/2) / 255.
+// Returns the sRGB codes of the values 0 to 65535 of linear light. The sRGB encoding of a value is
+// a number from 0 to 1. The value has the code k if this number is at least (k - 1/2) / 255 and
+// less than (k + 1/2) / 255.
 Encoding make_srgb_encoding() {
     constexpr double kWhite = 65535.0;
     Encoding encoding{};

@@ -67,9 +67,9 @@ constexpr ColorTable kYlOrRdTable = interpolated(kYlOrRd);
 constexpr ColorTable kBluesTable = interpolated(kBlues);
 constexpr ColorTable kGreensTable = interpolated(kGreens);
 
-// Returns the color map cubehelix: a helix around the gray axis (D. A. Green, "A colour scheme for
-// the display of astronomical intensity images", 2011) with his parameters start = 0.5,
-// rotations = -1.5, hue = 1 and gamma = 1.
+// Returns the color map cubehelix, a helix around the gray axis. It has the parameters of its
+// author: start = 0.5, rotations = -1.5, hue = 1 and gamma = 1. Source: D. A. Green, "A colour
+// scheme for the display of astronomical intensity images", 2011.
 ColorTable cubehelix_table() {
     constexpr double kStart = 0.5;
     constexpr double kRotations = -1.5;

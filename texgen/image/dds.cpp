@@ -11,8 +11,8 @@
 #include <cstdint>
 
 // The file format is described in Microsoft's "Programming Guide for DDS" and in the references of
-// DDS_HEADER and DDS_HEADER_DXT10. A file has a magic number, a header of 31 numbers, a second
-// header of 5 numbers, and then the mip levels of each layer, from the full size on.
+// DDS_HEADER and DDS_HEADER_DXT10. A file has a magic number, a header of 31 numbers and a second
+// header of 5 numbers. Then the mip levels of each layer follow, the full size first.
 
 namespace foam::texgen {
 

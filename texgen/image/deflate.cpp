@@ -31,10 +31,10 @@ constexpr int kSmallLevel = 7;
 // ISA-L compresses each part of the data (one call of deflate_fast) as a stream of its own. This
 // number of bytes at the start of each part is compressed and flushed separately. This avoids an
 // error in the main loop of ISA-L 2.30 (igzip_icf_body_h1_gr_bt.asm, .write_first_byte). At the
-// start of a stream, this loop should hash the input bytes from the third byte on, but it hashes a
-// register that still contains the address of the stream object. The matches that ISA-L finds
-// therefore sometimes depend on this address. An input of 4 bytes is processed only by the loop for
-// the end of the data. That loop needs at least 4 bytes, and has no such error.
+// start of a stream, this loop should hash the input bytes from the third byte on. Instead, it
+// hashes a register that still contains the address of the stream object. The matches that ISA-L
+// finds therefore sometimes depend on this address. An input of 4 bytes is processed only by the
+// loop for the end of the data. That loop needs at least 4 bytes, and has no such error.
 constexpr std::size_t kFirstBytes = 4;
 
 // Returns an upper bound, in bytes, of the compressed size of `size` bytes. If data cannot be

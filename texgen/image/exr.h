@@ -71,9 +71,11 @@ Bytes encode_exr(const Picture& picture, const ExrEncoding& encoding = {});
 /// alphabetical order of the channel names. The texts in the metadata of the picture are in
 /// alphabetical order of their keywords. Colors whose chromaticities are not close to those of
 /// ACEScg are taken for colors with the primaries of sRGB. `level` is the mip level to read; 0 is
-/// the full size. Throws InputError for a malformed stream, for an image above the limits in
-/// input_limits.h, for a level that does not exist, and if the file has several parts or has deep
-/// or subsampled channels. Throws OutOfMemory if the machine has too little memory for the image.
+/// the full size.
+///
+/// Throws InputError for a malformed stream, for an image above the limits in input_limits.h, and
+/// for a level that does not exist. Also throws it if the file has several parts, or has deep or
+/// subsampled channels. Throws OutOfMemory if the machine has too little memory for the image.
 Picture decode_exr(std::span<const std::byte> content, int level = 0);
 
 }  // namespace foam::texgen

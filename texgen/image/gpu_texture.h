@@ -81,12 +81,16 @@ PixelFormat pixel_format_of(const Picture& picture, const GpuEncoding& encoding)
 /// picture has one group of 1, 3 or 4 channels of codes.
 GpuTexture texture_of(const Picture& picture, const GpuEncoding& encoding);
 
-/// Returns the full size of the first layer of a texture as a picture. If the format has one
-/// channel, the picture has one, too. If the format has two channels, the picture has three: for
-/// Rg16, the third channel is 0; for Bc5, the three channels are x, y and z of a unit vector, of
-/// which the texture stores x and y. If the format has four channels, the picture has four, or
-/// three if the texture has no alpha (`opaque`). Throws OutOfMemory if the machine has too little
-/// memory for the picture.
+/// Returns the full size of the first layer of a texture as a picture. The format of the texture
+/// determines the number of channels of the picture:
+///   - A format of one channel gives one channel.
+///   - Rg16, a format of two channels, gives three channels. The third one is 0.
+///   - Bc5, a format of two channels, gives three channels: x, y and z of a unit vector. The
+///     texture stores only x and y.
+///   - A format of four channels gives four channels, or three if the texture has no alpha
+///     (`opaque`).
+///
+/// Throws OutOfMemory if the machine has too little memory for the picture.
 Picture picture_of(const GpuTexture& texture);
 
 }  // namespace foam::texgen

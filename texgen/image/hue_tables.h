@@ -7,12 +7,12 @@
 
 namespace foam::texgen {
 
-// Color maps that pass through many hues: turbo by Anton Mikhailov (copyright 2019 Google LLC,
-// Apache-2.0), and twilight, which is cyclic, by Bastian Bechtold
+// Color maps that pass through many hues. Turbo is by Anton Mikhailov (copyright 2019 Google LLC,
+// Apache-2.0). Twilight, which is cyclic, is by Bastian Bechtold
 // (https://github.com/bastibe/twilight, CC0). An entry 0xRRGGBB contains the three sRGB codes of a
 // color: numbers that Matplotlib ships, rounded to 8 bits. Matplotlib's twilight has 510 entries at
-// equal distances from position 0 to position 1; kTwilight has the 256 of them that are nearest to
-// the positions k / 255.
+// equal distances from position 0 to position 1. kTwilight has 256 of them, those nearest to the
+// positions k / 255.
 
 inline constexpr std::array<std::uint32_t, 256> kTurbo = {
     0x30123b, 0x321543, 0x33184a, 0x341b51, 0x351e58, 0x36215f, 0x372466, 0x38276d, 0x392a73,

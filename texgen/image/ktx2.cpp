@@ -20,9 +20,9 @@
 #include <string_view>
 #include <utility>
 
-// The file format is the KTX File Format Specification, version 2.0. A file has a header, an index
-// of the mip levels, a data format descriptor (Khronos Data Format Specification 1.3), key/value
-// data, and the levels from the smallest to the full size. A level holds the images of all layers.
+// The file format is KTX 2.0 (KTX File Format Specification). A header and an index of the mip
+// levels come first. A data format descriptor (Khronos Data Format Specification 1.3) and key/value
+// data follow. The levels are last, the smallest one first. A level holds the images of all layers.
 
 namespace foam::texgen {
 

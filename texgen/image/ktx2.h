@@ -16,11 +16,14 @@ namespace foam::texgen {
 /// machine, equal textures give equal bytes. Throws OutputError if Zstandard fails.
 Bytes encode_ktx2(const GpuTexture& texture);
 
-/// Returns the texture in a KTX 2.0 file. Throws InputError if the stream is malformed or
-/// truncated, if its format is not one of PixelFormat, if the texture is a cube or a volume, if it
-/// is not compressed with Zstandard, if its alpha is premultiplied, and for an image above the
-/// limits in core/files/input_limits.h. Throws OutOfMemory if the machine has too little memory for
-/// the texture.
+/// Returns the texture in a KTX 2.0 file. Throws OutOfMemory if the machine has too little memory
+/// for the texture. Throws InputError in these cases:
+///   - The file is malformed or truncated.
+///   - The pixel format is not one of PixelFormat.
+///   - The texture is a cube or a volume.
+///   - The data are not compressed with Zstandard.
+///   - The alpha of the texture is premultiplied.
+///   - The image is above the limits in core/files/input_limits.h.
 GpuTexture decode_ktx2(std::span<const std::byte> content);
 
 }  // namespace foam::texgen

@@ -71,8 +71,8 @@ std::vector<std::string> reasons_of(const PixelDifferences& all,
 
 double percentile_of(std::span<const double> differences, double percent) {
     assert(!differences.empty() && percent > 0.0 && percent <= 100.0);
-    // The multiplication comes first, because 99.9 * 1000 / 100 is exactly 999 in doubles, but
-    // 99.9 / 100 * 1000 is larger, so that std::ceil would return 1000.
+    // The multiplication comes first, because 99.9 * 1000 / 100 is exactly 999 in doubles. The
+    // result of 99.9 / 100 * 1000 is larger, so std::ceil would return 1000.
     const double rank = std::ceil(percent * static_cast<double>(differences.size()) / 100.0);
     const auto index = std::min(static_cast<std::size_t>(rank), differences.size()) - 1;
     std::vector<double> sorted(differences.begin(), differences.end());

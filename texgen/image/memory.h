@@ -14,10 +14,12 @@ class OutOfMemory : public std::runtime_error {
 };
 
 /// Returns the number of bytes that this process can still use without swapping. This is the
-/// smallest of these numbers: the available memory of the machine; the unused parts of the limits
-/// of the process's control group (cgroup version 2) and of the groups above it; and the unused
-/// part of the limit on the process's address space (ulimit -v). A number is the largest
-/// std::uint64_t if there is no such limit or if the number is not known.
+/// smallest of these numbers:
+///   - the available memory of the machine;
+///   - the unused parts of the limits of the process's control group (cgroup version 2) and of the
+///     groups above it;
+///   - the unused part of the limit on the process's address space (ulimit -v).
+/// If a limit does not exist or a number is not known, the largest std::uint64_t takes its place.
 std::uint64_t available_memory();
 
 /// If the address space of this process is limited (ulimit -v), prevents the GNU C library from

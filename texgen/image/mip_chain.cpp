@@ -18,10 +18,11 @@
 #include <utility>
 #include <variant>
 
-// A level is computed from the level before it in floating point, and rounded to codes only for the
-// result, so that rounding errors do not add up. A level is kept as planes: images of one channel.
-// Colors with an opacity have seven planes: three of the colors multiplied by the opacity, one of
-// the opacity, and three of the colors alone, for pixels that become completely transparent.
+// Each level is computed in floating point from the level before it. Only the result is rounded to
+// codes (integer samples), so rounding errors do not add up. A level is kept as planes: images of
+// one channel. Colors with an opacity have seven planes. Three contain the colors multiplied by the
+// opacity, and one contains the opacity. The last three contain the colors alone, for pixels that
+// become completely transparent.
 
 namespace foam::texgen {
 

@@ -9,13 +9,13 @@
 #include <cstdint>
 #include <vector>
 
-// A box filter for images of any width and height. If the larger level has `from` pixels along an
-// axis and the smaller level has `to` pixels, a pixel of the smaller level covers from / to pixels
-// of the larger level. The quotient is 2 if `from` is even, 1 if `from` is 1, and more than 2 and
-// at most 3 if `from` is any other odd number. The mean weights every covered pixel by the covered
-// fraction of its area. The filter is separable, so means are computed first along rows and then
-// across rows. Images of 32-bit integers contain ids, which cannot be averaged. A pixel of such an
-// image therefore gets the id at the center of the covered area.
+// A box filter for images of any width and height. Along an axis, the larger level has `from`
+// pixels and the smaller level has `to` pixels. A pixel of the smaller level therefore covers
+// from / to pixels of the larger level. This quotient is 2 if `from` is even, and 1 if `from` is 1.
+// It is more than 2 and at most 3 if `from` is any other odd number. The mean weights every covered
+// pixel by the covered fraction of its area. The filter is separable, so means are computed first
+// along rows and then across rows. Images of 32-bit integers contain ids, which cannot be averaged.
+// A pixel of such an image therefore gets the id at the center of the covered area.
 
 namespace foam::texgen {
 

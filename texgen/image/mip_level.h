@@ -17,8 +17,8 @@ Image<float> mean_level(ImageView<const float> pixels, int channel);
 
 /// Returns one channel of a picture at the width and height of the result of mean_level. Each pixel
 /// of the result has the value of the picture at the center of the area that the pixel covers. If
-/// the center is on the border between two columns of the picture, the right one is used; if it is
-/// on the border between two rows, the upper one.
+/// the center is on the border between two columns of the picture, the right column is used. If it
+/// is on the border between two rows, the upper row is used.
 Image<std::uint32_t> central_level(ImageView<const std::uint32_t> pixels, int channel);
 
 }  // namespace foam::texgen

@@ -42,9 +42,9 @@ void check_stream_length(const PngSession& session, std::size_t left) {
 }
 
 /// Throws InputError if a chunk is longer than the rest of the file. libpng allocates memory for a
-/// chunk before it reads the chunk, so without this check a short file could make libpng allocate
-/// 2 GiB. Bytes after the last chunk, IEND, are ignored. Files that are no PNG pass this check;
-/// libpng rejects them later.
+/// chunk before it reads the chunk. Without this check, a short file could therefore make libpng
+/// allocate 2 GiB. Bytes after the last chunk, IEND, are ignored. Files that are no PNG pass this
+/// check; libpng rejects them later.
 void check_chunk_lengths(std::span<const std::byte> file) {
     std::optional<std::span<const std::byte>> rest = after_png_signature(file);
     while (rest && !rest->empty()) {

@@ -20,8 +20,9 @@ namespace foam::texgen {
 
 namespace {
 
-/// The bytes from which a filtered row is computed: pointers to the first pixel of the unfiltered
-/// row and to the first pixel of the row above it, and the size of a pixel in bytes.
+/// The bytes from which a filtered row is computed. `current` points to the first pixel of the
+/// unfiltered row, and `above` to the first pixel of the row above it. `pixel_bytes` is the size of
+/// a pixel in bytes.
 struct Neighbors {
     const std::uint8_t* current;
     const std::uint8_t* above;

@@ -12,8 +12,9 @@
 
 namespace foam::texgen {
 
-/// The rows of a picture of 8-bit or 16-bit samples in the order of PNG: the top row is first, and
-/// the high byte of a 16-bit sample is first. Refers to the samples, which must outlive it.
+/// The rows of a picture of 8-bit or 16-bit samples in the order of PNG. The top row is first, and
+/// the high byte of a 16-bit sample is first. A PngRows object refers to the samples, which must
+/// outlive it.
 class PngRows {
   public:
     explicit PngRows(ImageView<const std::uint8_t> view) : PngRows(view, 1) {}

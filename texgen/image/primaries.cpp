@@ -84,8 +84,8 @@ ColorMatrix rgb_to_xyz(const Chromaticities& colors) {
     return scaled_columns(primaries, product(inverse(primaries), xyz_of(colors.white)));
 }
 
-// Returns the Bradford transform of CIE XYZ from one white point to another: the responses of three
-// kinds of cones are scaled so that one white becomes the other.
+// Returns the Bradford transform of CIE XYZ from the white point `from` to the white point `to`. It
+// scales the responses of three kinds of cones so that the first white becomes the second.
 ColorMatrix bradford(const Chromaticity& from, const Chromaticity& to) {
     constexpr ColorMatrix kCones = {
         {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};

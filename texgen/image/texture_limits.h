@@ -10,10 +10,12 @@ namespace foam::texgen {
 /// The largest number of layers of an array texture, as in Direct3D 11.
 inline constexpr std::uint32_t kMostLayers = 2048;
 
-/// Checks the sizes in the header of a texture before memory is allocated for its images. Throws
-/// InputError if one of the four numbers is 0, if the image is above the limits in input_limits.h,
-/// if there are more mip levels than an image of this size has (full_level_count), or if there are
-/// more than kMostLayers layers. `format` is the name of the file format, for the message.
+/// Checks the sizes in the header of a texture before memory is allocated for its images. `format`
+/// is the name of the file format, for the message. Throws InputError in these cases:
+///   - `width`, `height`, `levels` or `layers` is 0.
+///   - The image is above the limits in core/files/input_limits.h.
+///   - There are more mip levels than an image of this size has (full_level_count).
+///   - There are more than kMostLayers layers.
 void check_texture_size(std::string_view format,
                         std::uint32_t width,
                         std::uint32_t height,

@@ -23,7 +23,7 @@ namespace {
 constexpr int kDeepest = 16;
 
 /// Returns the parser's message without its error code. If the message quotes the text that was
-/// read last, the rest of the message, from this text on, is made printable and is shortened in the
+/// read last, the part from this text on is made printable. This part is also shortened in the
 /// middle to kLongestQuote characters.
 std::string reason(const std::string& what) {
     constexpr std::string_view kQuote = "last read: '";

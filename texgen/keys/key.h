@@ -124,8 +124,9 @@ struct Key : KeyInfo {
         return key;
     }
 
-    /// Returns a copy of this key that the TOML of a preset contains only if the other key has one
-    /// of the given values (written_if) or none of them (written_unless).
+    /// Returns a copy of this key that the TOML of a preset does not always contain. The TOML
+    /// contains the key only if the other key has one of the given values (written_if) or none of
+    /// them (written_unless).
     Key written_if(std::string_view other, std::vector<std::string> values) const {
         Key key = *this;
         key.written = Condition{other, std::move(values)};

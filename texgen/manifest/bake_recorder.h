@@ -13,9 +13,9 @@
 
 namespace foam::texgen {
 
-/// Returns the folder of the manifest of a bake of a preset: the deepest folder that contains all
-/// images of the preset, whichever maps and frames are baked. The path is empty for the working
-/// folder. Throws std::invalid_argument if output.pattern is malformed (FilePattern).
+/// Returns the folder of the manifest of a bake of a preset. This is the deepest folder that
+/// contains all images of the preset, whichever maps and frames are baked. The path is empty for
+/// the working folder. Throws std::invalid_argument if output.pattern is malformed (FilePattern).
 std::filesystem::path manifest_folder(const Preset& preset);
 
 /// Returns the paths of the files that a bake will write, relative to `folder`, the folder of the

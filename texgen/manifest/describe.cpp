@@ -58,9 +58,10 @@ ManifestConventions conventions_of(const MapOptions& maps) {
     };
 }
 
-/// Returns a hash of the version of foamtex, the name of the preset, the content of the files that
-/// its keys name, and all its keys except three: image.maps, output.scene and output.measurements.
-/// Because of these exceptions, bakes of different maps belong to one set.
+/// Returns the hash that decides to which set of the manifest (BakedSet) a bake belongs: bakes with
+/// equal hashes share a set. It covers the version of foamtex, the name of the preset, and the
+/// content of the files that the keys name. It also covers all keys except image.maps, output.scene
+/// and output.measurements. Because of these exceptions, bakes of different maps belong to one set.
 std::string parameters_of(Preset preset) {
     preset.image.maps = Preset().image.maps;
     preset.output.scene.clear();
@@ -142,7 +143,7 @@ ManifestFile file_of(const WrittenFile& written, int frame, const std::filesyste
     return file;
 }
 
-// For each map in a written file, records the format of its samples in the set.
+// For each map in a written file, stores the format of the samples of the map in the set.
 void store_sample_formats(BakedSet& set, const WrittenFile& written) {
     for (const auto& [image, samples] : written.images) {
         std::ranges::find(set.maps, image.name(), &ManifestMap::name)->samples = samples;

@@ -17,12 +17,13 @@ namespace foam::texgen {
 /// its content. Throws InputError, whose message names the file, if the file cannot be read.
 std::string file_hash(const std::filesystem::path& path);
 
-/// Returns the subset of `frames` whose files a resumed bake can keep. If the manifest has no set
-/// of images (BakedSet) with the BakedSet::parameters of the preset, the subset is empty. Otherwise
-/// it contains the frames that meet two conditions. First, the set lists a file of the frame for
-/// every map of the preset; each of these files still has the pixels that the manifest records, and
-/// contains no map that the preset does not have. Second, the set has, for the frame, all
-/// measurements that the key output.measurements lists. `folder` is the folder of the manifest.
+/// Returns the subset of `frames` whose files a resumed bake can keep. `folder` is the folder of
+/// the manifest. If the manifest has no set of images (BakedSet) with the BakedSet::parameters of
+/// the preset, the subset is empty. Otherwise it contains the frames that meet these conditions:
+///   - The set lists a file of the frame for every image or vector file that the preset writes.
+///   - Each of these files still has the hash that the manifest records (ManifestFile::pixels).
+///   - None of these files contains a map that the preset does not have.
+///   - The set has, for the frame, all measurements that the key output.measurements lists.
 std::set<int> existing_frames_of(const Preset& preset,
                                  const std::vector<int>& frames,
                                  const std::filesystem::path& folder,

@@ -17,10 +17,10 @@
 #include <utility>
 
 // The lock is an exclusive flock on a file. The owner of the lock removes the file before it
-// releases the lock. A second program that opened the file before its removal may therefore lock
-// the removed file, while a third program locks a new file at the same path. For this reason, a
-// lock is valid only if the file at the path is still the locked file; otherwise the attempt is
-// repeated.
+// releases the lock. A second program may have opened the file before its removal. This program may
+// then lock the removed file, while a third program locks a new file at the same path. For this
+// reason, a lock is valid only if the file at the path is still the locked file. Otherwise the
+// attempt is repeated.
 
 namespace foam::texgen {
 

@@ -56,8 +56,8 @@ void merge_into(BakedSet& into, const BakedSet& more) {
     into.loop = more.loop;
     into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
     // The conventions contain the motion multiplier. If the multiplier is automatic, it is known
-    // only after ranges have been fitted, that is, once a bake has written a file of the map
-    // `motion`.
+    // only after ranges have been fitted. If the map `motion` has samples, a bake has written a
+    // file of this map, so its range has been fitted.
     const ManifestMap* const motion = more.find_map(kMotionMap.name);
     if (motion != nullptr && motion->samples) {
         into.conventions = more.conventions;

@@ -31,8 +31,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Throws std::invalid_argument if the path of a file, relative to the folder of the manifest, is
-// the path of the manifest, or is not UTF-8. (A manifest is JSON, which can store only UTF-8.)
+// Throws std::invalid_argument if a file has the path of the manifest, or if its path relative to
+// the folder of the manifest is not UTF-8. A manifest is JSON, which can store only UTF-8.
 void check_names(const Preset& preset, const BakeOptions& options) {
     const std::filesystem::path folder = manifest_folder(preset);
     for (const std::filesystem::path& path : FrameFiles(preset).paths(options.frames.front())) {

@@ -30,21 +30,23 @@ struct RecordOptions {
 /// that were kept.
 ///
 /// With Resume::Yes, the files of the frames that existing_frames_of returns are kept. These frames
-/// are still requested from their source, which is usually the simulation. There is one exception:
-/// if the files of all frames in `options.frames` are kept and `callbacks.on_frame` is empty, the
+/// are still requested from their source, which is usually the simulation. There is one exception.
+/// If the files of all frames in `options.frames` are kept and `callbacks.on_frame` is empty, the
 /// bake has nothing to do and requests no frames.
 ///
 /// Before the bake, automatic ranges of maps (keys with the value "auto") are fitted to the frames
-/// BakeOptions::sequence. If this sequence is the whole animation and the bake has nothing to do,
-/// nothing is fitted. If the sequence is not the whole animation, as in a cache of some frames, the
-/// ranges are recorded as numbers instead of "auto", so that the images belong to a set of their
-/// own. If the frames come from a cache (BakeOptions::cache), ranges that it stores are not fitted
-/// again (StoredRanges).
+/// in BakeOptions::sequence. If this sequence is the whole animation and the bake has nothing to
+/// do, nothing is fitted. If the sequence is not the whole animation, as in a cache of some frames,
+/// the ranges are recorded as numbers instead of "auto". The images then belong to a set of their
+/// own. If the frames come from a cache (BakeOptions::cache), ranges that the cache stores are not
+/// fitted again (StoredRanges).
 ///
-/// Before anything is simulated, throws the exceptions of check_bake, std::invalid_argument if the
-/// name of a file is not UTF-8 or is the name of the manifest, and OutputError if the manifest
-/// cannot be written into its folder. Later, throws the exceptions of bake and update_manifest, and
-/// InputError if a frame of the sequence is missing in a cache.
+/// Throws these exceptions before anything is simulated:
+///   - the exceptions of check_bake;
+///   - std::invalid_argument if the name of a file is not UTF-8 or is the name of the manifest;
+///   - OutputError if the manifest cannot be written into its folder.
+/// Later, throws the exceptions of bake and update_manifest, and InputError if a frame of the
+/// sequence is missing in a cache.
 BakeSummary bake_recorded(const Preset& given,
                           const BakeOptions& options,
                           const BakeCallbacks& callbacks,

@@ -177,8 +177,8 @@ std::span<const std::string_view> map_names();
 /// lists all names and, if a name is similar, suggests it.
 const Map& find_map(std::string_view name);
 
-/// Returns the traits of the images that a map draws with the given options: pressure_traits for
-/// the map `pressure`, and the traits of the map itself for all other maps.
+/// Returns the traits of the images that a map draws with the given options. These are
+/// pressure_traits for the map `pressure`, and the traits of the map itself for all other maps.
 const MapTraits& drawn_traits(const Map& map, const MapOptions& options);
 
 /// Returns which images of the distance field are needed by at least one of the maps with the given

@@ -18,10 +18,11 @@ namespace {
 
 constexpr int kBandRows = 32;  // rows that one thread computes at a time
 
-// Returns the distance from a point to the circle that contains an arc, and the direction from the
-// nearest point of the circle to the given point. Let p be the point relative to the tail of the
-// arc, c the chord, a the half angle, and q = |p|² sin a - p.c sin a - (c x p) cos a, where p.c is
-// the scalar product. The distance is
+// Returns the distance from a point to the circle of an arc, and the direction from the nearest
+// point of the circle to the given point. Let p be the point relative to the tail of the arc, c the
+// chord, and a the half angle. With the scalar product p.c and the cross product c x p, let
+//     q = |p|² sin a - p.c sin a - (c x p) cos a.
+// The distance is
 //     |q| / (|c| / 2 + sqrt(|c|² / 4 + q sin a)).
 // This formula also holds for a straight line, where a = 0. The gradient of |q| points away from
 // the nearest point of the circle.
@@ -73,8 +74,8 @@ struct PixelRange {
     int end;
 };
 
-// Returns the part of `range` that is near a position: all pixels of the range that are at most
-// `extent` from the position, and possibly a few pixels that are farther away.
+// Returns the part of `range` that is near a position. It contains all pixels of the range that are
+// at most `extent` from the position, and possibly a few pixels that are farther away.
 PixelRange range_near(double position, double extent, PixelRange range) {
     const double first = std::floor(position - extent);
     const double last = std::ceil(position + extent);
@@ -98,8 +99,8 @@ void lower_to(const NearestOnArc& nearest, int x, int y, ArcDistances& distances
     }
 }
 
-// Lowers the distances at the pixels of the given rows to the distance from one copy of an arc,
-// wherever this copy is nearer than the arcs added before.
+// Adds one copy of an arc to the distances at the pixels of the given rows. Where the copy is
+// nearer than the arcs added before, the distance from the copy replaces the stored distance.
 void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
     const PixelRange columns =
         range_near(copy.center.x(), copy.extent, {0, distances.distance.width()});
@@ -131,8 +132,9 @@ void limit(ArcDistances& distances, double reach) {
 
 NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point) {
     // The nearest point is an inner point of the arc if the given point is between the normals at
-    // both ends, which is a test of two half-planes. The test fails for arcs that turn by more than
-    // 180 degrees, so arcs that turn by more than 120 degrees (DistanceArc::kMinCosine) are halved.
+    // both ends. This is a test of two half-planes. The test fails for arcs that turn by more than
+    // 180 degrees. Therefore, arcs that turn by more than 120 degrees (DistanceArc::kMinCosine) are
+    // halved.
     if (arc.cosine < DistanceArc::kMinCosine) {
         const auto [first, second] = halves(arc);
         const NearestOnArc on_first = nearest_on_arc(first, point);

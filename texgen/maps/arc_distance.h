@@ -22,8 +22,8 @@ struct PlacedArc {
 struct NearestOnArc {
     double distance = 0.0;  // in pixels
     // The direction from the nearest point of the arc to the given point, as a vector of any
-    // length. If the given point is on the arc, the vector is instead a normal of the arc, or zero
-    // if the arc has a chord of length zero.
+    // length. If the given point is on the arc, the vector is a normal of the arc instead. It is
+    // zero if the given point is on an arc with a chord of length zero.
     Vec2 direction{0.0, 0.0};
 };
 

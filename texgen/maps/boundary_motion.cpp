@@ -11,11 +11,11 @@
 namespace foam::texgen {
 
 // Mean value coordinates (Floater 2003, Hormann and Floater 2006): the motion of a point is a
-// weighted mean of the motions of the polygon's corners. A corner at the distance r from the point
-// has the weight (tan(a / 2) + tan(b / 2)) / r, where a and b are the signed angles that the two
-// sides at the corner subtend at the point. The outer loop visits the sides, and adds the term of
-// each side, tan(a / 2) / r, to the weights of both its ends, for all points. Weights are infinite
-// at a point on a corner or a side, so these points are computed separately.
+// weighted mean of the motions of the polygon's corners. Let r be the distance of a corner from the
+// point. The two sides at the corner subtend the signed angles a and b at the point. The weight of
+// the corner is (tan(a / 2) + tan(b / 2)) / r. The outer loop visits the sides. For all points, it
+// adds the term of a side, tan(a / 2) / r, to the weights of both ends of the side. Weights are
+// infinite at a point on a corner or a side, so these points are computed separately.
 
 namespace {
 

@@ -21,14 +21,15 @@ namespace foam::texgen {
 
 namespace {
 
-// Rays of light start at the pixels of a finer grid and move to the floor, where each ray lights a
-// square of one pixel: the pixels that the square overlaps share the ray in proportion to the
-// overlap. Positions on the floor are integers and light is summed in integers, so that a shift of
-// the grid by whole pixels shifts the image exactly.
+// Rays of light start at the pixels of a finer grid and move to the floor. Each ray lights a square
+// of one pixel on the floor. The pixels that the square overlaps share the ray in proportion to the
+// overlap. Positions on the floor are integers, and light is summed in integers. Therefore, a shift
+// of the grid by whole pixels shifts the image exactly.
 
 constexpr double kIndexOfWater = 1.33;  // refractive index
-// Positions on the floor are in units of 1 / kUnit of a pixel. kUnit is a multiple of 2 n for
-// every number n of rays per pixel in each direction (1 to 8), so that rays start at whole units.
+// Positions on the floor are in units of 1 / kUnit of a pixel. Let n be the number of rays per
+// pixel in each direction, from 1 to 8. kUnit is a multiple of 2 n for each of these n, so rays
+// start at whole units.
 constexpr std::int64_t kUnit = 1680;
 constexpr double kFarthest = 16384.0;  // largest motion of a ray in x or y, pixels
 

@@ -38,7 +38,7 @@ struct CausticsOptions {
 Keys<CausticsOptions> caustics_keys();
 
 /// Draws the light on the floor of a pool under a sun straight above. The relief is the surface of
-/// the water, which refracts the light by Snell's law for small angles: a ray moves uphill by
+/// the water. The water refracts the light by Snell's law for small angles: a ray moves uphill by
 ///     depth * (1 - 1/1.33) * slope.
 /// Where rays meet, the floor is bright. Light that leaves one side of a torus enters at the
 /// opposite side. Rays that leave the image of a patch are lost, and no light enters it from

@@ -24,9 +24,9 @@ constexpr std::uint16_t kFullValue = 65535;
 using Texel = std::array<std::uint16_t, kMaxChannels>;
 
 // Returns the values of all bubbles, and of the surroundings of a patch, in the order of
-// CellValues. texel_of(k) returns the value of bubble k, where bubbles are numbered in the order of
+// CellValues. texel_of(k) returns the value of bubble k. Bubbles are numbered in the order of
 // PerBubble, and `count` is the number of bubbles. Only the first `channels` channels of a value
-// are used. In a patch the surroundings come after the bubbles of the network and before the lone
+// are used. In a patch, the surroundings come after the bubbles of the network and before the lone
 // bubbles, and have the value 0.
 template <class TexelOf>
 CellValues cell_values(const FrameLayers& layers,

@@ -32,12 +32,13 @@ struct CurvatureOptions {
 Keys<CurvatureOptions> curvature_keys();
 
 /// Draws the curvature of the relief across the nearest film, times the diameter of the mean
-/// bubble. The curvature is a difference of heights: (2 h(x) - h(x - a) - h(x + a)) / a². x is the
-/// distance of the pixel from the film. h(x) is the height at the distance x in the cross-section
-/// of the relief (height_along in relief_section.h), times ReliefOptions::strength. a is the length
-/// options.radius. The curvature is positive on crests, negative in furrows, and 0 where the relief
-/// is flat or has a constant slope. The image has one channel and is 0 around a patch, apart from
-/// the outer half of ridges and wet films.
+/// bubble. The curvature is a difference of heights:
+///     (2 h(x) - h(x - a) - h(x + a)) / a².
+/// Here x is the distance of the pixel from the film, and a is the length options.radius. The
+/// height h(x) is the height at the distance x in the cross-section of the relief (height_along in
+/// relief_section.h), times ReliefOptions::strength. The curvature is positive on crests, negative
+/// in furrows, and 0 where the relief is flat or has a constant slope. The image has one channel
+/// and is 0 around a patch, apart from the outer half of ridges and wet films.
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefSource& source,
                             const CurvatureOptions& options);

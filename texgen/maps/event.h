@@ -22,9 +22,9 @@ struct EventMapOptions {
 Keys<EventMapOptions> event_map_keys();
 
 /// Draws disks where the topology of the foam has changed in recent frames: red for T1, green for
-/// T2, blue for new bubbles. At the distance r from the center of a disk of radius R, the value is
-/// (1 - r²/R²)² times a fade factor if r < R, otherwise 0. The factor is 1 in the first frame that
-/// shows the disk and falls linearly to 0 over options.fade frames. Where disks of one color
+/// T2, blue for new bubbles. In a disk of radius R, the value at the distance r from the center is
+/// (1 - r²/R²)² times a fade factor. Outside the disk, it is 0. The factor is 1 in the first frame
+/// that shows the disk and falls linearly to 0 over options.fade frames. Where disks of one color
 /// overlap, a pixel has their largest value. The image has three channels with values from 0 to 1.
 NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options);
 

@@ -14,9 +14,9 @@
 // bubble is from 0 (not visible) to 1 (complete). Until it is complete, a growing bubble is bounded
 // by its rim: a level set of the smooth distance s from its films (DistanceField::smooth). In a
 // circle of radius R, s = (R² - r²) / (2 R) at the distance r from the center. The points where s
-// is above h = R/2 (1 - g²) form a circle of radius g R, and (s - h) / g is the smooth distance
-// from the rim of this circle. The same formulas are used for all bubbles: g is the growth, and R
-// is twice the largest smooth distance in the bubble, as in a circle.
+// is above h = R/2 (1 - g²) form a circle of radius g R. The smooth distance from the rim of this
+// circle is (s - h) / g. The same formulas are used for all bubbles: g is the growth, and R is
+// twice the largest smooth distance in the bubble, as in a circle.
 
 namespace foam::texgen {
 
@@ -24,9 +24,9 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// The border affects the relief of the old foam up to this distance, as a multiple of the square
-// root of the mean bubble area: about the radius of a bubble. Farther away, the distance from the
-// border has creases, which would be visible in the relief.
+// The border affects the relief of the old foam up to this distance, in units of the square root of
+// the mean bubble area. This distance is about the radius of a bubble. Farther away, the distance
+// from the border has creases, which would be visible in the relief.
 constexpr double kReach = 0.5;
 
 // Before a division by a slope, the slope is clamped to be at least this value.

@@ -20,11 +20,10 @@ struct CrossFade {
     std::span<const double> growth;
 };
 
-/// The border in a cross-fade: on one side of it the foam that fades out is shown, on the other
-/// side the foam that fades in. Every bubble that fades in appears as a point and grows over the
-/// foam that fades out, until it is complete and is bounded by its own films. The border consists
-/// of the rims of growing bubbles, and of the films between complete bubbles and bubbles that are
-/// not complete.
+/// The border in a cross-fade: one side shows the foam that fades out, the other side the foam that
+/// fades in. Every bubble that fades in appears as a point and grows over the foam that fades out.
+/// The bubble is complete when its own films bound it. The border consists of the rims of growing
+/// bubbles, and of the films between complete bubbles and bubbles that are not complete.
 struct FadeBorder {
     /// The distance from the border in pixels: positive where the foam that fades in is shown,
     /// negative elsewhere. The distance from the rim of a growing bubble is an approximation that
@@ -48,8 +47,8 @@ FadeBorder join_at_border(const CrossFade& fade,
                           DistanceField& out,
                           DistanceField& in);
 
-/// Returns the fraction of a pixel that a film of the given width covers if its center line has the
-/// given distance from the center of the pixel. Both lengths are in pixels.
+/// Returns the fraction of a pixel that a film covers. `width` is the width of the film. `distance`
+/// is the distance of its center line from the center of the pixel. Both lengths are in pixels.
 float line_coverage(double distance, double width);
 
 }  // namespace foam::texgen

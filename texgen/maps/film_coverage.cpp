@@ -25,7 +25,7 @@ constexpr double kSmallestSlope = 0.05;
 
 // Returns the fraction of every pixel that wet films cover. A wet film covers the points whose
 // smooth distance is below half its width. The signed distance from a pixel's center to the film's
-// edge, positive inside the film, is estimated to first order:
+// edge is positive inside the film. To first order, it is
 //     (half the width - smooth distance) / slope of the smooth distance.
 // The coverage grows linearly with this distance, from 0 at -1/2 pixel to 1 at 1/2 pixel.
 Image<float> wet_films(FrameLayers& layers, double width) {

@@ -32,8 +32,8 @@ Image<float> foam_coverage(FrameLayers& layers,
 /// lack the smooth distance.
 Image<float> film_shade(FrameLayers& layers, const AlbedoOptions& options);
 
-/// Returns an image of one channel. Each pixel is the mean of the numbers that `numbers` gives to
-/// the bubbles and films in the pixel, weighted by the part of the pixel that each bubble or film
+/// Returns an image of one channel. `numbers` gives numbers to the bubbles and to the films. Each
+/// pixel is the mean of these numbers, weighted by the part of the pixel that each bubble or film
 /// covers. The options give the width and the shape of films. Pixels around a patch are 0.
 Image<float> fill_numbers(FrameLayers& layers,
                           const CellNumbers& numbers,

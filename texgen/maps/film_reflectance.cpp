@@ -13,10 +13,10 @@ namespace foam::texgen {
 namespace {
 
 // The reflectance of a layer is Airy's sum over all reflections, at normal incidence. It is
-// integrated over the visible spectrum with the CIE 1931 color matching functions, in the
-// multi-lobe approximation of Wyman, Sloan and Shirley ("Simple analytic approximations to the CIE
-// XYZ color matching functions", 2013). The result is converted to linear sRGB and divided by the
-// color of a perfect mirror.
+// integrated over the visible spectrum with the CIE 1931 color matching functions. These functions
+// are computed in the multi-lobe approximation of Wyman, Sloan and Shirley ("Simple analytic
+// approximations to the CIE XYZ color matching functions", 2013). The result is converted to linear
+// sRGB and divided by the color of a perfect mirror.
 
 constexpr double kIndexOfSoap = 1.33;       // refractive index of soapy water
 constexpr double kFirstWavelength = 380.0;  // shortest wavelength, nanometers

@@ -51,17 +51,18 @@ struct FoamRecord {
     /// The number of the frame to which the record belongs; the first frame is 1.
     int frame = 1;
     /// The pressures of all bubbles in the equilibrium at the end of the warm-up
-    /// (FramesOptions::warm_up), in increasing order and in units of PressureUnit::Current: divided
-    /// by the film tension and multiplied by the square root of the mean area. The map `pressure`
-    /// takes percentiles and ranks from this list for all frames, which prevents flicker. (If it
-    /// smooths or flattens pressures, it does not use the list.) The list is empty before this
-    /// equilibrium, for example in a frame 1 that shows the raw diagram.
+    /// (FramesOptions::warm_up), in increasing order. They are in units of PressureUnit::Current:
+    /// divided by the film tension and multiplied by the square root of the mean area. The map
+    /// `pressure` takes percentiles and ranks from this list for all frames, which prevents
+    /// flicker. If the map smooths or flattens pressures, it does not use the list. The list is
+    /// empty before this equilibrium, for example in a frame 1 that shows the raw diagram (a seeded
+    /// foam before its first equilibrium).
     std::vector<double> first_pressures{};
-    /// The foam time of the birth of each bubble, indexed by the bubble's identity: 0 for a seeded
-    /// bubble, otherwise TopologyEvent::time, the start of the substep in which the bubble was
-    /// last born. (A boiling bubble is born again with its old identity.) In the loops `breathe`,
-    /// `shear` and `boil`, a time that is more than one period before the frame is replaced by the
-    /// time one period before the frame.
+    /// The foam time of the last birth of each bubble, indexed by the bubble's identity. It is 0
+    /// for a seeded bubble that has not been born again. For other bubbles, it is
+    /// TopologyEvent::time, the start of the substep in which the bubble was last born. A boiling
+    /// bubble is born again with its old identity. In the loops `breathe`, `shear` and `boil`, a
+    /// birth more than one period before the frame counts as exactly one period before the frame.
     std::vector<double> births{};
     /// The foam time of the last change of each bubble's neighbors, indexed by the bubble's
     /// identity. If the neighbors have never changed, this is the time of the birth. In the loops

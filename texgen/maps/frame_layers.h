@@ -55,8 +55,8 @@ class FrameLayers {
     const CellArcs& arcs(double film_width);
     /// Returns the distance field of the frame. It contains the ids, the distances and the images
     /// that FrameInput::distance lists. In a cross-fade, the distance at a pixel is measured from
-    /// the films of the foam that the pixel shows, or from the border between the two foams if the
-    /// border is nearer (join_at_border).
+    /// the films of the foam that the pixel shows. If the border between the two foams is nearer,
+    /// the distance is measured from the border (join_at_border).
     const DistanceField& distance();
     /// Returns the border between the two foams; nullptr without a cross-fade.
     const FadeBorder* border();

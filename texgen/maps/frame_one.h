@@ -18,8 +18,8 @@ namespace foam::texgen {
 using ColorsByIdentity = std::unordered_map<BubbleIdentity, LinearRgb>;
 
 /// Frame 1 of an animation, and the colors that a picture has under the bubbles of this frame. All
-/// frames of the animation share one object of this class, so that frame 1 and the colors are
-/// computed only once, and only if a map needs them. Thread-safe.
+/// frames of the animation share one object of this class. Frame 1 and the colors are therefore
+/// computed only once, and only if a map needs them. The class is thread-safe.
 class FrameOne {
   public:
     /// `make` returns frame 1. Only the first thread that needs frame 1 calls `make`.

@@ -13,7 +13,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the weight of emitted light at every pixel, for a glow of 1.
+// Returns the fraction of the color of each pixel that is emitted as light if the glow is 1, before
+// the division by the opacity.
 Image<float> glow_weights(FrameLayers& layers, const SurfaceColors& surface) {
     if (surface.map == LitColors::Maze) {
         return maze_wall_coverage(layers, surface.maze);

@@ -62,8 +62,9 @@ struct LatticePlane {
     double slope_y;
 };
 
-// Returns the plane of a lattice point in the row with the given hash. (x, y) is the position of
-// the point where the noise is computed, relative to the lattice point.
+// Returns the plane of a lattice point. `column` is the column of the lattice point, and `row` is
+// the hash of its row (row_hash). (x, y) is the point where the noise is computed, relative to the
+// lattice point.
 inline LatticePlane plane_of(std::int32_t column, std::uint32_t row, double x, double y) {
     const std::uint32_t direction = scrambled(static_cast<std::uint32_t>(column) + row) >> 28U;
     const double slope_x = kGradientsX.data()[direction];

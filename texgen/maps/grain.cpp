@@ -123,16 +123,17 @@ Periods periods_of(const RasterGrid& grid, const Domain& domain) {
             static_cast<double>(shear_in_subpixels(grid, domain))};
 }
 
-// Returns the number of periods in a distance, rounded to nearest. Rounding errors do not change
-// the result on a torus: a quotient that is not an integer differs from every integer by at least
-// 1 / period, which is far more than its rounding error.
+// Returns the number of periods in a distance, rounded to nearest. On a torus, distances and
+// periods are whole numbers. A quotient that is not an integer therefore differs from every integer
+// by at least 1 / period. This is far more than its rounding error, so rounding errors do not
+// change the result.
 double periods_in(double distance, double period) {
     return floor_of((distance + 0.5 * period) / period);
 }
 
-// For each pixel of a row: the position of its center relative to the centroid of its bubble, in
-// units of the size of the largest features (those of the first octave), and the seed of the noise
-// in this bubble.
+// The points of the noise at the pixels of a row. `x` and `y` are the center of a pixel relative to
+// the centroid of its bubble. They are in units of the size of the largest features, that is, of
+// the features of the first octave. `seeds` are the seeds of the noise in the bubbles.
 struct RowPoints {
     explicit RowPoints(std::size_t width) : x(width), y(width), seeds(width) {}
 

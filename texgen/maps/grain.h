@@ -43,9 +43,9 @@ struct GrainRule {
 /// Draws a fine texture of noise in every bubble. It moves with the centroid of the bubble, does
 /// not turn or stretch, and differs from bubble to bubble. There is no noise around a patch: the
 /// values there are 0. There are up to five octaves: the first one, and further ones whose features
-/// are not smaller than two pixels. If a bubble of a torus extends farther from its centroid than
-/// half the width or height of the image, the noise has a visible step at this distance. `ids` are
-/// the ids of the distance field of the frame (DistanceField::ids). Maps get their grain from
+/// are not smaller than two pixels. On a torus, a bubble may extend farther from its centroid than
+/// half the width or height of the image. The noise then has a visible step at this distance. `ids`
+/// are the ids of the distance field of the frame (DistanceField::ids). Maps get their grain from
 /// FrameLayers::grain, which draws each grain only once.
 Grain draw_grain(const Frame& frame,
                  const RasterGrid& grid,

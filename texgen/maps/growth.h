@@ -29,11 +29,11 @@ Keys<GrowthOptions> growth_keys();
 /// the magnitude of the change of foam time. A bubble that vanishes before the next frame has the
 /// area 0 in that frame. A pixel that several bubbles share has the mean of their rates, weighted
 /// by the part of the pixel that each bubble covers. In the second half of a pingpong loop, time
-/// runs backwards: a bubble that shrinks from frame to frame has a negative rate in these frames,
-/// too. In all other frames a rate follows von Neumann's law (E6 in core/EQUATIONS.md), provided
-/// that only diffusion changes the area of the bubble and that its number of sides stays the same.
-/// The image has one channel. It is 0 around a patch; if no time passes until the next frame, it is
-/// 0 everywhere. Throws std::invalid_argument if there is no next frame.
+/// runs backwards. A bubble that shrinks from frame to frame has a negative rate in these frames,
+/// too. In all other frames, a rate follows von Neumann's law (E6 in core/EQUATIONS.md) under two
+/// conditions. Diffusion alone must change the area of the bubble, and its number of sides must
+/// stay the same. The image has one channel. It is 0 around a patch. If no time passes until the
+/// next frame, it is 0 everywhere. Throws std::invalid_argument if there is no next frame.
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options);
 
 }  // namespace foam::texgen

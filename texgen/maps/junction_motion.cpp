@@ -16,8 +16,8 @@ namespace {
 // therefore identified by its corner: the identities of its three bubbles in cyclic order. If
 // several junctions of the next frame have the same corner, the nearest one is used. A junction
 // whose corner does not exist in the next frame gets the mean motion of its neighbors. These means
-// are computed ring by ring: first for neighbors of junctions that were found in the next frame,
-// then for neighbors of these neighbors, and so on.
+// are computed ring by ring. The first ring consists of the neighbors of junctions that were found
+// in the next frame. The second ring consists of the neighbors of the first ring, and so on.
 
 using Corner = std::array<BubbleIdentity, 3>;
 using Motion = Indexed<JunctionId, std::optional<Vec2>>;

@@ -31,8 +31,9 @@ struct PointLights {
     std::span<float> shine;
 };
 
-/// The brightness of a highlight for the cosine of the angle between the normal and the halfway
-/// vector: cosine^shininess, minus its value on flat ground, but at least 0.
+/// A table of the brightness of a highlight. The table is indexed by the cosine of the angle
+/// between the normal and the halfway vector. The brightness is cosine^shininess, minus its value
+/// on flat ground, but at least 0.
 struct HighlightTable {
     /// `flat` is the cosine on flat ground. The brightness is multiplied by `gloss`.
     HighlightTable(double gloss, double shininess, double flat);

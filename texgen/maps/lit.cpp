@@ -31,11 +31,11 @@ namespace {
 // (lighting.h). Films, the tinted zones beside films (AlbedoOptions::shade), and the walls of a
 // maze can glow: the fraction LitOptions::glow of their color is not shaded. The color of the
 // source map is already the mean over the pixel. The light is computed at the center of each pixel.
-// Where this is not enough, at creases, in small highlights and at the borders of reflected
-// windows, the shaded color is the mean over several points of the pixel. These pixels are found by
-// their contrast (D. P. Mitchell, "Generating antialiased images at low sampling densities", 1987),
-// and the relief at their points is computed from the smooth distance to the films around the
-// center (relief_sampler.h).
+// One point is not enough at creases, in small highlights and at the borders of reflected windows.
+// There, the shaded color is the mean over several points of the pixel. These pixels are found by
+// their contrast (D. P. Mitchell, "Generating antialiased images at low sampling densities", 1987).
+// The relief at the points of these pixels is computed from the smooth distance to the films around
+// the center (relief_sampler.h).
 
 // The light at points (PointLights). The vectors have one number per point.
 struct Light {

@@ -26,7 +26,7 @@ inline constexpr MapTraits kLitMap = {
 struct LitOptions {
     LitColors colors = LitColors::Albedo;
     LightOptions light{};
-    // The fraction of their color that films, the shade beside them and the walls of a maze emit as
+    // Films, the shade beside films, and the walls of a maze emit this fraction of their color as
     // light (glow_fractions).
     double glow = 0.0;
     // Where the light varies strongly (at creases, in small highlights and at the borders of

@@ -48,10 +48,10 @@ struct MapTraits {
     SmoothDistance smooth_distance = SmoothDistance::Unused;
     Mixing mixing = Mixing::Values;
     bool shows_relief = false;  // true if the map depends on the relief (relief.h)
-    // The name of the key that sets the range of the map: the number for which a file of integer
-    // samples (codes), such as a PNG, stores its largest code. Numbers outside of the range are
-    // clipped, and the program reports them. The name is empty for maps whose numbers always fit or
-    // are clipped on purpose.
+    // The name of the key that sets the range of the map. The range is the number for which a file
+    // of integer samples (codes), such as a PNG, stores its largest code. Numbers outside of the
+    // range are clipped, and the program reports them. The name is empty for maps whose numbers
+    // always fit or are clipped on purpose.
     std::string_view full_key{};
 };
 

@@ -46,7 +46,7 @@ struct MazeOptions {
 Keys<MazeOptions> maze_keys();
 
 /// Returns the rule by which the maps build their maze. MazeRule::narrow is one and a half times
-/// the width of walls, in foam units: if a shorter film is opened, almost no gap is left between
+/// the width of walls, in foam units. If a shorter film is opened, almost no gap is left between
 /// the walls at its two ends.
 MazeRule maze_rule(const MazeOptions& options);
 

@@ -19,8 +19,8 @@ namespace {
 // The spanning tree is built by Kruskal's algorithm: films are visited in the order of their
 // weights, all narrow films last. A film is opened if no path of open films connects the bubbles on
 // its sides yet. Groups of connected bubbles are kept in a disjoint-set forest. The longest path in
-// a tree is found by two breadth-first searches: the bubble farthest from an arbitrary bubble is
-// one end of the path, and the bubble farthest from this end is the other.
+// a tree is found by two breadth-first searches. The bubble farthest from an arbitrary bubble is
+// one end of the path. The bubble farthest from this end is the other end.
 
 // A disjoint-set forest with union by size and path halving (R. E. Tarjan and J. van Leeuwen,
 // "Worst-case analysis of set union algorithms", 1984).
@@ -89,8 +89,8 @@ struct Wall {
     double number;
 };
 
-// Returns true if a film is narrow (MazeRule::narrow): if it is shorter than `width`, or if a
-// bubble beside it has a smaller area than a circle of the diameter `width`.
+// Returns true if a film is narrow (MazeRule::narrow). A film is narrow if it is shorter than
+// `width` or if a bubble beside it has a smaller area than a circle with this diameter.
 bool is_narrow(const Frame& frame, FilmId film, double width) {
     const HalfEdgeId side = forward_side(film);
     const double area = std::min(frame.bubbles[frame.network.left(side)].area,

@@ -13,7 +13,7 @@ namespace foam::texgen {
 /// The parameters with which a maze is built from a foam. The bubbles are the rooms of the maze and
 /// the films its walls; some films are opened, which makes passages between bubbles (find_maze).
 struct MazeRule {
-    // The weight of chance in the choice of the films to open; the weight of the difference of the
+    // The weight of chance in the choice of the films to open. The weight of the difference of the
     // pressures on both sides of a film is 1 - chance.
     double chance = 0.4;
     std::int64_t seed = 1;  // seed of the random numbers
@@ -43,19 +43,19 @@ struct Maze {
 };
 
 /// Builds a maze. The open films between bubbles form a minimum spanning tree (J. B. Kruskal, "On
-/// the shortest spanning subtree of a graph and the traveling salesman problem", 1956): exactly one
-/// path connects any two bubbles of a torus, or of a raft of a patch. The weight of a film is a mix
-/// of two numbers. One is the difference of the pressures on its sides, which makes passages follow
-/// bubbles of similar pressure. The other is a random number that depends on the seed and on the
-/// identities of both bubbles. If rule.loops is above 0, further films are opened, and several
-/// paths may connect two bubbles.
+/// the shortest spanning subtree of a graph and the traveling salesman problem", 1956). Exactly one
+/// path therefore connects any two bubbles of a torus, or of a raft of a patch. The weight of a
+/// film is a mix of two numbers. One is the difference of the pressures on its sides, which makes
+/// passages follow bubbles of similar pressure. The other is a random number that depends on the
+/// seed and on the identities of both bubbles. If rule.loops is above 0, further films are opened,
+/// and several paths may connect two bubbles.
 ///
 /// The ends of the solution are two bubbles that are as far apart in the tree as possible. On a
-/// torus any bubble can be an end. On a patch the ends are at the rim or beside a hole, and the
-/// longest outer film of each end is open: the entrance and the exit. Bubbles whose longest outer
-/// film has at least the length rule.narrow are preferred as ends. Rafts of a patch are separate
-/// mazes; only the raft with most bubbles has a solution. There is no solution if no two bubbles
-/// share a film.
+/// torus, any bubble can be an end. On a patch, the ends are at the rim or beside a hole. The
+/// longest outer film of each end is open; these films are the entrance and the exit. Bubbles whose
+/// longest outer film has at least the length rule.narrow are preferred as ends. Rafts of a patch
+/// are separate mazes; only the raft with the most bubbles has a solution. There is no solution if
+/// no two bubbles share a film.
 Maze find_maze(const Frame& frame, const MazeRule& rule);
 
 /// Counts of bubbles that describe a maze.

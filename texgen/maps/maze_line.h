@@ -10,8 +10,8 @@
 
 namespace foam::texgen {
 
-/// A point of the line through the solution of a maze: a point where the line crosses a film, an
-/// end of the line, or a point that `refined` has inserted.
+/// A point of the line through the solution of a maze. It is a point where the line crosses a film,
+/// an end of the line, or a point that `refined` has inserted.
 struct Station {
     Vec2 position{0.0, 0.0};   // foam units; not wrapped into the fundamental cell of a torus
     Vec2 direction{0.0, 0.0};  // direction of the line there, a unit vector
@@ -27,12 +27,12 @@ std::vector<Station> solution_stations(const Frame& frame, std::span<const HalfE
 std::vector<Station> refined(std::span<const Station> stations, int pieces);
 
 /// Returns a smooth line through bubbles as a chain of short straight pieces. `way` lists the films
-/// that the line crosses, as half-edges that it crosses from left to right: the bubble on the right
-/// of each is on the left of the next one. The line crosses each film in its middle and at a right
-/// angle; between two films it is a cubic curve. On a torus the line begins at the mean of the
-/// corners of the first bubble and ends at the mean of the corners of the last bubble. On a patch
-/// it begins in the middle of the first film and ends in the middle of the last film. If `way` is
-/// empty, the line has no pieces. `scale` is in pixels per foam unit.
+/// that the line crosses, as half-edges that it crosses from left to right. The bubble on the right
+/// of each half-edge is on the left of the next half-edge. The line crosses each film in its middle
+/// and at a right angle; between two films it is a cubic curve. On a torus, the line begins at the
+/// mean of the corners of the first bubble. It ends at the mean of the corners of the last bubble.
+/// On a patch, it begins in the middle of the first film and ends in the middle of the last film.
+/// If `way` is empty, the line has no pieces. `scale` is in pixels per foam unit.
 std::vector<PlacedArc> solution_line(const Frame& frame,
                                      std::span<const HalfEdgeId> way,
                                      double scale);

@@ -21,14 +21,14 @@ namespace foam::texgen {
 
 namespace {
 
-// The function junction_motion returns the motion of junctions. Along films the motion is
+// The function junction_motion returns the motion of junctions. Along films, the motion is
 // interpolated linearly between junctions. The outline of each bubble is converted to a polygon
-// whose corners have these motions, and mean value coordinates interpolate between the corners at
-// the pixels of the bubble (boundary_motion.h). Lone bubbles move and grow as circles.
+// whose corners have these motions. Mean value coordinates interpolate between the corners at the
+// pixels of the bubble (boundary_motion.h). Lone bubbles move and grow as circles.
 
 // Each side of the polygon replaces a piece of an arc. kNominalTurn is the nominal angle by which a
 // piece turns, in radians; about 10 degrees. The number of pieces of an arc is rounded down, but is
-// at least 1, so a piece may turn by more, but by less than twice this angle.
+// at least 1. A piece may therefore turn by more, but by less than twice this angle.
 constexpr double kNominalTurn = 0.17;
 
 // The motion of a frame's bubbles, in pixels.
@@ -76,9 +76,9 @@ class FoamMotion {
     double shear_;                         // change of the shear until the next frame
 };
 
-// The motion of a lone bubble. If the bubble is still a lone bubble in the next frame, its points
-// move by the translation and scaling that map its present circle to its circle in the next frame.
-// Otherwise its points do not move.
+// The motion of a lone bubble. If the bubble is still a lone bubble in the next frame, a
+// translation and a scaling map its present circle to its next circle. The points of the bubble
+// move by this mapping. Otherwise they do not move.
 class CircleMotion {
   public:
     CircleMotion(const LoneBubble& bubble, const Frame& next, double scale) : scale_(scale) {
@@ -148,8 +148,8 @@ class MotionPainter {
         }
     }
 
-    // Returns the position of a bubble's first junction in the image, in pixels. On a torus it is
-    // a whole number of subpixels, so that the position of a pixel relative to this junction has
+    // Returns the position of a bubble's first junction in the image, in pixels. On a torus, it is
+    // a whole number of subpixels. The position of a pixel relative to this junction therefore has
     // the same bits on a shifted grid.
     Vec2 first_junction(const Region& region, SubpixelPoint translation) const {
         if (layers_.is_patch()) {

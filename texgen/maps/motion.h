@@ -48,10 +48,12 @@ Keys<MotionOptions> motion_keys();
 /// image has two channels: motion to the right, and motion up or down (options.y). Around a patch,
 /// both are 0.
 ///
-/// If the shear of a torus changes, two copies of a bubble that are one period apart in y have
-/// different motions. All copies are drawn with the motion of one of them: the copy whose first
-/// junction (the tail of Network::first) is in the fundamental cell of the torus
-/// (core/geometry/domain.h). Throws std::invalid_argument if there is no next frame.
+/// A bubble of a torus has periodic copies. If the shear of the torus changes, two copies that are
+/// one period apart in y have different motions. All copies are drawn with the motion of one of
+/// them: the copy whose first junction is in the fundamental cell of the torus
+/// (core/geometry/domain.h). The first junction of a bubble is the tail of Network::first.
+///
+/// Throws std::invalid_argument if there is no next frame.
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options);
 
 /// Returns a text for the metadata of files, such as "y up; the largest code of a PNG is 0.005 of

@@ -10,13 +10,13 @@
 namespace foam::texgen {
 
 /// The smallest and the largest number of an image, and the fraction of its numbers that are
-/// outside the range of a file of integer samples (codes), such as a PNG.
+/// clipped in a file of integer samples (codes). A PNG is such a file.
 struct NumberExtent {
     // The smallest and the largest finite number, in the unit of the map; 0 if no number is finite.
     double smallest = 0.0;
     double largest = 0.0;
-    // The fraction of the samples that are clipped: finite numbers that are outside of the range
-    // from NumberPixels::low to NumberPixels::high by more than half a step of a 16-bit code.
+    // The fraction of the samples that are clipped. A finite number is clipped if it is below
+    // NumberPixels::low or above NumberPixels::high by more than half a step of a 16-bit code.
     double clipped = 0.0;
 
     friend bool operator==(const NumberExtent&, const NumberExtent&) = default;

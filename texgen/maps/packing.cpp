@@ -109,8 +109,9 @@ bool is_color(const PackedChannel& channel) {
     return channel.map != nullptr && channel.map->kind == MapKind::Color;
 }
 
-// Sets Packing::is_color. Data are numbers that are not colors. Checks that the channel A, if there
-// is one, is data, that R, G and B are all colors or all data, and that colors have 8 bits.
+// Sets Packing::is_color. Checks that the channel A, if there is one, is data, that is, numbers
+// that are not colors. Checks that R, G and B are all colors or all data, and that colors have 8
+// bits.
 void check_colors(Packing& packing) {
     if (packing.channels.size() > 3 && is_color(packing.channels[3])) {
         reject(packing.name,

@@ -9,8 +9,8 @@
 
 namespace foam::texgen {
 
-/// A value for every bubble of a frame: first for the bubbles of the network in the order of their
-/// ids, then for the lone bubbles in the order of Frame::lone_bubbles.
+/// A value for every bubble of a frame. The values of the bubbles of the network come first, in the
+/// order of their ids. The values of the lone bubbles follow, in the order of Frame::lone_bubbles.
 template <class Value>
 using PerBubble = std::vector<Value>;
 

@@ -133,8 +133,8 @@ ColorsByIdentity colors_in_first(const SourcePicture& source, const Frame& first
     return colors;
 }
 
-// Returns the color of every bubble of a frame: its color in `known`, or the mean color of the
-// picture under the bubble if `known` does not contain the bubble.
+// Returns the color of every bubble of a frame. If `known` contains the bubble, this is its color
+// in `known`. Otherwise it is the mean color of the picture under the bubble.
 PerBubble<LinearRgb> colors_in_frame(const SourcePicture& source,
                                      const Frame& frame,
                                      const Frame& first,

@@ -24,8 +24,8 @@ struct ContrastRow {
 };
 
 // Sets marks[k] to 1 if pixel k of the row needs several samples, otherwise to 0. A pixel needs
-// them if a film is near, or if its brightness differs too much from the mean of its two neighbors
-// in the row or in the column.
+// several samples if a film is near. It also needs them if its brightness differs too much from the
+// mean of its two neighbors in the row or in the column.
 void mark_contrasts(const ContrastRow& row, std::vector<std::uint8_t>& marks) {
     at_simd_level([row, count = marks.size(), to = marks.data()] {
         constexpr float kContrast = 0.025F;  // smallest relative difference

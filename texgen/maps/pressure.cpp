@@ -76,9 +76,9 @@ double rank_among(std::span<const double> sorted, double pressure) {
     return (lower - 1.0 + (pressure - below) / (*first - below)) / steps;
 }
 
-// Returns the pressures, in increasing order, among which ranks and percentiles are measured: the
-// pressures at the end of the warm-up or, if pressures are smoothed or flattened, the resulting
-// pressures of this frame.
+// Returns the pressures, in increasing order, among which ranks and percentiles are measured. These
+// are the pressures at the end of the warm-up. If pressures are smoothed or flattened, they are
+// instead the resulting pressures of this frame (`pressures`).
 std::vector<double> scale_of(const FrameLayers& layers,
                              const PerBubble<double>& pressures,
                              const PressureOptions& options) {

@@ -83,8 +83,8 @@ class Reflections {
     /// Returns true if nothing is reflected.
     bool are_none() const { return !has_windows_ && horizon_ == 0.0; }
 
-    /// Returns the brightness that a mirror with the given normal shows to a viewer straight above
-    /// it, minus the brightness that a horizontal mirror shows, but at least 0. Loops that call
+    /// Returns how much brighter a mirror with the given normal looks than a horizontal mirror, to
+    /// a viewer straight above it. The result is 0 if the mirror is not brighter. Loops that call
     /// this function can be vectorized.
     double brightness(const Direction& normal) const {
         const double twice = 2.0 * normal.z();

@@ -6,20 +6,21 @@
 #include "texgen/maps/degree.h"
 #include "texgen/maps/smooth_step.h"
 
-// The relief is a height field: the height is a function, the section of the profile
-// (relief_section.h), of the smooth distance from films (A. Biswas and V. Shapiro, "Approximate
-// distance fields with non-vanishing gradients", 2004) or of the distance from the walls of a maze.
-// Slopes follow from the gradient of the distance by the chain rule, and slopes of the faded grain
-// by the product rule. They are exact derivatives, as in bump mapping (J. F. Blinn, "Simulation of
-// wrinkled surfaces", 1978); differences between pixels would depend on the size of the image. The
-// choice of these distances is our own.
+// The relief is a height field. The height depends on a distance: the smooth distance from films
+// (A. Biswas and V. Shapiro, "Approximate distance fields with non-vanishing gradients", 2004), or
+// the distance from the walls of a maze. To use these distances for a relief is our own idea. The
+// function that gives the height at a distance is the section (relief_section.h); each profile has
+// its own. Slopes follow from the gradient of the distance by the chain rule. The grain (grain.h)
+// is multiplied by a factor that fades it out toward films; its slopes follow by the product rule.
+// All slopes are exact derivatives, as in bump mapping (J. F. Blinn, "Simulation of wrinkled
+// surfaces", 1978). Differences between pixels would depend on the size of the image.
 
 namespace foam::texgen {
 
 namespace {
 
-// The grain (a fine texture of noise, grain.h) has its full height where the smooth distance from
-// films (DistanceField::smooth) is at least this number of diameters of the mean bubble.
+// The grain is a fine texture of noise (grain.h). It has its full height where the smooth distance
+// from films (DistanceField::smooth) is at least this number of diameters of the mean bubble.
 constexpr double kGrainFade = 0.12;
 
 }  // namespace

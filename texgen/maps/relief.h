@@ -58,9 +58,9 @@ class Relief {
 
     /// Calls kernel(section, smooth, unit, index) for all pixels. `section` is the section of the
     /// profile (ReliefSection::visit), `smooth` is the smooth distance in units of the section, and
-    /// `unit` is this unit in pixels. For domes, both are 0 around a patch. The calls are made in a
-    /// vectorized loop (at_simd_level), so the kernel has to be a function object that captures by
-    /// value, and all functions that it calls have to be inline.
+    /// `unit` is this unit in pixels. For domes, `smooth` and `unit` are 0 around a patch. The
+    /// calls are made in a vectorized loop (at_simd_level). The kernel therefore has to be a
+    /// function object that captures by value, and all functions that it calls have to be inline.
     template <class Kernel>
     void for_all_pixels(const Kernel& kernel) const;
 

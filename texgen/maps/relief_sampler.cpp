@@ -10,20 +10,23 @@
 namespace foam::texgen {
 
 // Within a pixel, the smooth distance to the films (Relief::distance) is taken as a quadratic
-// function of the position, and the relief is computed from this distance by the formulas of the
+// function of the position. The relief is computed from this distance by the formulas of the
 // relief's cross-section (ReliefSection). The second derivatives of the distance are differences of
-// the gradients of neighboring pixels. Of the differences to the neighbors on both sides, the one
-// of smaller magnitude is used, or 0 if they have opposite signs (the minmod limiter; P. L. Roe,
-// "Characteristic-based schemes for the Euler equations", 1986). Differences across a film, where
-// the gradient is reversed, are large and are therefore not used. A relief is locally symmetric
-// about a film. If the film lies between the center of the pixel and a point, the relief at this
-// point is therefore computed at the point's mirror image in the film, and the slope is mirrored
-// back. The slope of the grain at the center of a pixel is used for all points of the pixel.
+// the gradients of neighboring pixels. For each derivative there are two such differences, to the
+// neighbors on both sides. The one of smaller magnitude is used, or 0 if they have opposite signs
+// (the minmod limiter; P. L. Roe, "Characteristic-based schemes for the Euler equations", 1986).
+// Differences across a film, where the gradient is reversed, are large and are therefore not used.
+//
+// A relief is locally symmetric about a film. If a film lies between the center of the pixel and a
+// point, the relief is therefore computed at the point's mirror image in the film. The slope is
+// then mirrored back.
+//
+// The slope of the grain at the center of a pixel is used for all points of the pixel.
 
 namespace {
 
-// The square of the slope of the smooth distance is a divisor, clamped to at least this. The slope
-// is 1 on films, and smaller only where no film is near.
+// Some terms are divided by the square of the slope of the smooth distance. A square below this
+// number is replaced by it. The slope is 1 on films, and smaller only where no film is near.
 constexpr float kSmallestSquare = 0.05F;
 
 float minmod(float a, float b) {
@@ -73,8 +76,9 @@ void ReliefSampler::set_distance(std::size_t k, std::size_t pixel) {
     chosen_.yy[k] = change(1, below, above);
 }
 
-// The slope of the grain is the slope of the whole relief at the center of the pixel, minus the
-// slope that follows from the smooth distance by the relief's cross-section.
+// Sets the slope of the grain. It is the slope of the whole relief at the center of the pixel,
+// minus the slope of the relief without grain. The latter slope follows from the smooth distance by
+// the relief's cross-section.
 void ReliefSampler::set_grain(std::size_t k, std::size_t pixel) {
     if (!relief_.has_grain()) {
         chosen_.grain_x[k] = 0.0F;

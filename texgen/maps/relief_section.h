@@ -20,9 +20,9 @@ enum class ReliefProfile {
 // The sections of the three profiles. They have the same functions, which are described at
 // ReliefSection. Loops that call these functions can be vectorized.
 
-/// A spherical cap over a circle of radius 1 that meets the ground at the angle a has the height
-/// sqrt(1/sin² a - r²) - cot a at the distance r from the center of the circle. The smooth distance
-/// s at this point satisfies r² = 1 - 2 s.
+/// A spherical cap over a circle of radius 1. The cap meets the ground at the angle a. At the
+/// distance r from the center of the circle, its height is sqrt(1/sin² a - r²) - cot a. The smooth
+/// distance s at this point satisfies r² = 1 - 2 s.
 struct DomeSection {
     double cotangent = 1.0;  // cot a
 
@@ -119,8 +119,8 @@ class ReliefSection {
     double smooth(double distance) const;
 
     /// Returns the largest distance from the film that matters for the visible sky, in the
-    /// section's unit: the distance of the middle of a dome, or the distance beyond which a ridge
-    /// or wet film hides practically no part of the sky.
+    /// section's unit. For domes, this is the distance of the middle of the dome. For ridges and
+    /// wet films, it is the distance beyond which they hide practically no part of the sky.
     double reach() const { return is_dome() ? 1.0 : kSkyReach; }
     static constexpr double kSkyReach = 4.0;  // reach() of all profiles but domes
 

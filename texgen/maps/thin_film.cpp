@@ -25,12 +25,14 @@ namespace foam::texgen {
 
 namespace {
 
-// The thickness of the soap film that spans a bubble depends on the position in the bubble: liquid
+// The thickness of the soap film that spans a bubble depends on the position in the bubble. Liquid
 // gathers at the rim and at the bottom, and swirls. A table contains the color for every nanometer
-// of thickness. In this file, the position of a point in its bubble is a vector that is zero in the
-// middle of the bubble and has length 1 at its rim: the negative gradient of the smooth distance
-// (raster/distance/distance_field.h). In a circle of radius R, this is the vector from the center
-// to the point, divided by R.
+// of thickness.
+//
+// In this file, the position of a point in its bubble is a vector: the negative gradient of the
+// smooth distance (raster/distance/distance_field.h). It is zero in the middle of the bubble and
+// has length 1 at the rim. In a circle of radius R, it is the vector from the center to the point,
+// divided by R.
 
 constexpr int kThickest = 4000;  // nanometers; thicker films are practically gray
 
@@ -107,8 +109,8 @@ double swirl_at(double x, double y, double phase) {
 }
 
 // Returns the thickness of the soap films at the center of each pixel, in nanometers. The variable
-// `rim` is 1 at the rim and 0 in the middle, because in the middle of a circle of radius R the
-// smooth distance is R / 2.
+// `rim` is 1 at the rim of a bubble. It is 0 in the middle, because the smooth distance in the
+// middle of a circle of radius R is R / 2.
 template <bool HasSwirls>
 Image<float> thicknesses(const DistanceField& field,
                          const Films& films,

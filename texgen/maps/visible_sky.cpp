@@ -16,11 +16,12 @@ namespace foam::texgen {
 namespace {
 
 // The visible fraction of the sky is computed once per image for points of a ReliefSection. For
-// each pixel, the fraction is looked up by the distance from the nearest film. The nearest
-// film is treated as straight and endless, with the same section everywhere along it. The visible
-// fraction of a uniform sky is then (sin a + sin b) / 2, where a and b are the angles from the
-// normal to the horizons on both sides. The horizon on one side is the steepest line from the point
-// to a sample of the section on that side, or the tangent at the point if that is steeper.
+// each pixel, the fraction is looked up by the distance from the nearest film. The nearest film is
+// treated as straight and endless, with the same section everywhere along it. The visible fraction
+// of a uniform sky is then (sin a + sin b) / 2. Here a and b are the angles from the normal of the
+// relief to the horizons on both sides. The horizon on one side is the steepest line from the point
+// to a sample of the section on that side. If the tangent at the point is steeper, the tangent is
+// the horizon.
 
 double distance_at(int step) {
     return static_cast<double>(step) / SkyLookup::kSteps;

@@ -16,8 +16,8 @@ struct SkyLookup {
     int last;  // index of the last entry
 
     /// Returns the entry of the table for a distance from the film, in the unit of length of the
-    /// ReliefSection: the visible fraction of the sky, raised to the exponent of the VisibleSky.
-    /// The distance may be infinite; then the result is 1. Finite distances above
+    /// ReliefSection. The entry is the visible fraction of the sky, raised to the exponent of the
+    /// VisibleSky. The distance may be infinite; then the result is 1. Finite distances above
     /// ReliefSection::reach count as this reach. Loops that call this function can be vectorized.
     /// Precondition: the distance is not negative.
     double at(double distance) const {
@@ -28,8 +28,8 @@ struct SkyLookup {
     static constexpr int kSteps = 128;  // entries per unit of length of the ReliefSection
 };
 
-/// A table of the fraction of a uniform sky that is visible from the points of a cross-section of
-/// the relief (ReliefSection), by their distance from the film.
+/// A table of the visible fraction of a uniform sky, raised to a power. It is for the points of a
+/// cross-section of the relief (ReliefSection), ordered by their distance from the film.
 class VisibleSky {
   public:
     /// The heights of the section are multiplied by `strength`. The visible fraction is raised to

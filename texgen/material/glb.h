@@ -10,8 +10,8 @@ namespace foam::texgen {
 
 /// Returns a scene of glTF 2.0 in one binary file (.glb): a rectangle in the plane z = 0, which
 /// faces +z. Its textures are PNGs of the first frame only, because glTF has no animated textures.
-/// If the images tile, the rectangle shows 2 x 2 tiles. If its colors are those of the map `lit`,
-/// they contain light already; the extension KHR_materials_unlit then makes viewers show them as
+/// If the images tile, the rectangle shows 2 x 2 tiles. If the colors are those of the map `lit`,
+/// they contain light already. The extension KHR_materials_unlit then makes viewers show them as
 /// they are, without lighting them again.
 Bytes glb(const SceneMaterial& material, const PreviewTextures& textures);
 

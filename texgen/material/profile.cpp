@@ -59,8 +59,8 @@ std::string with_word(std::string text, std::string_view word, std::string_view 
 }
 
 // Replaces the name of the map albedo by `base` in an item of a list, but only where the item names
-// a map: everywhere in image.maps, after the "=" in output.pack ("NAME=R,G,B"), and before the "="
-// in output.names ("MAP=WORD").
+// a map. This is everywhere in image.maps, after the "=" in output.pack ("NAME=R,G,B"), and before
+// the "=" in output.names ("MAP=WORD").
 std::string with_base_color(const std::string& key,
                             const std::string& item,
                             const std::string& base) {

@@ -12,9 +12,10 @@
 
 namespace foam::texgen {
 
-/// The conventions of an engine or a program for materials: which maps it needs, how their channels
-/// are packed, the direction of y in normals, and the names and formats of files. A profile is a
-/// TOML document with the keys of presets, and a description in the table [profile]:
+/// The conventions of an engine or a program for materials. They say which maps it needs, and how
+/// the channels of the maps are packed. They also set the direction of y in normals, and the names
+/// and formats of files. A profile is a TOML document with the keys of presets, and a description
+/// in the table [profile]:
 ///
 ///     [profile]
 ///     description = "An engine of our own"
@@ -37,11 +38,11 @@ struct Profile {
 /// foam or an unknown key of the table [profile].
 Profile parse_profile(std::string_view toml, std::string name, const std::string& source);
 
-/// Loads the profile in the file with the given path, or the shipped profile with the given name;
-/// paths and names are told apart as for presets (is_preset_path). Throws PresetError if no shipped
+/// Loads the profile in the file with the given path, or the shipped profile with the given name.
+/// Paths and names are told apart as for presets (is_preset_path). Throws PresetError if no shipped
 /// profile has the name, if the file is missing or unreadable, and for the same reasons as
-/// parse_profile. All other keys and their values are checked only when they are assigned to a
-/// preset (assign).
+/// parse_profile. Keys of presets and their values are checked further only when they are assigned
+/// to a preset (assign).
 Profile load_profile(const std::string& name_or_path);
 
 /// Returns the assignments of a profile for a preset. They are those of the profile, with two
@@ -55,10 +56,10 @@ Profile load_profile(const std::string& name_or_path);
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
 
 /// Returns the assignments of the profile with the given name or path for a preset. `later` are the
-/// assignments that will override them. The result is that of assignments_for for a copy of the
-/// preset in which the later assignments have been made, but image.maps, which base_color_map
-/// reads, has kept its value. Throws the exceptions of load_profile, and PresetError if one of the
-/// later assignments is not allowed.
+/// assignments that will override them. The result is computed by assignments_for from a copy of
+/// the preset in which the later assignments have been made. Only image.maps, which base_color_map
+/// reads, keeps its value in the copy. Throws the exceptions of load_profile, and PresetError if
+/// one of the later assignments is not allowed.
 std::vector<Assignment> profile_assignments(const std::string& profile,
                                             const Preset& preset,
                                             std::span<const Assignment> later);

@@ -46,8 +46,9 @@ Bytes content_of(std::string_view format, const SceneMaterial& material) {
     return content;
 }
 
-// Returns true if scene files can refer to the images of a bake: if each map has a file of its own,
-// and the files are not textures (DDS or KTX2). Precondition: pattern.is_vector() is false.
+// Returns true if scene files can refer to the images of a bake. Each map must have a file of its
+// own, and the files must not be textures (DDS or KTX2). Precondition: pattern.is_vector() is
+// false.
 bool has_single_images(const FilePattern& pattern) {
     return find_texture_format(pattern.format().suffix) == nullptr &&
            !pattern.stores_all_maps_in_one_file();

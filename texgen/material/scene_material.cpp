@@ -72,8 +72,8 @@ class MaterialBuilder {
         return SceneChannel{index, source->channel};
     }
 
-    // Sets the scale and the bias of the image of normals, so that they convert its samples to
-    // normals with y up, whose x, y and z are from -1 to 1.
+    // Sets the scale and the bias of the image of normals. They convert its samples to normals with
+    // y up, whose x, y and z are from -1 to 1.
     void scale_normals() {
         SceneImage& image = material.images[*material.normal];
         const bool has_codes = image.has_codes();

@@ -71,9 +71,10 @@ struct SceneMaterial {
     bool has_one_displacement() const;
 };
 
-/// Returns the material that the images of a preset make. `set` is the set of a manifest into which
-/// the preset has been baked, and `folder` is the folder of the manifest. Throws InputError if no
-/// frame has all images. Precondition: scene_sources(preset) is not empty.
+/// Returns the material that the images of a preset make. `set` lists the images that bakes of this
+/// preset have written; it is a set of a manifest. `folder` is the folder that contains the
+/// manifest. Throws InputError if no frame has all images. Precondition: scene_sources(preset) is
+/// not empty.
 SceneMaterial scene_material(const Preset& preset,
                              const BakedSet& set,
                              const std::filesystem::path& folder);

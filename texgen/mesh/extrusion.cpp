@@ -11,12 +11,15 @@
 #include <stdexcept>
 #include <utility>
 
-// The solid has horizontal faces: the tops of the walls, the floors (the top of the plate between
-// the walls), and the bottom, which consists of the triangles of walls and floors. Without a plate
-// there are no floors. The tessellator is called for the walls and for the floors, and once for the
-// plate, to find the border of the union of its rings. The border of the floors is computed from
-// the edges of the triangles of the walls, so that triangles of walls and floors share all edges
-// and points. The sides are the edges of the plate and of the border of the walls, extruded.
+// The solid has horizontal faces: the tops of the walls, the floors, and the bottom. The floors are
+// the top of the plate between the walls; without a plate there are none. The bottom consists of
+// the triangles of walls and floors. The sides are the edges of the plate and of the border of the
+// walls, extruded.
+//
+// The tessellator is called for the walls and for the floors. It is also called once for the plate,
+// to find the border of the union of its rings. The border of the floors is computed from the edges
+// of the triangles of the walls. Triangles of walls and floors therefore share all edges and
+// points.
 
 namespace foam::texgen {
 

@@ -24,8 +24,8 @@ struct Extrusion {
 
 /// An extrusion has at most this number of triangles per corner of its walls. Triangles at the
 /// corners of the plate are not counted. Each corner of the walls belongs to two triangles of a
-/// side, and to about one triangle of each of four faces: the walls and the floors, from above and
-/// from below.
+/// side. It also belongs to about one triangle of each of four faces: the walls and the floors,
+/// from above and from below.
 inline constexpr std::size_t kTrianglesPerCorner = 6;
 
 /// Returns the solid as one mesh. Horizontal coordinates are rounded to PrintGrid. Throws

@@ -17,8 +17,8 @@ namespace foam::texgen {
 /// refers.
 class GlbBuilder {
   public:
-    /// The content of the JSON text. If this class has no function that adds a part, the caller
-    /// adds the part to this member.
+    /// The content of the JSON text. The caller adds to it whatever no function of this class adds,
+    /// such as materials.
     Json json;
 
     /// Begins a file with one node that shows mesh 0.

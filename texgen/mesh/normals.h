@@ -17,11 +17,11 @@ struct MeshWithNormals {
     std::vector<Triangle> triangles;
 };
 
-/// Adds normals. The normal of a corner of a triangle is the mean, weighted by area, of the normals
-/// of those triangles at the same point whose normals differ from the normal of the triangle by
-/// less than 30 degrees. Curved surfaces therefore look smooth, and edges look sharp. A triangle
-/// without area counts, at each of its points, as having the normal of another triangle at this
-/// point. Precondition: at each point, at least one triangle has an area.
+/// Adds normals. The normal of a corner of a triangle is a mean of the normals of triangles at the
+/// same point, weighted by area. Only normals that differ from the normal of the triangle by less
+/// than 30 degrees are included. Curved surfaces therefore look smooth, and edges look sharp. A
+/// triangle without area counts, at each of its points, as having the normal of another triangle at
+/// this point. Precondition: at each point, at least one triangle has an area.
 MeshWithNormals with_normals(const Mesh& mesh);
 
 }  // namespace foam::texgen

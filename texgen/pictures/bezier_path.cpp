@@ -51,8 +51,8 @@ CenteredArc centered(const Vec2& start, const EllipticalArc& arc) {
     const double excess = half.cwiseQuotient(arc.radii).squaredNorm();
     const Vec2 radii = arc.radii * std::sqrt(std::max(1.0, excess));
     // The ellipse is mapped to the unit circle, and the midpoint of the chord to the origin. There,
-    // `to_start` is the vector from the origin to the start of the arc, and the vector from the
-    // origin to the center is at a right angle to it.
+    // `to_start` is the vector from the origin to the start of the arc. The vector from the origin
+    // to the center of the circle is at a right angle to `to_start`.
     const Vec2 to_start = half.cwiseQuotient(radii);
     const double square = to_start.squaredNorm();
     const double distance = square > 0.0 ? std::sqrt(std::max(0.0, 1.0 / square - 1.0)) : 0.0;
@@ -119,9 +119,9 @@ std::vector<Vec2> flattened(const Subpath& path, double tolerance) {
     std::vector<Vec2> corners{path.start};
     for (const CubicCurve& curve : path.curves) {
         const Vec2 from = corners.back();
-        // If n lines replace a curve B, one for each of n equal ranges of its parameter, they
-        // deviate from it by at most |B''| / (8 n²). The length of the second derivative B'' is at
-        // most six times that of the larger second difference of the control points.
+        // Let n lines replace a curve B, one for each of n equal ranges of its parameter. They
+        // deviate from the curve by at most |B''| / (8 n²). The length of the second derivative B''
+        // is at most six times the length of the larger second difference of the control points.
         const double bend = std::max((from - 2.0 * curve.control_1 + curve.control_2).norm(),
                                      (curve.control_1 - 2.0 * curve.control_2 + curve.end).norm());
         const auto pieces = static_cast<int>(

@@ -11,9 +11,9 @@
 // The region is where the numbers of the grid are at least the level. The grid has a border of
 // zeros, so that each contour is a closed ring. Four neighboring points of the grid are the corners
 // of a square. A contour crosses a side of a square where one end of the side is inside of the
-// region and the other end is outside. Each square links its crossings in pairs: the link leads
-// from a side where a counter-clockwise traversal of the square leaves the region to a side where
-// the traversal enters it. The links form the rings.
+// region and the other end is outside. Each square links its crossings in pairs. A
+// counter-clockwise traversal of the square leaves the region at the start of a link, and enters it
+// at the end of the link. The links form the rings.
 
 namespace foam::texgen {
 
@@ -23,8 +23,8 @@ using SideId = std::uint32_t;
 
 constexpr SideId kNoSide = std::numeric_limits<SideId>::max();
 constexpr std::size_t kCorners = 4;
-// Crossings keep this distance from the points of the grid, as a fraction of a side, so that rings
-// do not touch each other where a number equals the level.
+// Crossings keep this distance from the points of the grid, as a fraction of a side. Rings
+// therefore do not touch each other where a number equals the level.
 constexpr double kLeastDistance = 0.01;
 
 class ContourTracer {

@@ -48,15 +48,18 @@ struct DensityDomain {
 
 /// Returns the field of bubble areas of a density, or nullopt if the source is "even". The darkness
 /// of a picture is 1 minus the luminance (luminance_of) of its colors on white. The darkness of the
-/// whole rectangle is first stretched to the range from 0 to 1. The area a then follows from
-/// 1 / sqrt(a), which is linear in the darkness: a is 1 at the darkest point and `options.ratio` at
-/// the lightest one, or the reverse if `options.is_inverted` is true. If films have a constant
-/// width, the fraction of the area that they cover is everywhere proportional to 1 / sqrt(a), so
-/// that a foam of dark films on a light ground has the tones of the picture.
+/// whole rectangle is first stretched to the range from 0 to 1. The area a is then chosen such that
+/// 1 / sqrt(a) is linear in the darkness. The area is 1 at the darkest point and `options.ratio` at
+/// the lightest one, or the reverse if `options.is_inverted` is true.
+///
+/// If films have a constant width, the fraction of the area that they cover is everywhere
+/// proportional to 1 / sqrt(a). A foam of dark films on a light ground therefore has the tones of
+/// the picture.
 std::optional<AreaField> area_field_of(const DensityOptions& options, const DensityDomain& domain);
 
-/// Returns remarks on the picture of a density: that it is stretched by more than 2 % in one
-/// direction relative to the other, and, on a torus with PictureEdges::Keep, that it does not tile.
+/// Returns remarks on the picture of a density. There is a remark if the picture is stretched by
+/// more than 2 % in one direction relative to the other direction. On a torus with
+/// PictureEdges::Keep, there is also a remark if the picture does not tile.
 std::vector<std::string> density_remarks(const DensityOptions& options,
                                          const DensityDomain& domain);
 

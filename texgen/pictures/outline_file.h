@@ -17,8 +17,8 @@ struct FileOutline {
     std::string hash;                  // of the content of the file (pixel_hash.h)
 };
 
-/// Returns true if the text is the name of a file that contains an outline: if it ends in ".svg" or
-/// in the suffix of an image format.
+/// Returns true if the text is the name of a file that contains an outline. Such a name ends in
+/// ".svg" or in the suffix of an image format.
 bool is_outline_name(std::string_view text);
 
 /// Returns the outline in a file: the filled shapes of an SVG (read_svg_shapes), or the silhouette
@@ -30,8 +30,8 @@ FileOutline read_outline_file(const std::string& path);
 /// Returns the outline in the document of an SVG: one element per connected part, the largest
 /// first, with y pointing up. The shapes are drawn as a picture of about `grid_points` pixels,
 /// whose outline is traced. The unit of the result is a pixel of this picture. Throws InputError as
-/// read_svg_shapes does, and if there is no filled shape, if coordinates are too large, or if there
-/// are too many long lines and curves; the message does not name the file.
+/// read_svg_shapes does. Also throws InputError if there is no filled shape, if coordinates are too
+/// large, or if there are too many long lines and curves. The message does not name the file.
 std::vector<foam::Outline> outlines_of_svg(std::string_view document,
                                            double grid_points = kOutlineGridPoints);
 

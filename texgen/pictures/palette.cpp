@@ -13,9 +13,9 @@
 #include <tuple>
 #include <utility>
 
-// Pixels are first collected in bins: cubes of the sRGB color space with 32 bins per channel, at
-// most 32768 in all. k-means then clusters the bins instead of the pixels. Each bin has the total
-// weight and the mean color of its pixels.
+// Pixels are first collected in bins, which are cubes of the sRGB color space. There are 32 bins
+// per channel, and at most 32768 in all. The algorithm k-means then clusters the bins instead of
+// the pixels. Each bin has the total weight and the mean color of its pixels.
 
 namespace foam::texgen {
 
@@ -103,9 +103,10 @@ std::pair<std::size_t, double> nearest_center(const std::vector<Oklab>& centers,
 }
 
 // Returns the centers from which k-means starts. The first one is the most frequent color. Each of
-// the next ones has the largest product of its weight and its squared distance from the nearest
-// center, so that rare outliers are no centers. (k-means++ draws centers with probabilities in
-// proportion to this product: D. Arthur, S. Vassilvitskii, 2007.)
+// the next ones is the color with the largest product of its weight and its squared distance from
+// the nearest earlier center. Rare outliers therefore do not become centers. The algorithm
+// k-means++ instead draws centers at random, with probabilities in proportion to this product (D.
+// Arthur, S. Vassilvitskii, 2007).
 std::vector<Oklab> first_centers(const std::vector<Bin>& bins, int count) {
     const auto most_frequent = std::ranges::max_element(bins, {}, &Bin::weight);
     std::vector<Oklab> centers{most_frequent->color};

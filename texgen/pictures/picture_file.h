@@ -14,7 +14,7 @@
 namespace foam::texgen {
 
 /// The value of a key that names a picture: the path of its file, and the picture itself. Reading
-/// the key reads the file, so that a bad file is an error of the preset.
+/// the key reads the file. A bad file is therefore an error of the preset.
 struct PictureFile {
     std::string path{};                              // empty if no picture is named
     std::shared_ptr<const SourcePicture> picture{};  // null if no picture is named
@@ -27,8 +27,9 @@ struct PictureFile {
 /// Returns true if the text is the name of a picture: if it has the suffix of an image format.
 bool is_picture_name(std::string_view text);
 
-/// Returns the end of a regular expression (ECMA 262) for the names of pictures, without an anchor:
-/// the suffixes of all image formats, in letters of either case. It is escaped for a JSON string.
+/// Returns the end of a regular expression (ECMA 262) for the names of pictures, without an anchor.
+/// It matches the suffixes of all image formats, in letters of either case. It is escaped for a
+/// JSON string.
 std::string picture_suffix_pattern();
 
 /// Returns the picture in a file. Colors with other primaries are converted to those of sRGB.

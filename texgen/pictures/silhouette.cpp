@@ -24,7 +24,8 @@ bool has_transparent_part(const SourcePicture& picture) {
     return false;
 }
 
-// Returns the side, in pixels, of the squares of pixels whose means are the numbers of the grid.
+// Outlines are traced on a grid of numbers (grid_of). Each number is the mean over a square of
+// pixels. Returns the side of these squares, in pixels.
 int block_size(const SourcePicture& picture) {
     const double pixels = static_cast<double>(picture.width()) * picture.height();
     return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kOutlineGridPoints))));

@@ -62,10 +62,10 @@ double mean_over(const SourcePicture& picture, const PixelRect& box, const Numbe
 
 /// Converts a picture to a source picture. Codes (SampleType) count as straight sRGB colors, other
 /// numbers as linear light that is premultiplied by the opacity. A picture without the channels R,
-/// G and B is gray (channel Y); a picture without a channel of opacity is opaque. Light outside
-/// [0, 1] is clamped. `path` is the name of the file in messages. Throws InputError if the picture
-/// has neither the channel Y nor the channels R, G and B, and OutOfMemory if the machine has too
-/// little memory for the copy. Precondition: colors have the primaries of sRGB.
+/// G and B is gray (channel Y); a picture without a channel of opacity is opaque. Light is clamped
+/// to the range from 0 to 1. `path` is the name of the file in messages. Throws InputError if the
+/// picture has neither the channel Y nor the channels R, G and B. Throws OutOfMemory if the machine
+/// has too little memory for the copy. Precondition: colors have the primaries of sRGB.
 SourcePicture source_picture_of(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace foam::texgen

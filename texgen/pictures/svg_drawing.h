@@ -20,10 +20,14 @@ struct SvgShape {
 /// filled, except "none" and "transparent". Hidden elements are left out: those with the display
 /// "none", the opacity 0 or another visibility than "visible". Strokes, pictures, clipping paths
 /// and style sheets are ignored. Viewports of nested <svg> and <symbol> move and scale shapes, but
-/// do not clip them. Throws InputError, whose message does not name the file, if the document is no
-/// SVG, if an attribute that a filled shape needs is malformed, if a <use> refers to no element, if
-/// the document contains visible text, or if it has more than 100,000 lines, curves and subpaths,
-/// 200,000 elements or 64 levels of nesting. An element counts each time that a <use> draws it.
+/// do not clip them.
+///
+/// Throws InputError, whose message does not name the file, in these cases:
+///   - The document is no SVG, or it contains visible text.
+///   - An attribute that a filled shape needs is malformed.
+///   - A <use> refers to no element.
+///   - The document has more than 100,000 lines, curves and subpaths, more than 200,000 elements,
+///     or more than 64 levels of nesting. An element counts each time that a <use> draws it.
 std::vector<SvgShape> read_svg_shapes(std::string_view document);
 
 }  // namespace foam::texgen

@@ -12,8 +12,8 @@ namespace {
 
 // Returns the fraction of the free space that lies before the content on one axis, that is, at the
 // smaller coordinates. `align` is a word such as "xMidYMin". If it contains `at_begin`, such as
-// "xMin", the content is at the beginning of the axis; if it contains `at_end`, at the end;
-// otherwise, the content is in the middle.
+// "xMin", the content is at the beginning of the axis. If it contains `at_end`, such as "xMax", the
+// content is at the end. Otherwise, the content is in the middle.
 double alignment(std::string_view align, std::string_view at_begin, std::string_view at_end) {
     const auto has = [&](std::string_view word) { return align.find(word) != align.npos; };
     return has(at_begin) ? 0.0 : has(at_end) ? 1.0 : 0.5;

@@ -19,10 +19,10 @@ struct SvgViewBox {
 /// numbers. Browsers ignore such an attribute, too.
 std::optional<SvgViewBox> parse_svg_view_box(std::string_view attribute);
 
-/// Returns the map from the coordinates of the content of an element to those of its viewport, a
-/// rectangle of the given size with a corner at the origin. `aspect_ratio` is the attribute
-/// `preserveAspectRatio`; a missing or unknown word stands for the default, "xMidYMid meet".
-/// Precondition: the rectangle of `box` is not empty.
+/// Returns the map from the coordinates of the content of an element to the coordinates of its
+/// viewport. The viewport is a rectangle of the given size with a corner at the origin.
+/// `aspect_ratio` is the attribute `preserveAspectRatio`; a missing or unknown word stands for the
+/// default, "xMidYMid meet". Precondition: the rectangle of `box` is not empty.
 AffineMap view_box_map(const SvgViewBox& box, std::string_view aspect_ratio, const Vec2& size);
 
 }  // namespace foam::texgen

@@ -10,9 +10,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Two opposite edges of a grid count as visible if the mean difference between the tones of the one
-// and of the other edge is above kVisibleStep, and above kVisibleRatio times the mean difference
-// between adjacent tones.
+// Two opposite edges of a grid count as visible if the mean difference between their tones is
+// large. It must be above kVisibleStep, and above kVisibleRatio times the mean difference between
+// adjacent tones.
 constexpr double kVisibleStep = 0.02;
 constexpr double kVisibleRatio = 3.0;
 // The fraction of the width or height of a grid over which the change that blend_edges makes at an

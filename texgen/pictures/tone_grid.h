@@ -12,8 +12,8 @@ using ToneGrid = Image<double>;
 
 /// Returns the darkness of a picture: 1 minus the luminance (luminance_of) of its colors on white.
 /// The grid has a cell for each pixel. If the picture has more than `most_cells` columns or rows,
-/// the grid has only this many cells along its longer side, and a cell has the mean darkness of its
-/// pixels.
+/// the grid has only this many cells along its longer side. Each cell then has the mean darkness of
+/// its pixels.
 ToneGrid darkness_of(const SourcePicture& picture, int most_cells);
 
 /// Stretches the tones to the range from 0 to 1. If all tones are equal, they become 0.
@@ -23,13 +23,13 @@ void stretch_tones(ToneGrid& grid);
 /// right, above, and above on the right.
 ToneGrid mirrored(const ToneGrid& grid);
 
-/// Adjusts the tones at each edge and at the opposite one to their mean. The adjustment fades out
-/// over an eighth of the grid.
+/// Makes opposite edges equal: in each row and each column, the first and the last tone both become
+/// their mean. The adjustment fades out over an eighth of the grid.
 void blend_edges(ToneGrid& grid);
 
-/// Returns true if opposite edges differ so much that a tiled picture shows them: if the mean
-/// difference of their tones is above 0.02 and above three times the mean difference of adjacent
-/// tones along the lines from edge to edge.
+/// Returns true if opposite edges differ so much that a tiled picture shows them. The mean
+/// difference of their tones must be above 0.02. It must also be above three times the mean
+/// difference of adjacent tones along the lines from edge to edge.
 bool has_visible_edges(const ToneGrid& grid);
 
 }  // namespace foam::texgen

@@ -72,9 +72,9 @@ struct Located {
     Assignment assignment;
 };
 
-// Appends the assignment of a node to `found`, and then, if it is a table or an array of tables,
-// the assignments of all nodes nested in it. An array of tables has no assignment of its own.
-// `position` is the position and `path` the key of the node.
+// Appends the assignment of a node to `found`. If the node is a table or an array of tables, then
+// appends the assignments of all nodes nested in it. An array of tables has no assignment of its
+// own. `position` is the position and `path` the key of the node.
 void collect_node(const toml::node& node,
                   const toml::source_position& position,
                   const std::string& path,

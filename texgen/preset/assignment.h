@@ -12,8 +12,8 @@
 
 namespace foam::texgen {
 
-/// The error of an invalid preset, of other invalid TOML files (profiles, job files, and tolerances
-/// for `compare`), and of arguments of the command line that name presets or set their keys. Its
+/// The error of an invalid TOML file: a preset, a profile, a job file, or tolerances for `compare`.
+/// It is also the error of arguments of the command line that name presets or set their keys. The
 /// message is one line. For a value that is not allowed, it contains the location, the key, the
 /// value and the allowed values.
 class PresetError : public std::runtime_error {

@@ -15,9 +15,9 @@ namespace foam::texgen {
 /// Returns true if the preset meets a condition on the value of one of its keys.
 bool is_met(const Condition& condition, const Preset& preset);
 
-/// Returns a line for each key that the assignments set although it has no effect in the preset,
-/// such as: relief.angle has no effect with relief.profile = "wet". Precondition: the assignments
-/// have been stored in the preset.
+/// Returns a line for each key that the assignments set although it has no effect in the preset. An
+/// example of a line is: relief.angle has no effect with relief.profile = "wet". Precondition: the
+/// assignments have been stored in the preset.
 std::vector<std::string> unused_keys(const Preset& preset, std::span<const Assignment> assignments);
 
 /// Returns the lines that `foamtex presets keys` prints about the conditions of a key; empty if the

@@ -24,8 +24,8 @@ bool needs_next_frame(const Preset& preset);
 /// Returns the names of the source_maps.
 std::vector<std::string> source_map_names(const Preset& preset);
 
-/// Returns the word that takes the place of {map} in the file names of an image: the word that
-/// output.names gives, or else the name of the image.
+/// Returns the word that takes the place of {map} in the file names of an image. This is the word
+/// that output.names gives, or else the name of the image.
 std::string file_word(const Preset& preset, std::string_view image);
 
 /// Throws std::invalid_argument if two images of a preset have the same word in their file names,

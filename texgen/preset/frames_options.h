@@ -12,9 +12,9 @@ enum class FirstFrame { Equilibrium, Diagram };
 
 /// The number of frames and the times that they show. Foam time is the time t in the law of
 /// coarsening (E6 in core/EQUATIONS.md). Without a loop (loop.h), frame 1 shows the foam at the
-/// foam time warm_up, and the time from frame i to frame i + 1 is time_step * step_growth^(i - 1).
-/// With FirstFrame::Diagram, frame 1 shows the foam at time 0, and the warm-up is simulated between
-/// frame 1 and the first time step.
+/// foam time warm_up, and each further frame is one time step later. The step from frame i to frame
+/// i + 1 is time_step * step_growth^(i - 1). With FirstFrame::Diagram, frame 1 shows the foam at
+/// time 0, and the warm-up is simulated between frame 1 and the first time step.
 struct FramesOptions {
     int count = 48;  // number of frames
     FirstFrame first = FirstFrame::Equilibrium;

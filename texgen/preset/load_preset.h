@@ -21,9 +21,13 @@ bool is_preset_path(std::string_view name_or_path);
 ///     extends = "sea_foam"    # or the path of a file, relative to the folder of this file
 ///
 /// The preset then inherits all values that it does not set. It inherits the events if it has no
-/// events of its own. Throws PresetError if a preset is invalid, if a file is missing or
-/// unreadable, if the file name without its extension is not a plain name (is_plain_name), or if
-/// presets extend each other in a circle.
+/// events of its own.
+///
+/// Throws PresetError in these cases:
+///   - A preset is invalid.
+///   - A file is missing or unreadable.
+///   - The file name without its extension is not a plain name (is_plain_name).
+///   - Presets extend each other in a circle.
 Preset load_preset(const std::string& name_or_path);
 
 /// A preset, and the assignments of its own document, without the assignment to `extends` and

@@ -55,9 +55,9 @@ void check_drift(const Preset& preset, std::span<const Assignment> assignments) 
     }
 }
 
-// Checks that an eddy is at least kBubblesInEddy foam units wide (the mean bubble area is 1), so
-// that the current hardly varies along a film and the film stays an arc. A single eddy is always
-// allowed.
+// Checks that an eddy is at least kBubblesInEddy foam units wide; the mean bubble area is 1 in foam
+// units. The current then hardly varies along a film, and the film stays an arc. A single eddy is
+// always allowed.
 void check_current(const Preset& preset, std::span<const Assignment> assignments) {
     const LoopOptions& loop = preset.loop;
     if (loop.current == 0.0) {

@@ -19,10 +19,13 @@ namespace foam::texgen {
 ///     {foam.bubbles}   the value of this key; likewise for every key with a single value
 ///
 /// Numbers are written as short as possible: "0.1", "2". If the value of a key is a text,
-/// file_name_part makes it fit for file names. Throws std::invalid_argument, with the placeholder
-/// in the message, if there is no such placeholder, if the key is itself a pattern of file names,
-/// or if the value is unset, a list, "auto" in place of a number, or a text of which file_name_part
-/// keeps nothing or more than 64 bytes.
+/// file_name_part makes it fit for file names.
+///
+/// Throws std::invalid_argument, with the placeholder in the message, in these cases:
+///   - There is no such placeholder.
+///   - The key is itself a pattern of file names.
+///   - The value is unset, a list, or "auto" in place of a number.
+///   - The value is a text of which file_name_part keeps nothing or more than 64 bytes.
 std::string placeholder_text(const Preset& preset, std::string_view name);
 
 /// Returns a text in which placeholders in braces, except {map}, have been replaced

@@ -126,8 +126,8 @@ void check_upper_limits(const Preset& preset, std::span<const Assignment> assign
     }
 }
 
-// Checks that the longer side of the image is at most kLargestAspect times the shorter side,
-// because a foam of few bubbles does not fit a very long torus.
+// Checks that the longer side of the image is at most kLargestAspect times the shorter side. A foam
+// of few bubbles does not fit a very long torus.
 void check_aspect(const Preset& preset, std::span<const Assignment> assignments) {
     const int shorter = std::min(preset.image.width, preset.image.height);
     const int longer = std::max(preset.image.width, preset.image.height);

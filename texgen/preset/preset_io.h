@@ -24,8 +24,9 @@ void assign(Preset& preset, std::span<const Assignment> assignments);
 Preset parse_preset(std::string_view toml, const std::string& name, const std::string& source);
 
 /// Returns the preset as TOML: every key of its tables, even if the key has its default value, and
-/// the events. albedo.colors is either a list or a table; the text contains only the one that was
-/// set last. parse_preset restores an equal preset from the text, except for Preset::name.
+/// the events. The key albedo.colors is either a list or a table; the text contains only the one
+/// that was set last. The function parse_preset restores an equal preset from the text, except for
+/// Preset::name.
 std::string to_toml(const Preset& preset);
 
 /// Returns the names of all tables, in the order of preset_keys. The last one is "event".

@@ -34,9 +34,9 @@ std::string file_hashes(const Preset& preset);
 void locate_files(std::span<Assignment> assignments,
                   const std::function<std::string(const std::string& path)>& located);
 
-/// Returns the path that was probably meant by an unknown path: the path of a key with the same
-/// name in another table or, if there is none, the most similar path. Returns an empty view if no
-/// path is similar.
+/// Returns the path that was probably meant by an unknown path. This is the path of a key with the
+/// same name in another table. If there is no such key, the result is the most similar path.
+/// Returns an empty view if no path is similar.
 std::string_view nearest_key(std::string_view path);
 
 /// Returns true if `name` is the name of a table that contains keys of a preset.

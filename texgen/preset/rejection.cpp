@@ -15,9 +15,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Finds the first text that is not one of the words that the key allows: the value itself or, if
-// the value is a list, one of its items. Returns a suggestion for this text, or an empty text if no
-// word is similar.
+// Finds the first text that is not one of the words that the key allows. The text is the value
+// itself or, if the value is a list, one of its items. Returns a suggestion for this text, or an
+// empty text if no word is similar.
 std::string suggested_word(const Value& value, const KeyInfo& key) {
     const auto* list = std::get_if<Value::List>(&value.data);
     for (const Value& item : list != nullptr ? *list : Value::List{value}) {

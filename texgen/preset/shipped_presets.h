@@ -11,9 +11,9 @@ namespace foam::texgen {
 struct ShippedPreset {
     std::string_view name;
     std::string_view toml;  // the whole file, comments included
-    // The content of presets/loops/NAME.json, a state from which the loop of the preset closes in
-    // its next cycle, so that the program need not search for one (animation/loop_start.h). Empty
-    // if there is no such file.
+    // The content of presets/loops/NAME.json: a state from which the loop of the preset closes in
+    // its next cycle. The program therefore need not search for such a state
+    // (animation/loop_start.h). The text is empty if there is no such file.
     std::string_view loop_start{};
 };
 

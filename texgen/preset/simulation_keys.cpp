@@ -20,9 +20,9 @@ namespace foam::texgen {
 
 namespace {
 
-// The tables of presets that influence only how states are drawn, apart from two exceptions: in
-// some presets the camera (needs_camera) and the aspect ratio of the image (needs_aspect) also
-// influence the states. The tables of maps influence only drawing, too, but are not listed here.
+// The tables of presets that influence only how states are drawn. There are two exceptions: in some
+// presets, the camera (needs_camera) and the aspect ratio of the image (needs_aspect) also
+// influence the states. The tables of maps also influence only drawing, but are not listed here.
 constexpr std::array<std::string_view, 6> kAppearanceTables = {
     "preset", "image", "camera", "output", "vector", "mesh"};
 
@@ -34,8 +34,8 @@ bool needs_camera(const Preset& preset) {
                                [](const Event& event) { return event.at.has_value(); });
 }
 
-// Returns true if the aspect ratio of the image influences the states: it is the aspect ratio of a
-// torus, and positions of events of a patch are fractions of the image.
+// Returns true if the aspect ratio of the image influences the states. A torus has the aspect ratio
+// of the image. In a patch, the positions of events are fractions of the image.
 bool needs_aspect(const Preset& preset) {
     return preset.shape.kind == FoamKind::Torus || needs_camera(preset);
 }

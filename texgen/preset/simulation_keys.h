@@ -25,7 +25,8 @@ bool table_affects_simulation(std::string_view table);
 std::string simulation_hash(const Preset& preset);
 
 /// Returns a hash (32 hexadecimal digits) of the version of foamtex and of everything in the preset
-/// that influences the numbers of a map, except the size of the images and the choice of frames.
+/// that influences the numbers of a map. The size of the images and the choice of frames are left
+/// out.
 std::string drawing_hash(const Preset& preset, const Map& map);
 
 /// Throws PresetError if the preset `changed` needs another simulation than the preset `simulated`.

@@ -55,8 +55,9 @@ bool takes_whole_numbers(const Key<Preset>& key, double number) {
     return stored && std::holds_alternative<std::int64_t>(stored->data);
 }
 
-/// Returns the number rounded to a multiple of a power of ten such that a range of this width has
-/// 20 to 200 different numbers, or to a whole number if `whole` is true and the width is below 20.
+/// Returns the number rounded to a multiple of a power of ten. The power is chosen such that a
+/// range of this width has 20 to 200 different multiples. If `whole` is true and the width is below
+/// 20, the number is rounded to a whole number instead.
 double rounded(double number, double width, bool whole) {
     constexpr double kFewest = 20.0;
     constexpr double kTen = 10.0;

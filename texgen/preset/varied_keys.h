@@ -15,9 +15,12 @@ namespace foam::texgen {
 
 /// Parses an item of preset.vary: a key and the values among which random variations choose
 /// (parse_key_values). A range without a count, LOW..HIGH, stands for all numbers from LOW to HIGH.
-/// Throws std::invalid_argument if the text has another form, if there is no such key, if the key
-/// is in the table `preset` or `output`, if the key does not allow one of the values, or if LOW is
-/// not below HIGH in a range without a count.
+///
+/// Throws std::invalid_argument in these cases:
+///   - The text has another form.
+///   - There is no such key, or the key is in the table `preset` or `output`.
+///   - The key does not allow one of the values.
+///   - LOW is not below HIGH in a range without a count.
 KeyValues parse_varied_key(std::string_view text);
 
 /// Returns the items of preset.vary. Precondition: they have been checked.

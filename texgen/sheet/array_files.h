@@ -28,10 +28,12 @@ struct StagedArray {
 ///
 /// `animation` is stored in the file if the file format supports this.
 ///
-/// Throws InputError, whose message names the file, if a file cannot be read or is an array texture
-/// of several layers, if its size, its pixel format or its number of mip levels differs from that
-/// of the first frame, or if its samples are not codes (integers of 8 or 16 bits). Throws
-/// OutputError if the array cannot be written. Precondition: the sequence has at least one file.
+/// Throws InputError, whose message names the file, in these cases:
+///   - A file cannot be read, or is an array texture of several layers.
+///   - A file differs from the first frame in its size, pixel format or number of mip levels.
+///   - The samples of a file are not codes (integers of 8 or 16 bits).
+/// Throws OutputError if the array cannot be written. Precondition: the sequence has at least one
+/// file.
 StagedArray stage_array(const MapSequence& sequence,
                         const TextureAnimation& animation,
                         const std::filesystem::path& path,

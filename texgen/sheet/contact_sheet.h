@@ -33,8 +33,8 @@ struct ContactSheetLayout {
 /// Returns an image of thumbnails on a gray background, from left to right and from top to bottom,
 /// each with its labels below it. A label that is wider than the thumbnail takes several lines, and
 /// its colors become narrow enough to fit on one line. If a label has more colors than the
-/// thumbnail has columns of pixels, only as many colors as columns are drawn; these are evenly
-/// spaced in the list of colors. Precondition: all thumbnails have the same size. Throws
+/// thumbnail has columns of pixels, only one color per column is drawn. These colors are evenly
+/// spaced in the list. Precondition: all thumbnails have the same size. Throws
 /// std::invalid_argument if there are no thumbnails.
 Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails,
                                   const ContactSheetLayout& layout = {});

@@ -15,8 +15,8 @@ namespace {
 
 constexpr float kLargestCode = 255.0F;
 
-// The pixels along one axis that a pixel of the smaller image covers: the index of the first
-// covered pixel, and the weights of all covered pixels, which add up to 1.
+// The pixels along one axis that a pixel of the smaller image covers. `first` is the index of the
+// first covered pixel. `parts` contains the weights of all covered pixels, which add up to 1.
 struct Cover {
     int first = 0;
     std::vector<float> parts;

@@ -15,8 +15,8 @@ inline constexpr std::uint8_t kBackgroundGray = 0x2b;
 
 /// A frame for display, with red, green and blue from 0 to 1. Colors are linear light; if they have
 /// an opacity (MapSamples::alpha), they are composited over kBackgroundGray. In a map of data, 0
-/// stands for the number that the smallest code (integer sample) of a PNG represents, and 1 for the
-/// number that the largest code represents, even if the file is not a PNG.
+/// and 1 stand for the numbers that the smallest and the largest code (integer sample) of a PNG
+/// represent. This also holds if the file is not a PNG.
 struct DisplayFrame {
     static constexpr int kColors = 3;
 
@@ -25,12 +25,14 @@ struct DisplayFrame {
 };
 
 /// Reads a frame of a map. In a file of floats, the channels R, G and B are shown as red, green and
-/// blue. If there is no R, the channels X, Y and Z are shown as red, green and blue; if there is
-/// neither R nor X, the channel Y is shown as gray. Floats are scaled to [0, 1] from the range in
-/// the manifest (MapSamples::range), if there is one, and clamped. Throws InputError if the file
-/// cannot be read or lacks the layer of the map. For a file whose samples are not codes of 8 or
-/// 16 bits, also throws InputError if none of the channels R, X and Y exists with samples of
-/// floats, or if the map is data and the manifest does not give its range.
+/// blue. If there is no R, the channels X, Y and Z are shown instead. If there is neither R nor X,
+/// the channel Y is shown as gray. Floats are scaled to [0, 1] from the range in the manifest
+/// (MapSamples::range), if there is one, and clamped.
+///
+/// Throws InputError if the file cannot be read or lacks the layer of the map. If the samples are
+/// not codes of 8 or 16 bits, also throws InputError in these cases:
+///   - none of the channels R, X and Y exists with samples of floats;
+///   - the map is data, and the manifest does not give its range.
 DisplayFrame read_display_frame(const MapFile& file, const ManifestMap& map);
 
 /// Returns a frame reduced to a smaller size. Each new pixel is the mean of the old pixels that it

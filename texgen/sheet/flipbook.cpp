@@ -124,9 +124,10 @@ std::string sheet_pattern(const Preset& preset) {
     }
 }
 
-// Returns the formats of files from which the sheets or arrays of a preset can be made, or nullptr
-// if the files that the preset writes have such a format. Arrays need integers of 8 or 16 bits,
-// which EXR files do not contain. Lossy files cannot become sheets, because they would be
+// Returns nullptr if the files that a preset writes have a format from which its sheets or arrays
+// can be made. Otherwise, returns the names of suitable formats. An array is made of the texels of
+// textures, such as DDS files, or of the pixels of PNG files. EXR files contain numbers that arrays
+// cannot store. A sheet (unlike an array) cannot be made of lossy files, because they would be
 // compressed twice.
 const char* files_needed(const Preset& preset) {
     const FilePattern pattern(preset);

@@ -65,17 +65,22 @@ Flipbook write_flipbook(const BakedSet& set,
                         const std::filesystem::path& to,
                         const ProgressCallback& on_progress = {});
 
-/// If output.sheet_pattern begins with the default folder "out" and the file pattern of the images
-/// does not, returns the preset with this folder of output.sheet_pattern replaced by the folder of
-/// the images. An option that moves the images thus moves the sheets, too. Otherwise, or if no
-/// sheets are written (output.sheets), returns the preset unchanged. Throws std::invalid_argument
-/// if the folder would be replaced, but the file pattern of the images is malformed.
+/// Returns a preset whose sheets are written beside its images. The folder of the images replaces
+/// the default folder "out" at the start of output.sheet_pattern. An option that moves the images
+/// thus moves the sheets, too. The preset is returned unchanged in these cases:
+///   - no sheets are written (output.sheets);
+///   - output.sheet_pattern does not begin with "out";
+///   - the file pattern of the images begins with "out".
+///
+/// Throws std::invalid_argument if the folder would be replaced, but the file pattern of the images
+/// is malformed.
 Preset with_sheets_beside_images(Preset preset);
 
 /// Checks the sheets of a preset before a bake. Throws std::invalid_argument if the files of the
-/// preset cannot be joined into the images that output.sheets asks for, or if a placeholder of
-/// output.sheet_pattern is unknown, or has a value that cannot be a part of a file name
-/// (placeholder_text in preset/placeholder.h). Does nothing if output.sheets is None.
+/// preset cannot be joined into the images that output.sheets asks for. Also throws
+/// std::invalid_argument if a placeholder of output.sheet_pattern is unknown, or if its value
+/// cannot be a part of a file name (placeholder_text in preset/placeholder.h). Does nothing if
+/// output.sheets is None.
 void check_sheets(const Preset& preset);
 
 /// Checks that the sheets of a preset can be written into their folder, before a bake begins.

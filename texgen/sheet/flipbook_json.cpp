@@ -55,9 +55,10 @@ Json layout_value(const SheetLayout& layout, bool tiles) {
             {"uv", uv_value(layout)}};
 }
 
-// Returns the displacement of a map: a height, as a fraction of the width of the image, that tells
-// which heights the samples of the map represent (WrittenFile::displacement). Returns null if
-// frames have different displacements, or if the displacement of a frame is not recorded.
+// Returns the displacement of a map: a height, as a fraction of the width of the image. The
+// displacement tells which heights the samples of the map represent (WrittenFile::displacement).
+// Returns null if frames have different displacements, or if the displacement of a frame is not
+// recorded.
 Json displacement_value(const BakedSet& set, std::span<const int> frames, const std::string& map) {
     std::optional<double> common;
     for (const int frame : frames) {

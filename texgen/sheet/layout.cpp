@@ -15,8 +15,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns a measure of how far a sheet is from a square: the absolute value of the binary logarithm
-// of its aspect ratio, which is 0 for a square.
+// Returns a measure of how far a sheet is from a square, which has the measure 0. The measure is
+// the absolute value of the binary logarithm of the aspect ratio.
 double distance_from_square(int frames, int columns, double cell_width, double cell_height) {
     const double rows = std::ceil(static_cast<double>(frames) / columns);
     return std::abs(ieee::log2(columns * cell_width / (rows * cell_height)));

@@ -30,14 +30,13 @@ struct SheetLayout {
 };
 
 /// Returns the number of columns, a power of two, for which a sheet is most nearly square. If two
-/// powers are equally good, returns the larger one. Graphics hardware prefers widths that are
-/// powers of two, and the width of the sheet is a power of two if the width of a cell is a power of
-/// two.
+/// powers are equally good, returns the larger one. If the width of a cell is a power of two, the
+/// width of the sheet is one, too. Graphics hardware prefers such widths.
 int near_square_columns(int frames, int cell_width, int cell_height);
 
-/// Throws std::invalid_argument if a layout has no frames, no columns or no pixels, if its gutter
-/// is negative, or if the sheet would be too large for an image (kMaxImageExtent and
-/// kMaxImagePixels in core/files/input_limits.h).
+/// Throws std::invalid_argument if a layout has no frames, no columns or no pixels, or if its
+/// gutter is negative. Also throws std::invalid_argument if the sheet would be too large for an
+/// image (kMaxImageExtent and kMaxImagePixels in core/files/input_limits.h).
 void check_layout(const SheetLayout& layout);
 
 }  // namespace foam::texgen

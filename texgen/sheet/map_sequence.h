@@ -39,9 +39,9 @@ std::optional<int> common_step(std::span<const int> frames);
 /// 24 frames in 2 seconds. Returns the frame rate of the set if the frames have no common step.
 FrameRate playing_rate(const BakedSet& set, std::span<const int> frames);
 
-/// Returns true if the frames form a closed loop: if successive frame numbers have the same
-/// difference (step), and the number of frames times the magnitude of the step is the period of the
-/// loop. The step of a single frame is 1.
+/// Returns true if the frames form a closed loop. Successive frame numbers must have the same
+/// difference (step). The number of frames times the magnitude of this step must be the period of
+/// the loop. The step of a single frame is 1.
 bool closes(const ManifestLoop& loop, std::span<const int> frames);
 
 /// Returns the files of the given frames of a map. `folder` is the folder of the manifest of the

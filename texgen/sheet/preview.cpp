@@ -90,10 +90,11 @@ Bytes animation(const std::vector<Codes>& frames,
     return muxer.finish();
 }
 
-// Returns the name of the first baked map of colors. If there is none, returns the first baked map
-// of numbers. If there is no map of numbers either, returns the first baked map of kind "id" or, if
-// there is none, the first map of vector files; the class Previews rejects both. Throws
-// std::invalid_argument if no map was baked.
+// Returns the name of the map to show if the options name none: the first baked map of colors. If
+// there is none, returns the first baked map of numbers. If there is none of numbers either,
+// returns the first baked map of kind "id" or, as the last choice, the first map of vector files.
+// The class Previews cannot show maps of these last two kinds, and throws an error that names the
+// map. Throws std::invalid_argument if no map was baked.
 std::string default_map(const BakedSet& set) {
     for (const std::string_view kind : {"color", "number", "id"}) {
         for (const ManifestMap& map : set.maps) {
@@ -134,9 +135,9 @@ class Previews {
         return kinds;
     }
 
-    /// Returns the number of units of progress that `write` counts for all kinds together: one per
-    /// thumbnail of the contact sheet, two per frame of the animation (reducing it and encoding
-    /// it), and one per file.
+    /// Returns the number of units of progress that `write` counts for all kinds together. Each
+    /// thumbnail of the contact sheet and each file counts one unit. Each frame of the animation
+    /// counts two: one for reducing it and one for encoding it.
     int units() const {
         const std::vector<PreviewKind> all = kinds();
         const std::size_t frames = sequence_.files.size();

@@ -46,14 +46,16 @@ void check_tiling(const PreviewOptions& options, bool tiles, int frame, const st
 /// cannot be shown as a picture.
 void check_shown_map(const std::string& map, bool stores_ids);
 
-/// Writes previews of a baked set into the folder `to`, and returns their paths:
-/// {preset}_{map}_contact.png, {preset}_{map}_tiling.png, {preset}_{map}_loop.png,
+/// Writes previews of a baked set into the folder `to`, and returns their paths. PNG files are
+/// named {preset}_{map}_{kind}.png, where {kind} is contact, tiling or loop. Videos are named
 /// {preset}_{map}.mp4 and {preset}_{map}.gif. Frames are composited over gray, and large frames are
 /// reduced in size (display_frame.h). `folder` is the folder of the manifest. `to` is created if
-/// needed. `on_progress` receives the phase Previews. Throws std::invalid_argument if no map was
-/// baked, for a map of integers that must not be averaged (ids or sides), and for a preview of the
-/// kind Tiling if the first frame does not tile. Throws OutputError if a file cannot be written.
-/// Also throws the exceptions of map_sequence, read_display_frame, ApngMuxer and encode_video.
+/// needed. `on_progress` receives the phase Previews.
+///
+/// Throws std::invalid_argument if no map was baked, or if a map has integers that must not be
+/// averaged (ids or sides). Also throws std::invalid_argument if the kind Tiling is asked for, but
+/// the first frame does not tile. Throws OutputError if a file cannot be written. Also throws the
+/// exceptions of map_sequence, read_display_frame, ApngMuxer and encode_video.
 std::vector<std::filesystem::path> write_previews(const BakedSet& set,
                                                   const std::filesystem::path& folder,
                                                   const PreviewOptions& options,

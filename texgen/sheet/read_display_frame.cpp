@@ -37,8 +37,9 @@ bool has_opacity_in(const ManifestMap& map) {
     return map.samples->alpha != "none";
 }
 
-// Returns a table with the value of each code of the sample type, from 0 to 1: linear light for
-// colors, which are stored as sRGB codes, and the scaled code for data.
+// Returns a table with the value of each code of the sample type, from 0 to 1. Codes of colors are
+// sRGB, and their values are linear light. The value of a data code is the code divided by the
+// largest code.
 template <class Sample>
 std::vector<float> values_of_codes(bool is_light) {
     constexpr std::size_t kCodes = std::size_t{std::numeric_limits<Sample>::max()} + 1;

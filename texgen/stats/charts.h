@@ -15,8 +15,8 @@ enum class ChartStatus { Drawn, NoGnuplot, GnuplotFailed };
 
 /// Returns a gnuplot script that draws charts of a run's tables (csv.h) into the folder of the
 /// tables. README.md explains which frames the charts show, when charts over the logarithm of time
-/// are omitted, and what the scaling state is. core/EQUATIONS.md gives the reference to
-/// "the paper". The charts are:
+/// are omitted, and what the scaling state is. The reference to "the paper" is in
+/// core/EQUATIONS.md. The charts are:
 ///
 ///     mean_area      mean bubble area over time, with a line fitted to the scaling state
 ///     second_moment  second moment mu_2 of the number of sides over log time, the mean of mu_2 in

@@ -11,8 +11,8 @@
 
 namespace foam::texgen {
 
-/// Decides who may use a studio: only a browser that was opened with the address that the program
-/// printed, and only for the page of the studio itself. A page of another site could otherwise send
+/// Decides which requests a studio answers: only those of its own page, in a browser that was
+/// opened with the address that the program printed. A page of another site could otherwise send
 /// requests to the loopback interface.
 ///
 /// - The header `Host` must be the address of the studio. A name that an attacker has made point to
@@ -21,9 +21,9 @@ namespace foam::texgen {
 ///   from /api/session in exchange for a token, which is also 128 random bits and can be used once.
 ///   Because of `SameSite=Strict`, a browser does not send the cookie with requests that pages of
 ///   other sites make.
-/// - The headers of a POST request must say that its content is JSON (`Content-Type`) and that it
-///   comes from the page of the studio (`Origin` and `Sec-Fetch-Site`). Pages of other sites cannot
-///   forge the last two headers.
+/// - The headers of a POST request must say that its content is JSON (`Content-Type`). They must
+///   also say that the request comes from the page of the studio (`Origin` and `Sec-Fetch-Site`).
+///   Pages of other sites cannot forge the last two headers.
 /// - A GET request that comes from another site, as `Sec-Fetch-Site` says, is rejected, except for
 ///   the page "/".
 class Access {
@@ -35,8 +35,8 @@ class Access {
     /// Returns the token for the address of the page.
     const std::string& token() const { return token_; }
 
-    /// Returns the error response to a request that does not come from the page of the studio, or
-    /// has a wrong method or content type; nullopt if the request may be answered. Does not check
+    /// Returns an error response if a request does not come from the page of the studio, or has a
+    /// wrong method or content type. Returns nullopt if the request may be answered. Does not check
     /// the cookie.
     std::optional<HttpResponse> rejection(const HttpRequest& request) const;
 

@@ -24,9 +24,10 @@ struct BakedImage {
 };
 
 /// Returns the answer to /api/baked: an image, reduced so that its longer side has at most `side`
-/// pixels. Throws PathRejected; InputError if the manifest or the image cannot be read or shown, or
-/// if the frame was not baked; and std::invalid_argument if the set does not exist, or if the map
-/// was not baked or its files are vector files, which have no pixels.
+/// pixels. Throws PathRejected if a path is rejected (StudioFolder::below). Throws InputError if
+/// the manifest or the image cannot be read or shown, or if the frame was not baked. Throws
+/// std::invalid_argument if the set does not exist, if the map was not baked, or if its files are
+/// vector files, which have no pixels.
 HttpResponse baked_picture(const StudioFolder& folder, const BakedImage& image, int side);
 
 /// Returns the answer to /api/baked/pick: what the file of the image contains at a point. This is a

@@ -21,9 +21,8 @@ namespace foam::texgen {
 
 struct FrameRun;
 
-/// Reports that a frame will not be simulated, because the page has asked for another foam, because
-/// a foam that was wanted later needs the memory, or because the studio ends. The message says
-/// which.
+/// Reports that a frame will not be simulated. The message gives the reason: the page has asked for
+/// another foam, a foam that was wanted later needs the memory, or the studio ends.
 class FrameReplaced : public std::runtime_error {
     using runtime_error::runtime_error;
 };
@@ -66,9 +65,10 @@ class FrameStore {
 
     /// Does what `want` does, waits until a frame can be drawn, and returns this frame. With
     /// NextFrames::Included, the result also contains the next frame. The view of a patch follows
-    /// the image size and the camera of the given preset, even if the kept states were simulated
-    /// for a preset with other values. Throws FrameReplaced. Throws SimulationFailed if the foam
-    /// has no equilibrium, the loop does not close, or the frame is not kept.
+    /// the image size and the camera of the given preset. This holds even if the kept states were
+    /// simulated for a preset with another image size or camera. Throws FrameReplaced. Throws
+    /// SimulationFailed if the foam has no equilibrium, the loop does not close, or the frame is
+    /// not kept.
     SimulatedFrame frame(const Preset& preset,
                          int number,
                          NextFrames next_frames,

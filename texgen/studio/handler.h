@@ -29,8 +29,9 @@ class Studio {
     const std::string& token() const { return access_.token(); }
     const StudioFolder& folder() const { return folder_; }
 
-    /// Returns the time since a page with access last sent a request to the program, or since a
-    /// bake ran at a call of this function; at first, the time since the start.
+    /// Returns the time since the studio was last in use. It is in use when a page with access
+    /// sends a request, and when this function is called while a bake runs. Before its first use,
+    /// returns the time since the start.
     std::chrono::steady_clock::duration idle_time();
 
     /// Stops the bake and all simulations except drafts. Requests that wait for a simulation end

@@ -119,8 +119,11 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     }
 
   private:
-    // The action after a response: read the next request; close the connection; or read the rest
-    // of a request that was rejected before it was read completely, and then close the connection.
+    // The action after a response:
+    //   - Read: read the next request.
+    //   - Close: close the connection.
+    //   - Drain: read the rest of a request that was rejected before it was read completely, and
+    //     then close the connection.
     enum class Next { Read, Close, Drain };
 
     // Continues after a request has been read, or could not be read.
@@ -172,7 +175,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
                           });
     }
 
-    // Ends the connection so that the client gets the whole response: if the socket were closed
+    // Ends the connection so that the client gets the whole response. If the socket were closed
     // while parts of the request are unread, the system would reset the connection.
     void begin_drain() {
         is_idle_ = true;

@@ -21,15 +21,15 @@ VectorContent shown_content(const VectorOptions& options, const std::vector<std:
 /// Returns the word for the content in file names, such as "foam".
 std::string_view name_of(VectorContent content);
 
-/// Throws std::invalid_argument if outlines of lines (VectorOptions::walls) would have no width: if
-/// check_wall_width throws, or if the content is MazeSolution and the solution has no width. If
-/// `walls` is Lines, does nothing, because the width of lines may be 0. Precondition: `content` is
-/// not Auto.
+/// Does nothing if VectorOptions::walls is Lines, because such lines may have the width 0. If it is
+/// Outlines, throws std::invalid_argument if the lines whose outlines are drawn have no width.
+/// These are the cases of check_wall_width, and a MazeSolution whose solution has the width 0.
+/// Precondition: `content` is not Auto.
 void check_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 
 /// Throws std::invalid_argument if the lines of the content (films, walls or contours) have no
-/// width: neither VectorOptions::wall_width nor the width in the options of the map is above 0.
-/// Does not check the solution of a maze. Precondition: `content` is not Auto.
+/// width. This is the case if both VectorOptions::wall_width and the width in the options of the
+/// map are 0. Does not check the solution of a maze. Precondition: `content` is not Auto.
 void check_wall_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 
 /// The appearance of the map that a drawing shows: its lines, their color and their width.
@@ -45,8 +45,8 @@ struct Appearance {
 };
 
 /// Returns the appearance of the content. The result may refer to `layers`, which must outlive it.
-/// Throws std::invalid_argument if the grid of the layers does not fit the domain, and for contours
-/// as contour_films does.
+/// Throws std::invalid_argument if the grid of the layers does not fit the domain. For contours,
+/// also throws the exceptions of contour_films.
 Appearance appearance_of(FrameLayers& layers, VectorContent content, const MapOptions& maps);
 
 /// Returns the full width of lines and walls in millimeters: VectorOptions::wall_width or, if that

@@ -18,9 +18,9 @@ struct Style {
     double stroke_width = 0.0;  // millimeters
 };
 
-/// A part of a drawing. If the shape is filled, its inside is the region in which the winding
-/// number of its closed chains is not zero (the fill rule "nonzero" of SVG). A clockwise chain
-/// inside of a counter-clockwise chain is therefore a hole.
+/// A part of a drawing. The inside of a filled shape is the region in which the winding number of
+/// its closed chains is not zero (the fill rule "nonzero" of SVG). A clockwise chain inside of a
+/// counter-clockwise chain is therefore a hole.
 struct Shape {
     std::string kind;  // the class of the shape in an SVG, such as "bubble"
     std::string id{};  // unique in the drawing; may be empty

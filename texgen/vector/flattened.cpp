@@ -17,8 +17,9 @@ std::size_t parts_of(const DrawnArc& arc, double tolerance) {
     if (length == 0.0 || sine <= 0.0) {
         return 1;
     }
-    // On an arc of the radius r, a part with the half angle a is at most r (1 - cos a) <= r a² / 2
-    // away from its chord. This must not exceed the tolerance, and a must not exceed kLargestPart.
+    // An arc of radius r and half angle a is at most r (1 - cos a) <= r a² / 2 away from its chord.
+    // For each part, this distance must not exceed the tolerance, and a must not exceed
+    // kLargestPart.
     constexpr double kLargestPart = 0.25;
     const double radius = 0.5 * length / sine;
     const double part = std::min(kLargestPart, std::sqrt(2.0 * tolerance / radius));

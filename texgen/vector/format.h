@@ -25,8 +25,9 @@ struct VectorFormat {
     /// Throws std::invalid_argument if no frame can be written with these settings.
     void (*check)(const VectorSettings& settings) = nullptr;
     /// Returns the content of the file of a part. Throws std::invalid_argument if the frame cannot
-    /// be drawn with the settings of `source`, std::bad_alloc if the machine has too little memory,
-    /// and std::runtime_error for other errors of cairo, the library that writes PDFs (to_pdf).
+    /// be drawn with the settings of `source`. Throws std::bad_alloc if the machine has too little
+    /// memory. Throws std::runtime_error for other errors of cairo, the library that writes PDFs
+    /// (to_pdf).
     std::string (*encode)(const VectorSource& source, std::string_view part) = nullptr;
     /// Estimates the size of a mesh's file and the memory for making it (estimated_mesh). The
     /// pointer is nullptr for formats of drawings and tables.

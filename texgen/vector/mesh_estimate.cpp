@@ -12,8 +12,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Bytes per triangle. They were measured with one frame of sea_foam (loop.kind=none, one thread):
-// with reliefs of 512 x 512 and 1024 x 1024 pixels, and with walls of 1000 and 4000 bubbles at
+// Bytes per triangle, measured with one frame of sea_foam (loop.kind=none, one thread). The reliefs
+// had 512 x 512 and 1024 x 1024 pixels. The walls were those of 1000 and 4000 bubbles, at
 // tolerances of 0.02 and 0.001 mm.
 struct BytesPerTriangle {
     double file;    // size of the file

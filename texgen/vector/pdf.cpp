@@ -52,8 +52,9 @@ void set_color(cairo_t* cairo, const std::string& color) {
     cairo_set_source_rgb(cairo, code.r / 255.0, code.g / 255.0, code.b / 255.0);
 }
 
-// Adds an arc to the path. The handles of a Bezier curve that replaces an arc of half angle b,
-// chord length c and radius r have the length 4/3 r tan(b/2) = 2/3 c / (1 + cos b).
+// Adds an arc to the path, as Bezier curves. Let b be the half angle, c the chord length and r the
+// radius of the part of the arc that a curve replaces. The handles of the curve then have the
+// length 4/3 r tan(b/2) = 2/3 c / (1 + cos b).
 void add_arc(cairo_t* cairo, const DrawnArc& arc) {
     const FilmArc film = arc.arc();
     const int count =

@@ -15,9 +15,9 @@ double angle_between(const Vec2& a, const Vec2& b) {
     return ieee::atan2(cross(a, b), a.dot(b));
 }
 
-// Returns the length d of the two handles of a biarc from a to b, with chord = b - a and the
-// directions t and u at its ends. The arcs meet halfway between the ends of the handles, a + d t
-// and b - d u. Therefore d is the positive root of
+// Returns the length d of the two handles of a biarc. The biarc consists of two arcs. It begins at
+// a with the direction t, and ends at b = a + chord with the direction u. The arcs meet halfway
+// between the ends of the handles, a + d t and b - d u. Therefore d is the positive root of
 // chord² = 2 d chord · (t + u) + 2 d² (1 - t · u).
 double handle_of(const Vec2& chord, const Vec2& t, const Vec2& u) {
     const double across = 2.0 * (1.0 - t.dot(u));

@@ -16,9 +16,9 @@ namespace foam::texgen {
 namespace {
 
 // The command A gives an arc by its ends and its radius. If an arc turns by almost 180 degrees,
-// rounding the radius noticeably changes the area between the arc and its chord, so arcs with a
-// half angle above this limit are written as two arcs. The limit, 85 degrees, is above the largest
-// half angle of an inner film, 80 degrees (E3 in core/EQUATIONS.md).
+// rounding the radius noticeably changes the area between the arc and its chord. Arcs with a half
+// angle above this limit are therefore written as two arcs. The limit, 85 degrees, is above the
+// largest half angle of an inner film, 80 degrees (E3 in core/EQUATIONS.md).
 constexpr double kLargestHalfAngle = 85.0 / 180.0 * std::numbers::pi;
 // Arcs with a smaller half angle are written as lines. The area between such an arc and its chord
 // is less than 1e-10 times the square of the chord.

@@ -26,7 +26,7 @@ constexpr double kEndTolerance = 1e-12;
 constexpr int kX = 0;
 constexpr int kY = 1;
 
-// An arc whose points are given by the parameter of OffsetArc (raster/outline/offset_arc.h): the
+// An arc whose points are given by the parameter s of OffsetArc (raster/outline/offset_arc.h). The
 // point with the parameter s is middle + s / (1 + z²) (direction + z normal), with z = k s / 2.
 // Here k is the curvature, and `direction` and `normal` are the unit tangent and the unit normal at
 // the middle of the arc.

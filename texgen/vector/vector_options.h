@@ -8,7 +8,8 @@ namespace foam::texgen {
 
 /// The content of a drawing.
 enum class VectorContent {
-    Auto,          // Maze, MazeSolution or Contour if image.maps begins with its map, else Foam
+    Auto,          // decided by the first of image.maps: Maze for the map maze, MazeSolution for
+                   // maze_solution, Contour for contour, and Foam for any other map
     Foam,          // bubbles in the colors of the map albedo, and films
     Maze,          // the walls of the map maze
     MazeSolution,  // the walls of the map maze, and the solution

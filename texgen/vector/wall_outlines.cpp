@@ -41,9 +41,8 @@ double leaving_angle(const DrawnArc& arc) {
     return ieee::atan2(sine, cosine);
 }
 
-// Returns, for each side, the side that follows it in a loop. Of the sides that leave the node
-// where the side ends, this is the first one that is met when turning clockwise from the opposite
-// side of the same line.
+// Returns, for each side, the side that follows it in a loop. The following side leaves the node
+// where the side ends. It is the first such side clockwise from the opposite side of the same line.
 std::vector<SideIndex> following_sides(std::span<const NetArc> lines) {
     std::map<std::uint64_t, std::vector<std::pair<double, SideIndex>>> leaving;
     for (SideIndex side = 0; side < 2 * lines.size(); ++side) {

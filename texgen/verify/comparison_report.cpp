@@ -106,8 +106,8 @@ Json object_of(const ComparedImage& image) {
     return json;
 }
 
-// Returns lines that list the frames that exist only in A, the first of the two inputs, or only in
-// B, the second: one line for each map and input.
+// Returns lines that list the frames that exist only in the first input, A, or only in the second
+// input, B. There is one line for each map and input.
 std::string lines_of_absent_frames(std::span<const ComparedImage> images) {
     std::map<std::pair<std::string, Presence>, std::vector<int>> frames;
     for (const ComparedImage& image : images) {

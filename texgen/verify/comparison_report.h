@@ -12,9 +12,9 @@ namespace foam::texgen {
 /// Returns the result of one comparison as a line for users, without a newline.
 std::string to_line(const ComparedImage& image);
 
-/// Returns a summary of several comparisons for users. The frames that exist only in A, the first
-/// of the two inputs, or only in B, the second, are listed: one line for each map and input. The
-/// last line gives the number of images for each verdict.
+/// Returns a summary of several comparisons for users. It lists the frames that exist only in the
+/// first input, A, or only in the second input, B. There is one line for each map and input. The
+/// last line of the summary gives the number of images for each verdict.
 std::string summary_of(std::span<const ComparedImage> images);
 
 /// Returns all results as one JSON object for programs, with a newline at the end. REPORTS.md

@@ -28,25 +28,25 @@ struct ImagePair {
 /// Returns the pairs of images to compare. `a` and `b` must be of the same kind:
 ///
 ///     image files      one pair
-///     file patterns    one pair per frame number; a pattern (FilePattern) must not contain a
-///                      placeholder in braces; the name of an existing file is not a pattern
-///     folders          one pair per path of an image relative to the folder, in all subfolders;
-///                      if a folder has a manifest, it determines the map and frame of an image
+///     file patterns    one pair per frame number
+///     folders          one pair per path of an image relative to the folder, in all subfolders
 ///     manifests        one pair per path of an image that at least one of the manifests lists
 ///
-/// Vector files in folders and manifests are left out.
+/// A file pattern (FilePattern) must not contain a placeholder in braces. The name of an existing
+/// file is not a pattern. If a folder has a manifest, the manifest determines the map and frame of
+/// each image. Vector files in folders and manifests are left out.
 ///
 /// If `frames` is given, `a` and `b` are patterns, even if files have these names. The result then
 /// has a pair for each of these frames, whether its files exist or not. Without `frames`, pairs are
-/// in the order of frame numbers or paths, and contain every image that exists (or is listed) on at
-/// least one side.
+/// in the order of frame numbers or paths. They contain every image that exists (or is listed) on
+/// at least one side.
 ///
 /// Throws std::invalid_argument if a pattern or `frames` is malformed, or if several frames would
 /// share a file. If `a` and `b` are of different kinds, throws InputError if one of them is not a
-/// pattern and does not exist, otherwise std::invalid_argument. Also throws InputError if a
-/// manifest is unreadable, or if neither A nor B contains an image, and
-/// std::filesystem::filesystem_error if a folder cannot be read. If `a` and `b` are of the same
-/// kind, an image file that does not exist is not an error here.
+/// pattern and does not exist, otherwise std::invalid_argument. If `a` and `b` are of the same
+/// kind, an image file that does not exist is not an error here. Also throws InputError if a
+/// manifest is unreadable, or if neither A nor B contains an image. Throws
+/// std::filesystem::filesystem_error if a folder cannot be read.
 std::vector<ImagePair> image_pairs(const std::string& a,
                                    const std::string& b,
                                    const std::optional<std::string>& frames);

@@ -34,8 +34,8 @@ bool is_angle_key(const KeyInfo& key);
 /// Returns the name of the option of the command line for a key: "--fail-rms" for fail_rms.
 std::string option_name(const KeyInfo& key);
 
-/// Returns an argument of the command line as a value: an integer if the whole text is an integer,
-/// a number if the whole text is a number, else a string.
+/// Returns an argument of the command line as a value. The value is an integer if the whole text is
+/// an integer, a number if the whole text is another number, otherwise a string.
 Value value_of_argument(const std::string& text);
 
 }  // namespace foam::texgen

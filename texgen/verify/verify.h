@@ -57,8 +57,10 @@ struct VerifiedSet {
     BakedSet set;
     // Number of images and vector files whose content has the hash that the manifest records.
     int files_same = 0;
-    // One line for each bad file (an image, a vector file or a scene file), one for each group of
-    // maps that lack the same frames, and one for each seam whose ratio is above its limit.
+    // One line for each of these problems:
+    //   - a bad file: an image, a vector file or a scene file;
+    //   - a group of maps that lack the same frames;
+    //   - a seam whose ratio is above its limit.
     std::vector<std::string> problems;
     std::vector<VerifiedMap> maps;  // maps of which at least one file has the recorded pixels
 
@@ -87,11 +89,11 @@ struct Verification {
 /// Checks the images of a folder against its manifest. Every file must exist, and its pixels must
 /// have the hash that the manifest records for them. The content of every vector file and scene
 /// file must have its recorded hash, too. The ratios of the seams (Seam::ratio) of frames that tile
-/// and of loops must not exceed their limits. A loop is checked only if its period is at least
-/// kShortestLoop frames and all frames from 1 to its period have the recorded pixels; later frames
-/// are ignored. `path` is the folder or the manifest in it. Throws InputError if the manifest has
-/// sets, but the choice selects none; all other problems are part of the result. `on_progress`
-/// receives the progress of the phase Phase::Files.
+/// and of loops must not exceed their limits. A loop is only checked if its period is at least
+/// kShortestLoop frames, and if all frames of the period have the recorded pixels. Frames after the
+/// period are ignored. `path` is the folder or the manifest in it. Throws InputError if the
+/// manifest has sets, but the choice selects none; all other problems are part of the result.
+/// `on_progress` receives the progress of the phase Phase::Files.
 Verification verify(const Manifest& manifest,
                     const std::filesystem::path& path,
                     const VerifyOptions& options,

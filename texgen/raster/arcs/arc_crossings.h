@@ -34,17 +34,17 @@ inline std::int32_t rounded(float x) {
 /// turns left. Let q be the vector from the middle of the chord to a point. The point is on the
 /// circle of the arc if
 ///     cos alpha cross(d, q) + sin alpha (d² / 4 - q²) = 0.
-/// If y is given, this is a quadratic equation for the x of q; if x is given, it is a quadratic
-/// equation for the y of q. Let u be the unknown, and let the equation be a u² + b u = c, with the
-/// sign of u chosen so that b >= 0. The root that is on the arc is computed by the following
-/// formula, which avoids cancellation:
+/// For a given y, this is a quadratic equation for the x of q. For a given x, it is a quadratic
+/// equation for the y of q. Let u be the unknown. The equation has the form a u² + b u = c, where
+/// the sign of u is chosen so that b >= 0. The root on the arc is computed by a formula that avoids
+/// cancellation:
 ///     u = 2 c / (b + sqrt(b² + 4 a c)).
 template <class Real>
 class CrossingSolver {
   public:
     CrossingSolver() = default;
     /// Create a solver for the arc from the origin to `head`. `cosine` and `sine` are the cosine
-    /// and the sine of half the angle by which the arc turns left; without `cosine`, the cosine is
+    /// and the sine of half the angle by which the arc turns left. Without `cosine`, the cosine is
     /// assumed to be positive. Precondition: head.y() > 0.
     CrossingSolver(const Vec2& head, double sine)
         : CrossingSolver(head, std::sqrt(1.0 - sine * sine), sine) {}
@@ -101,10 +101,10 @@ class CrossingSolver {
 };
 
 /// A rising arc, in subpixels, whose crossings are rounded to the nearest subpixel. The crossings
-/// of an arc that is at most 256 pixels wide and high are computed in floats; before rounding, the
+/// of an arc that is at most 256 pixels wide and high are computed in floats. Before rounding, the
 /// computed points are less than 1/10 subpixel away from the arc. Where the arc is nearly parallel
-/// to the line, the crossing itself can be off by more. The crossings of any other arc are computed
-/// in doubles.
+/// to the line that it crosses, the crossing itself can be off by more. The crossings of any other
+/// arc are computed in doubles.
 class RoundedCrossings {
   public:
     RoundedCrossings() = default;

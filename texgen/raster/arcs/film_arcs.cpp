@@ -11,8 +11,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns sin(h) / h if N is 2, or cos(h) if N is 1, from a power series in z = h². The ratio of
-// successive coefficients is -1 / (N (N + 1)). The error is up to 4e-15 for |h| up to 90 degrees.
+// Returns sin(h) / h if N is 2, or cos(h) if N is 1, from a power series in z = h². Each level of
+// the recursion adds a coefficient: the coefficient before it times -1 / (N (N + 1)), with the N of
+// the level. The error is up to 4e-15 for |h| up to 90 degrees.
 template <int N>
 double series(double z) {
     if constexpr (N > 18) {
@@ -24,8 +25,8 @@ double series(double z) {
 
 }  // namespace
 
-// The angles a are up to 180 degrees. The series are evaluated at a / 2, that is, only up to 90
-// degrees; then cos a = 1 - 2 sin²(a / 2) and sin a = 2 sin(a / 2) cos(a / 2).
+// The angles a are up to 180 degrees. The series are evaluated at a / 2, which is at most 90
+// degrees. The results follow from cos a = 1 - 2 sin²(a / 2) and sin a = 2 sin(a / 2) cos(a / 2).
 void find_sines_and_cosines(HalfAngles& half_angles) {
     at_simd_level([&half_angles] {
         for (std::size_t k = 0; k < HalfAngles::kLanes; ++k) {

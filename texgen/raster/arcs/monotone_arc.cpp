@@ -27,8 +27,8 @@ void append_piece(SubpixelPoint tail,
     }
 }
 
-// Computes the integral of 2 x dy along the chain. x is measured from the lower end of the first
-// arc, because this keeps x and the rounding errors small.
+// Computes the integral of 2 x dy along the chain. To keep rounding errors small, x is measured
+// from the lower end of the first arc.
 double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble) {
     double area = 0.0;
     for (const MonotoneArc& arc : chain) {

@@ -23,10 +23,10 @@ namespace foam::texgen {
 inline constexpr std::uint32_t kFilmSide = std::numeric_limits<std::uint32_t>::max();
 
 /// The two sides of an arc: the index of the bubble on each side, or kFilmSide. On a torus, an
-/// outline that crosses the left or right border of the torus is closed only if it is unwrapped,
-/// that is, continued on the plane beyond the border. In the unwrapped outline of the bubble on the
-/// left (right), the arc is `left_periods` (`right_periods`) periods further right than its
-/// coordinates say.
+/// outline that crosses the left or right border of the torus is not closed. It becomes closed if
+/// it is unwrapped, that is, continued on the plane beyond the border. In the unwrapped outline of
+/// the bubble on the left (right), the arc is `left_periods` (`right_periods`) periods further
+/// right than its coordinates say.
 struct ArcSides {
     std::uint32_t left = kFilmSide;
     std::uint32_t right = kFilmSide;
@@ -103,10 +103,11 @@ double twice_area(std::span<const MonotoneArc> chain, std::uint32_t bubble);
 /// The recommended number of bubbles per task of make_arcs.
 inline constexpr std::size_t kBubblesPerTask = 256;
 
-/// Calls append(k, batch) for each k in [0, count), and returns the arcs of all batches; the caller
-/// sets `shear` and `ghost`. append(k, batch) must add arcs to batch.arcs and the number of
-/// unclosed loops to batch.unclosed_loops. Tasks run in parallel. Each task processes up to
+/// Calls append(k, batch) for each k in [0, count), and returns the arcs of all batches. The caller
+/// sets CellArcs::shear and CellArcs::ghost. Tasks run in parallel. Each task processes up to
 /// `per_task` values of k, with a function `append` of its own, which it gets from new_append().
+/// This function must add arcs to batch.arcs and the number of unclosed loops to
+/// batch.unclosed_loops.
 template <class NewAppend>
 CellArcs make_arcs(const RasterGrid& grid,
                    std::size_t count,

@@ -50,8 +50,9 @@ bool turns_right(const Arc& before, const Arc& after) {
     return cross(head_tangent(before), tail_tangent(after)) < 0.0;
 }
 
-/// Returns true if an arc is monotone in x and in y: it turns by less than 180 degrees, and the
-/// tangents at its ends are in the same quadrant. (Here a quadrant includes both of its axes.)
+/// Returns true if an arc is monotone in x and in y. Such an arc turns by less than 180 degrees,
+/// and the tangents at its ends are in the same quadrant. Here a quadrant includes both of its
+/// axes.
 inline bool is_monotone(const PixelArc& arc) {
     const Vec2 first = tail_tangent(arc);
     const Vec2 last = head_tangent(arc);

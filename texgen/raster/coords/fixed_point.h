@@ -38,8 +38,8 @@ inline SubpixelPoint to_subpixel(const Vec2& pixels) {
     return {to_subpixel(pixels.x()), to_subpixel(pixels.y())};
 }
 
-/// Converts a point in pixels to the nearest subpixel, without a limit: the result has whole
-/// numbers, but they are doubles, because they may not fit into 32 bits.
+/// Converts a point in pixels to the nearest subpixel, without a limit. The coordinates of the
+/// result are whole numbers, stored as doubles because they may not fit into 32 bits.
 inline Vec2 rounded_to_subpixels(const Vec2& pixels) {
     return (kSubpixel * pixels.array() + 0.5).floor().matrix();
 }

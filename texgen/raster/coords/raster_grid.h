@@ -22,11 +22,11 @@ struct View {
 /// The pixels that cover a torus or a view of the plane. Row 0 is the lowest row. On a torus, the
 /// lower left corner of pixel (0, 0) of an unshifted grid is at the origin.
 ///
-/// On a torus, a grid may be shifted: pixel (x, y) of an image on the shifted grid equals, to the
-/// last bit, pixel (x + shift_x, y + shift_y) of the image on the unshifted grid, wrapped around
-/// the torus. Exception on a sheared torus: a row that is wrapped in y is also displaced by the
-/// shear, which need not be a whole number of pixels. A sheared torus requires
-/// 0 <= shift_y < height.
+/// On a torus, a grid may be shifted. An image on the shifted grid is, to the last bit, a cyclic
+/// shift of the image on the unshifted grid. Its pixel (x, y) equals pixel
+/// (x + shift_x, y + shift_y) of the unshifted image, wrapped around the torus. Exception on a
+/// sheared torus: a row that is wrapped in y is also displaced by the shear, which need not be a
+/// whole number of pixels. A sheared torus requires 0 <= shift_y < height.
 struct RasterGrid {
     int width = 0;  // this and the other lengths are in pixels
     int height = 0;
@@ -35,19 +35,20 @@ struct RasterGrid {
     std::optional<View> view = {};  // set in the plane, where nothing is shifted or wrapped
 };
 
-/// The largest width and height of a grid in pixels, so that the coordinates, in subpixels, of
-/// points that are a few periods away from the grid fit in 32 bits.
+/// The largest width and height of a grid in pixels. The limit ensures that coordinates in
+/// subpixels fit in 32 bits, even for points that are a few periods away from the grid.
 inline constexpr int kLargestGridSide = 1 << 14;
 
-/// Insets (the parts of bubbles that films of a given width leave free) and distance fields ignore
-/// sides of bubbles whose chord is at most this long, in pixels, because the direction of such a
-/// short chord is not reliable.
+/// The length, in pixels, up to which a chord is too short to have a reliable direction. Insets and
+/// distance fields ignore sides of bubbles with such a chord. An inset is the part of a bubble that
+/// films of a given width leave free.
 inline constexpr double kShortestChord = 1e-9;
 
-/// Returns the number of pixels per foam unit. Throws std::invalid_argument if the width or the
-/// height of the grid is not in [1, kLargestGridSide], if the domain is the plane and the grid has
-/// no view, if the domain is a torus and the grid has a view, or if the pixels on a torus are not
-/// square (within one part in a million).
+/// Returns the number of pixels per foam unit. Throws std::invalid_argument in these cases:
+///   - The width or the height of the grid is not in [1, kLargestGridSide].
+///   - The domain is the plane, and the grid has no view.
+///   - The domain is a torus, and the grid has a view.
+///   - The pixels on a torus are not square (within one part in a million).
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
 /// Returns the translation, in subpixels, from coordinates on the unshifted grid to coordinates on

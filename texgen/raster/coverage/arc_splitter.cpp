@@ -10,19 +10,18 @@
 #include <span>
 #include <utility>
 
-// Like the rasterizers that coverage.cpp names, this class cuts edges at the borders of
-// pixels. FreeType, for example, flattens a curve and follows each line segment from pixel to
-// pixel. Here the crossings of an arc are roots of quadratic equations (arc_crossings.h), so that
-// they are computed independently of each other in vectorized loops. The rest of the method is our
-// own.
+// Like the rasterizers that coverage.cpp names, this class cuts edges at the borders of pixels.
+// FreeType, for example, flattens a curve and follows each line segment from pixel to pixel. Here
+// the crossings of an arc are roots of quadratic equations (arc_crossings.h), so that they are
+// computed independently of each other in vectorized loops. The rest of the method is our own.
 //
-// First the crossings of an arc with borders between rows are computed, then those with borders
-// between columns. The two sequences are merged: the index of a crossing in the merged sequence is
-// its own index plus the number of crossings of the other kind before it. For a crossing with a
-// border between rows, this number follows from the column of the crossing. For a crossing with a
-// border between columns, it is the number of borders between rows that the arc has crossed before;
-// store_row_crossings records it by column in `rows_crossed_`. No two crossings are compared, so
-// the merge has no unpredictable branches.
+// First the crossings of an arc with borders between rows are computed, then its crossings with
+// borders between columns. The two sequences are merged. The index of a crossing in the merged
+// sequence is its index in its own sequence plus the number of crossings of the other kind before
+// it. For a crossing with a border between rows, this number follows from the column of the
+// crossing. For a crossing with a border between columns, it is the number of borders between rows
+// that the arc has crossed before. The function store_row_crossings records this number by column
+// in `rows_crossed_`. No two crossings are compared, so the merge has no unpredictable branches.
 
 namespace foam::texgen {
 
@@ -83,7 +82,8 @@ void ArcSplitter::split() {
 }
 
 // Determines which borders between columns an arc crosses. If the arc leaves the rows at the top,
-// also corrects the x of Arc::to, which `add` has set to the x of the upper end of the whole arc.
+// also corrects the x of Arc::to. The function `add` has set it to the x of the upper end of the
+// whole arc.
 void ArcSplitter::find_columns(std::size_t k) {
     Arc& arc = arcs_[k];
     const ArcCrossings& rows = row_crossings_[k];

@@ -93,10 +93,10 @@ class ArcSplitter {
     std::array<ArcCrossings, kMaxArcs> column_crossings_;  // crossings with borders between columns
     std::vector<std::int32_t> xs_;                         // results of row_crossings_
     std::vector<std::int32_t> ys_;                         // results of column_crossings_
-    // Scratch array for the arc that is being processed; between arcs, all elements are 0. Let the
-    // columns of pixels through which the arc passes be numbered from 0, in its direction. Element
-    // k is the number of borders between rows that the arc has crossed when it leaves column k, or
-    // 0 if the arc crosses no border between rows within column k.
+    // Scratch array for the arc that is being processed; between arcs, all elements are 0. The
+    // columns of pixels through which the arc passes are numbered from 0, in its direction. Element
+    // k is 0 if the arc crosses no border between rows within column k. Otherwise it is the number
+    // of borders between rows that the arc has crossed when it leaves column k.
     std::vector<std::int32_t> rows_crossed_;
     // The start of each part of each arc, and the end of the last part of each arc. The points of a
     // mirrored arc are mirrored.

@@ -4,13 +4,13 @@
 
 #include "texgen/raster/coords/raster_grid.h"
 
-// The method is the accumulation of signed areas: each edge adds its signed areas to the pixels
-// that it crosses, and a running sum along the row extends its area to all pixels on its right.
-// LibArt (R. Levien, 1998), the smooth rasterizer of FreeType (D. Turner, ftgrays.c, 2000) and
-// font-rs (R. Levien, 2016) fill outlines in this way. These programs fill one shape with one
-// color, and their edges are line segments. Here the edges are arcs, and each area is multiplied by
-// the change of a value across the arc, so that one pass fills all bubbles, with periodic copies on
-// a torus. These extensions are our own.
+// The method is the accumulation of signed areas. Each edge adds its signed areas to the pixels
+// that it crosses. A running sum along the row extends the area of the edge to all pixels on its
+// right. LibArt (R. Levien, 1998), the smooth rasterizer of FreeType (D. Turner, ftgrays.c, 2000)
+// and font-rs (R. Levien, 2016) fill outlines in this way. These programs fill one shape with one
+// color, and their edges are line segments. Here the edges are arcs. Each area is multiplied by the
+// change of a value across the arc, so that one pass fills all bubbles. On a torus, it also fills
+// their periodic copies. These extensions are our own.
 
 namespace foam::texgen {
 
@@ -77,9 +77,9 @@ void Coverage<Channels>::add_parts(std::size_t k) {
     }
 }
 
-// Adds a part of an arc. The arc may extend beyond the columns of the band of rows that the object
-// computes. The part itself may be within the columns, on their left or on their right. The comment
-// of the class Coverage explains what a part on their left or on their right contributes.
+// Adds a part of an arc. The arc may extend beyond the left or right border of the image. The part
+// itself may be within the columns of the image, on their left or on their right. The comment of
+// the class Coverage explains what a part on their left or on their right contributes.
 template <std::size_t Channels>
 void Coverage<Channels>::add_outside(const ArcSplitter::Part& part, std::uint32_t arc, Row& row) {
     const std::int32_t periods = floor_div(part.column, width_);

@@ -55,21 +55,22 @@ enum class RowKind { Ring, Line };
 ///
 /// In each row, an arc adds its change of values times the area on its right. In the pixel of a
 /// part of the arc (ArcSplitter::Part), this is the area between the part and the right border of
-/// the pixel. In each pixel further right, it is the height of the part times the width of a pixel.
-/// The band stores the parts of each row in a list. When the row is taken, its parts are added to
-/// cells, one per pixel: a cell is the difference between the sum of its pixel and the sum of the
-/// pixel before it. The full contribution of a part is its contribution to each pixel further
-/// right. To the cell of its own pixel, a part adds its contribution to this pixel; to the next
-/// cell, it adds the rest of the full contribution. A running sum along the row converts cells to
-/// sums of pixels.
+/// the pixel. In each pixel further right, this area is the height of the part times the width of a
+/// pixel. The full contribution of a part is its contribution to each pixel further right: height
+/// times pixel width times change of values.
+///
+/// The band stores the parts of each row in a list. When the row is taken (take_row), its parts are
+/// added to cells, one per pixel. A cell is the difference between the sum of its pixel and the sum
+/// of the pixel before it. To the cell of its own pixel, a part adds its contribution to this
+/// pixel; to the next cell, it adds the rest of the full contribution. A running sum along the row
+/// converts cells to sums of pixels.
 ///
 /// On a torus, an arc outside of the image is added at its wrapped column. The sums would be right
 /// if all arcs of an outline were in the same period, because their signed heights then cancel in
-/// every row. If an arc is k periods to the right of the image, adding it at its wrapped column
-/// adds k times its full contribution (height times pixel width times change of values) too much to
-/// every pixel of its rows. This amount is subtracted at the start of each of these rows. In the
-/// plane, an arc to the left of the image adds its full contribution to all pixels of its rows; an
-/// arc to the right adds nothing.
+/// every row. If an arc is k periods to the right of the image, every pixel of its rows gets k
+/// times the full contribution too much. This amount is subtracted at the start of each of these
+/// rows. In the plane, an arc to the left of the image adds its full contribution to all pixels of
+/// its rows. An arc to the right adds nothing.
 template <std::size_t Channels>
 class Coverage {
   public:
@@ -79,7 +80,7 @@ class Coverage {
     struct Step {
         Sums across{};  // value on the right minus value on the left
         // The correction for an arc that is some periods further right in the unwrapped outline of
-        // one of its bubbles than in the image (ArcSides): the value on the right times
+        // one of its bubbles than in the image (ArcSides). It is the value on the right times
         // right_periods, minus the value on the left times left_periods. Each part of the arc
         // subtracts the correction, times ArcSplitter::Part::twice_area, from the start of its row.
         Sums period_correction{};

@@ -16,14 +16,15 @@
 #include <stdexcept>
 #include <vector>
 
-// At first all pixels have the value of films, or in a patch the value of the ghost bubble. Each
-// arc then adds the value on its right side minus the value on its left side to everything that is
-// to the right of it in the rows that it crosses. The areas are accumulated as in the rasterizers
-// that coverage.cpp names. To accumulate changes of values instead of the coverage of one shape is
-// our own method: a pixel gets the mean of all bubbles and films in it, exact except for rounding
-// (fill.h). The usual alternative blends shapes one after the other (T. Porter and T. Duff,
-// "Compositing digital images", 1984). It knows only how much of a pixel each shape covers, not
-// where, so that its means are wrong where two shapes share an edge.
+// At first all pixels have the value of films, or in a patch the value of the ghost bubble. In the
+// rows that it crosses, each arc then changes everything that is to the right of it. The change is
+// the value on the right side of the arc minus the value on its left side. The areas are
+// accumulated as in the rasterizers that coverage.cpp names. These rasterizers accumulate the
+// coverage of one shape. Accumulating changes of values instead is our own method. A pixel gets the
+// mean of all bubbles and films in it, exact except for rounding (fill.h). The usual alternative
+// blends shapes one after the other (T. Porter and T. Duff, "Compositing digital images", 1984). It
+// knows only how much of a pixel each shape covers, not where. Its means are therefore wrong where
+// two shapes share an edge.
 
 namespace foam::texgen {
 

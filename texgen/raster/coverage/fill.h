@@ -29,9 +29,11 @@ struct CellValues {
 /// overlap, so that the value of films is not visible.
 ///
 /// The result has the same bits for any number of threads. If `cells.grid` is shifted, the image is
-/// shifted cyclically (RasterGrid). Throws std::invalid_argument if the image and `cells.grid`
-/// differ in size, if the image and the values differ in the number of channels, if this number is
-/// not from 1 to kMaxChannels, or if a bubble beside an arc, or the ghost bubble, has no value.
+/// shifted cyclically (RasterGrid). Throws std::invalid_argument in these cases:
+///   - The image and `cells.grid` differ in size.
+///   - The image and the values differ in the number of channels.
+///   - The number of channels is not from 1 to kMaxChannels.
+///   - A bubble beside an arc, or the ghost bubble, has no value.
 void fill_cells(const CellArcs& cells,
                 const CellValues& values,
                 int threads,
@@ -40,8 +42,8 @@ void fill_cells(const CellArcs& cells,
 /// Fills an image with colors whose last channel is their opacity. The values must be
 /// premultiplied, so that their means are premultiplied, too. The samples of the image are
 /// straight: each mean color is divided by the mean opacity before any rounding, and the quotient
-/// is rounded. All samples of a pixel are 0 if its mean opacity before any rounding is 0 or
-/// negative. (It can be negative only where rafts overlap or the foam is invalid.) In all other
+/// is rounded. If the mean opacity of a pixel before any rounding is 0 or negative, all its samples
+/// are 0. The opacity can be negative only where rafts overlap or the foam is invalid. In all other
 /// respects, the function behaves like fill_cells.
 void fill_straight(const CellArcs& cells,
                    const CellValues& values,

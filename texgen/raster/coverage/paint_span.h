@@ -51,15 +51,15 @@ struct StraightMeans {
     }
 };
 
-/// The number of bytes that paint_span writes at once, and therefore an upper bound of the number
-/// of bytes that it writes beyond the end of a span.
+/// The number of bytes that paint_span writes at once. It is an upper bound of the number of bytes
+/// that paint_span writes beyond the end of a span.
 inline constexpr std::size_t kBlockBytes = 128;
 
 /// Stores a block of equal pixels. The size of a pixel is 2, 4, 6 or 8 bytes. A pixel of 6 bytes is
 /// a pattern by itself; any other pixel is repeated until it fills a pattern of 8 bytes. A block is
-/// written in words of 8 bytes. With pixels of 6 bytes, the words start at byte 0, 2 or 4 of the
-/// pattern, so that each word is composed of two shifted copies of the pattern. With other pixels,
-/// each word is the pattern.
+/// written in words of 8 bytes. With pixels of 2, 4 or 8 bytes, each word is the pattern. With
+/// pixels of 6 bytes, a word starts at byte 0, 2 or 4 of the pattern, and is composed of two
+/// shifted copies of the pattern.
 template <std::size_t PixelBytes>
 [[gnu::always_inline]] inline void store_block(std::uint64_t pixel, std::uint8_t* to) {
     constexpr std::size_t kPatternBytes = PixelBytes == 6 ? 6 : 8;

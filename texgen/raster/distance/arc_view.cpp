@@ -9,20 +9,23 @@
 #include <limits>
 
 // Let c be the length of the chord, a the half angle, and q the position of the point relative to
-// the middle of the chord. Two functions are 0 at both ends of the chord: e = c/4 - q²/c, which is
-// 0 on the circle that has the chord as its diameter, and h, the signed distance of q from the line
-// of the chord, positive on its left. A rotation by the half angle combines them:
-//   f = e sin a + h cos a is 0 on the circle of the arc, has slope 1 there, and is positive on the
-//   left of the arc;
-//   t = e cos a - h sin a is 0 on the circle that crosses the arc's circle at right angles at both
-//   ends, has slope 1 there, and is positive on the arc.
+// the middle of the chord. Two functions are 0 at both ends of the chord:
+//   - e = c/4 - q²/c is 0 on the circle that has the chord as its diameter.
+//   - h is the signed distance of q from the line of the chord, positive on its left.
+// A rotation by the half angle combines them into two other functions. Both have slope 1 where they
+// are 0:
+//   - f = e sin a + h cos a is 0 on the circle of the arc, and positive on the left of the arc.
+//   - t = e cos a - h sin a is 0 on the circle that crosses the arc's circle at right angles at
+//     both ends. It is positive on the arc.
 //
-// The distance to the circle of the arc is 2 |f| / (1 + |grad f|): if R is the radius, and r the
-// distance from the center, then |f| = |R² - r²| / 2R and |grad f| = r / R. This formula is our
-// own. The distance |f| / |grad f| of G. Taubin ("Estimation of planar curves, surfaces, and
-// nonplanar space curves defined by implicit equations", 1991) is its first-order approximation. If
-// a point is beyond an end of the arc, its distance from the normal at this end is a lower bound of
-// its distance from the arc, because arcs turn by less than 180 degrees (DistanceArc::kMinCosine).
+// The distance to the circle of the arc is 2 |f| / (1 + |grad f|). Proof: let R be the radius, and
+// r the distance from the center. Then |f| = |R² - r²| / 2R and |grad f| = r / R. The formula is
+// our own. The distance |f| / |grad f| of G. Taubin ("Estimation of planar curves, surfaces, and
+// nonplanar space curves defined by implicit equations", 1991) is its first-order approximation.
+//
+// For a point beyond an end of the arc, the distance from the normal at this end is a lower bound
+// of the distance from the arc. This holds because arcs turn by less than 180 degrees
+// (DistanceArc::kMinCosine).
 
 namespace foam::texgen {
 

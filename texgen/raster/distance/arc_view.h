@@ -22,10 +22,10 @@ class ArcView {
     /// point and these arcs.
     void evaluate(std::span<const DistanceArc> arcs, const Vec2& point);
 
-    /// Returns a distance, the horizon: an arc that is farther from the point than the horizon is
-    /// not the nearest arc of any pixel within a distance of `reach` from the point. The horizon is
-    /// the distance to the nearest arc that the point faces (see DistanceArc::kMinCosine), plus
-    /// twice the reach and a margin. It is infinite if the point faces no arc.
+    /// Returns the horizon, a distance from the point. An arc beyond the horizon is not the nearest
+    /// arc of any pixel within a distance of `reach` from the point. The horizon is the distance to
+    /// the nearest arc that the point faces (see DistanceArc::kMinCosine), plus twice the reach and
+    /// a margin. It is infinite if the point faces no arc.
     double horizon(double reach) const;
     /// Returns false only if the arc k is certainly farther from the point than the horizon.
     bool is_within(std::size_t k, double horizon) const {

@@ -9,13 +9,13 @@
 
 #include <vector>
 
-// Every bubble is painted by itself: its outline decides which pixels are in it (pixel_mask.h), and
-// distances are measured from the arcs of the bubble (arc_view.cpp, smooth distances:
+// Every bubble is painted by itself. Its outline decides which pixels are in it (pixel_mask.h).
+// Distances are measured from the arcs of the bubble (arc_view.cpp; for smooth distances,
 // pixel_batch.cpp). The arcs of other bubbles do not matter, because the shortest path from a pixel
 // to a film crosses no other film. A distance transform (P.-E. Danielsson, "Euclidean distance
 // mapping", 1980) propagates distances from pixel to pixel instead, and measures them from pixels.
-// Here they are measured from the arcs themselves, with errors far below a pixel. The method is our
-// own.
+// Here distances are measured from the arcs themselves, with errors far below a pixel. The method
+// is our own.
 
 namespace foam::texgen {
 

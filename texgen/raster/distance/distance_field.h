@@ -23,11 +23,11 @@ struct DistanceField {
     /// indices of the lone bubbles follow, in the order of Frame::lone_bubbles. Where bubbles of a
     /// patch overlap, the pixel gets the largest index of these bubbles.
     Image<std::uint32_t> ids;
-    /// The distance in pixels to the nearest point of a film, never negative. It is infinite if the
-    /// region of the pixel (a bubble or the surroundings of a patch) has no film on its boundary,
-    /// as in a patch without bubbles. The error is at most 1e-6 times the sum of the distance and 8
-    /// pixels. On a sheared torus, the shear is rounded to a whole number of subpixels, as it is
-    /// for the ids.
+    /// The distance in pixels to the nearest point of a film, never negative. A region is a bubble
+    /// or the surroundings of a patch. The distance is infinite if the region of the pixel has no
+    /// film on its boundary, as in a patch without bubbles. The error is at most 1e-6 times the sum
+    /// of the distance and 8 pixels. On a sheared torus, the shear is rounded to a whole number of
+    /// subpixels, as it is for the ids.
     Image<float> distance;
     /// The unit vector that points away from the nearest point of a film. It is zero at the center
     /// of a circle and where there is no film.

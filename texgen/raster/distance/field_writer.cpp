@@ -13,7 +13,7 @@ namespace {
 
 // Calls visit(begin, size) for pieces that cover [0, count) and may overlap. `size` is a
 // compile-time constant, so that the compiler can replace calls of memcpy and fill by a few
-// instructions: most spans are only a few pixels long, and such calls are slow for short spans.
+// instructions. Most spans are only a few pixels long, and such calls are slow for short spans.
 // Precondition: count > 0.
 template <class Visit>
 [[gnu::always_inline]] inline void in_pieces(std::size_t count, const Visit& visit) {

@@ -15,12 +15,13 @@
 #include <span>
 #include <utility>
 
-// In a patch, chains of straight edges decide the ids of pixels, because their crossings with rows
-// can be rounded up without any error (PixelMask::flip_right_of). The inner points of a chain are
-// moved off the arc so that the chain encloses nearly the same area as the arc. For this, a
-// circular segment counts as a segment of a parabola, whose area is 2/3 of its width times its
-// height (Archimedes, "Quadrature of the Parabola"). Distances are measured from the arcs
-// themselves. The method is our own.
+// In a patch, chains of straight edges decide the ids of pixels. Where an edge crosses the middle
+// of a row, the crossing is rounded up to a whole subpixel. The centers of pixels are at whole
+// subpixels, so the same pixels are on the right of the rounded crossing as of the exact one
+// (PixelMask::flip_right_of). The inner points of a chain are moved off the arc so that the chain
+// encloses nearly the same area as the arc. For this, a circular segment counts as a segment of a
+// parabola, whose area is 2/3 of its width times its height (Archimedes, "Quadrature of the
+// Parabola"). Distances are measured from the arcs themselves. The method is our own.
 
 namespace foam::texgen {
 
@@ -34,9 +35,10 @@ constexpr std::size_t kRegionsPerTask = 256;
 // the circle, to add the same area. Within a pixel that contains whole edges, the two areas cancel,
 // so short edges may have a larger sagitta. Longer edges must be accurate on their own.
 //
-// An arc whose sagitta is at most kSagitta is replaced by its chord. Any other arc is divided into
-// one edge more than the limits require. The ends of the arc cannot be moved, so only the points
-// between its edges add area; a single edge would have no such point. All lengths are in pixels.
+// An arc whose sagitta is at most kSagitta is replaced by its chord. The limits may require only
+// one edge. A single edge has no inner point that could add area, because the ends of the arc
+// cannot be moved. Any other arc is therefore divided into one edge more than the limits require.
+// All lengths are in pixels.
 constexpr double kSagittaOfShortEdges = 1.0 / 256;  // largest sagitta of short edges
 constexpr double kShortEdge = std::numbers::sqrt2;  // largest length of short edges
 constexpr double kSagitta = 1.0 / 1024;             // largest sagitta of longer edges
@@ -59,7 +61,7 @@ struct Rotation {
 
 // Returns the number of edges of a chain. `sine` is the sine of the half angle. An arc of length l
 // and half angle a has a sagitta of at most l a / 4. Each of n equal parts has the length l / n and
-// the half angle a / n, so that the sagitta of a part is smaller by a factor of n².
+// the half angle a / n. The sagitta of a part is therefore smaller by a factor of n².
 int edge_count(const FilmArc& arc, double sine) {
     const double turn = std::abs(arc.half_angle);
     const double length = arc.chord.norm() * turn / std::abs(sine);  // NaN for a straight arc
@@ -79,8 +81,8 @@ SubpixelPoint clamped(const Vec2& subpixels, const RasterGrid& grid) {
 }
 
 // Adds to the outline the edges of a chain that approximates a side with the given head. The chain
-// is computed from the end with the smaller x, or with the smaller y if both have the same x, so
-// that both sides of a film have the same edges.
+// is computed from the end with the smaller x, or with the smaller y if both have the same x. Both
+// sides of a film therefore have the same edges.
 void add_chain(const ArcLoops::Side& side, const Vec2& head, Boundary& boundary) {
     const bool tail_first = std::pair(side.tail.x(), side.tail.y()) < std::pair(head.x(), head.y());
     std::vector<Vec2> points;
@@ -162,7 +164,8 @@ void append_chain_points(const FilmArc& arc, const Vec2& tail, std::vector<Vec2>
     const Rotation half_step(arc.half_angle / edges);
     const Rotation step = half_step.twice();
     Vec2 edge = half_step * half_turn.back(arc.chord) * (half_step.s / half_turn.s);
-    // Both values are in units of the length of an edge, and negative if the arc turns right.
+    // `sagitta` is in units of the length of an edge, `outwards` in units of the length of the sum
+    // of two successive edges. Both are negative if the arc turns right.
     const double sagitta = 0.5 * half_step.s / (1.0 + half_step.c);
     const double outwards = 2.0 / 3.0 * sagitta * edges / (edges - 1) / (2.0 * half_step.c);
     Vec2 at = tail;

@@ -11,10 +11,11 @@
 
 namespace foam::texgen {
 
-/// Returns the regions of a frame of a patch: first the surroundings of the foam, then those
-/// bubbles and those lone bubbles that may be visible in the image, in the order of their indices.
-/// The boxes of the regions are clipped to the image. Throws std::invalid_argument if the grid is
-/// too large or empty or has no view (pixels_per_unit). Precondition: the foam is a patch.
+/// Returns the regions of a frame of a patch. The first region is the surroundings of the foam. It
+/// is followed by the bubbles and the lone bubbles that may be visible in the image, in the order
+/// of their indices. The boxes of the regions are clipped to the image. Throws
+/// std::invalid_argument if the grid is too large or empty or has no view (pixels_per_unit).
+/// Precondition: the foam is a patch.
 std::vector<Region> patch_regions(const Frame& frame, const RasterGrid& grid, int threads);
 
 /// Appends the points between the two ends of a chain of straight edges that approximates an arc.

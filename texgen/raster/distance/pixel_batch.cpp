@@ -15,11 +15,11 @@ namespace foam::texgen {
 
 namespace {
 
-// Distances to arcs are kept as fractions 2 |f| / (1 + |grad f|), where f is ArcFunctions::across,
-// and compared by cross-multiplication, which avoids a division per arc. Smooth distances follow
-// Biswas and Shapiro (README.md): they are computed from approximate distances phi to single films
-// (add_film). The innermost loops are over pixels and have no branches, so that compilers vectorize
-// them.
+// Distances to arcs are kept as fractions 2 |f| / (1 + |grad f|), where f is ArcFunctions::across.
+// Fractions are compared by cross-multiplication, which avoids a division per arc. Smooth distances
+// follow Biswas and Shapiro (README.md): they are computed from approximate distances phi to single
+// films (add_film). The innermost loops are over pixels and have no branches, so that compilers
+// vectorize them.
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // A pixel faces an arc if it is between the normals at both ends of the arc. A pixel that is at
@@ -39,8 +39,9 @@ constexpr float kMinSum = 1e-12F;
 // block.
 using Lanes = std::array<float, PixelBatch::kLanes>;
 
-// mask_if returns a mask of 32 bits: all ones if the condition is true, else all zeros. chosen
-// returns `first` if `mask` is all ones, and `second` if `mask` is all zeros.
+// The function mask_if returns a mask of 32 bits: all ones if the condition is true, else all
+// zeros. The function `chosen` returns `first` if `mask` is all ones, and `second` if `mask` is all
+// zeros.
 std::uint32_t mask_if(bool condition) {
     return condition ? ~std::uint32_t{0} : 0;
 }
@@ -175,7 +176,7 @@ struct SmoothSums {
 };
 
 // Adds a film to the sums. Let f be the value of film.across, t the value of film.along, and c the
-// length of the chord. The approximate distance phi to the film is given by phi² = f² + r² with
+// length of the chord. The approximate distance phi to the film is given by phi² = f² + r². Here
 // r = (root - t) / 2 and root = sqrt(t² + f^4 / c²). The gradient of r satisfies
 // r grad r = r (f³ / c² grad f - r grad t) / root.
 [[gnu::always_inline]] inline void add_film(const FilmFunctions& film,

@@ -10,8 +10,8 @@
 
 namespace foam::texgen {
 
-/// A quadratic function of a position d relative to the middle of a batch of pixels (PixelBatch):
-/// twice_value / 2 + (x, y) · d - curvature / 2 · d².
+/// A quadratic function of a position d relative to the middle of a batch of pixels (PixelBatch).
+/// Its value is twice_value / 2 + (x, y) · d - curvature / 2 · d².
 struct FloatQuadratic {
     float twice_value = 0.0F;
     float x = 0.0F;
@@ -76,10 +76,10 @@ class PixelBatch {
     bool is_empty() const { return count_ == 0; }
 
     /// Computes the distance of each pixel to the nearest point or arc, and its gradient if
-    /// `gradient` is true. Only arcs that the pixel faces count: the pixel must be between the
-    /// normals at both ends of the arc, or at most 0.001 pixels beyond one of them. Arcs and points
-    /// are relative to the middle. Returns false if any distance is infinite, because a pixel faces
-    /// no arc and there are no points.
+    /// `gradient` is true. Only arcs that the pixel faces count. A pixel faces an arc if it is
+    /// between the normals at both ends of the arc, or at most 0.001 pixels beyond one of them.
+    /// Arcs and points are relative to the middle. Returns false if any distance is infinite,
+    /// because a pixel faces no arc and there are no points.
     bool measure(std::span<const ArcFunctions> arcs, std::span<const Vec2> points, bool gradient);
 
     /// Computes smooth distances and their gradients. If there are no films, or if the smooth

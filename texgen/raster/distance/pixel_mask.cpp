@@ -14,7 +14,7 @@
 
 // The method is the edge fill algorithm (D. F. Rogers, "Procedural Elements for Computer Graphics",
 // 1985). Edges need not be sorted, because flips commute. The bits of 64 pixels of a row are one
-// word, so that an arc flips them by one operation; the words of successive rows are contiguous, so
+// word, so that an arc flips them by one operation. The words of successive rows are contiguous, so
 // that one vector instruction flips words of several rows. Two properties are our own: edges may be
 // arcs, and the crossings computed from the two sides of a film are equal.
 
@@ -34,11 +34,11 @@ constexpr double kHalfPixel = 0.5 * kSubpixel;
 }
 
 // A crossing is the x coordinate, in subpixels, at which an arc crosses the middle of a row. To
-// round a crossing, one of these numbers is added to it, and the sum is rounded down. kToNearest
-// rounds to the nearest subpixel. kUp rounds up, which gives the same columns as the exact
-// crossing, because the middles of pixels are at whole subpixels. A crossing at a whole number is
-// not changed. The crossing of a straight edge that is h subpixels high is a multiple of 1/h, so
-// that kUp is large enough for h up to 2^27.
+// round a crossing, one of these numbers is added to it, and the sum is rounded down. Adding
+// kToNearest rounds to the nearest subpixel. Adding kUp rounds up; a crossing at a whole number is
+// not changed. The middles of pixels are at whole subpixels, so a crossing that is rounded up gives
+// the same columns as the exact crossing. The crossing of a straight edge that is h subpixels high
+// is a multiple of 1/h, so that kUp is large enough for h up to 2^27.
 constexpr double kToNearest = 0.5;
 constexpr double kUp = 1.0 - 0x1p-27;
 
@@ -59,7 +59,7 @@ struct RisingArc {
 
 // Calls visit(RisingArc) for the parts of an arc that are monotone in y, oriented upwards. `offset`
 // is added to all positions. The parts are computed from the lower end of the arc, or from its left
-// end if both ends are at the same height, so that both sides of a film have the same parts.
+// end if both ends are at the same height. Both sides of a film therefore have the same parts.
 template <class Visit>
 void for_each_rising_part(const OutlineArc& arc, const Vec2& offset, const Visit& visit) {
     const Vec2 ahead = arc.to - arc.from;
@@ -104,8 +104,8 @@ void PixelMask::reset(int columns, PixelRows rows, bool full) {
 
 // Computes the crossings with the middles of rows in groups of kRows. If the last group of rows
 // extends beyond the arc, the words of the rows beyond the arc are written back unchanged. Rounding
-// depends only on the film and on `is_chain`, which is the same for all regions of a frame, so that
-// two neighboring regions compute the same crossings.
+// depends only on the film and on `is_chain`, which is the same for all regions of a frame. Two
+// neighboring regions therefore compute the same crossings.
 // NOLINTNEXTLINE(readability-function-size): a vectorized kernel keeps its loops in one function
 void PixelMask::flip_right_of(std::span<const OutlineArc> outline,
                               const Vec2& offset,

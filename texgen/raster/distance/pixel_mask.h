@@ -26,10 +26,10 @@ void for_each_span_of_bits(std::uint64_t bits, const Visit& visit) {
 }
 
 /// A bit mask of a rectangle of pixels. The bit of a pixel is set if the center of the pixel is
-/// within a region. The mask is filled by the even-odd rule: it starts empty, or full for an
-/// unbounded region, and each arc of the boundary flips all pixels to the right of the arc, row by
-/// row. A center on an arc counts as being to the right of the arc, so that each pixel along the
-/// common side of two regions is in exactly one of the two.
+/// within a region. The mask is filled by the even-odd rule. The mask starts empty, or full for an
+/// unbounded region. Each arc of the boundary then flips all pixels to the right of the arc, row by
+/// row. A center on an arc counts as being to the right of the arc. Each pixel along the common
+/// side of two regions is therefore in exactly one of the two.
 class PixelMask {
   public:
     static constexpr int kWordColumns = 64;

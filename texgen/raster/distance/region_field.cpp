@@ -8,13 +8,13 @@
 #include <bit>
 
 // Arcs are culled as J. E. Warnock culls polygons ("A hidden surface algorithm for computer
-// generated halftone pictures", 1969): a block of pixels is divided into quarters, and a quarter
+// generated halftone pictures", 1969). A block of pixels is divided into quarters, and a quarter
 // starts with the arcs that its block has kept. The bound by which arcs are dropped follows from
-// the triangle inequality. Let d be the distance of the middle of the block from the nearest arc,
-// and r the distance of the middle from the farthest pixel. The distance of every pixel from this
-// arc is at most d + r. An arc whose distance from the middle is above d + 2 r has a distance above
-// d + r from every pixel, so that it is not the nearest arc of any. (ArcView::horizon adds a margin
-// to d + 2 r.)
+// the triangle inequality. Let d be the distance of the middle of the block from the nearest arc.
+// Let r be the distance of the middle from the farthest pixel of the block. The distance of every
+// pixel from this arc is at most d + r. An arc whose distance from the middle is above d + 2 r has
+// a distance above d + r from every pixel. It is therefore not the nearest arc of any pixel.
+// ArcView::horizon adds a margin to d + 2 r.
 
 namespace foam::texgen {
 
@@ -32,9 +32,9 @@ constexpr std::size_t kMaxUnculledArcs = 24;
 // the films (README.md). The film would add only about 1e-8 / distance² to this sum, and its
 // functions could leave the range of floats.
 constexpr double kMinChord = 1e-4;
-// For a circle, whose film has no ends, FilmFunctions::along is a constant, so large that every
-// pixel counts as beside the film, not beyond its ends. kNoEnd is FloatQuadratic::twice_value of
-// this constant function.
+// The value of FloatQuadratic::twice_value in FilmFunctions::along of a circle. The film of a
+// circle has no ends. The function is therefore a constant, so large that every pixel counts as
+// beside the film, not beyond its ends.
 constexpr float kNoEnd = 1e15F;
 
 }  // namespace

@@ -16,10 +16,10 @@ namespace foam::texgen {
 
 /// Computes the distances, gradients and smooth distances of the pixels of regions, in batches. A
 /// region is a bubble or the surroundings of a patch (Region). A small region with few arcs is one
-/// batch; any other region is subdivided recursively into tiles, as in a quadtree, and each tile is
-/// a batch. If many arcs may be near a part of the region, the arcs that are too far away to be the
-/// nearest arc of any pixel of this part are dropped before the part is measured. Buffers are
-/// reused between regions.
+/// batch. Any other region is subdivided recursively into tiles, as in a quadtree, and each tile is
+/// a batch. If many arcs may be near a part of the region, arcs that are too far away are dropped
+/// before the part is measured. Such an arc is not the nearest arc of any pixel of the part.
+/// Buffers are reused between regions.
 class RegionField {
   public:
     static constexpr int kTileColumns = 16;  // pixels

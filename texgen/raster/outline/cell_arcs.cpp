@@ -84,9 +84,9 @@ class InsetArcs {
         outline_.loop_ends.push_back(outline_.sides.size());
     }
 
-    // Appends the arcs of a loop, with their ends rounded to subpixels, unless the area within
-    // these arcs is 0 or negative: such a loop is too small to be visible, or its bubble is
-    // invalid.
+    // Appends the arcs of a loop, with their ends rounded to subpixels. A loop is left out if the
+    // area within these arcs is 0 or negative. Such a loop is too small to be visible, or its
+    // bubble is invalid.
     void append_loop(std::span<const ArcLoops::Side> sides, BubbleId bubble, ArcBatch& batch) {
         const SubpixelPoint origin =
             pixels_.rounded_position(network().tail(network().first(bubble)));

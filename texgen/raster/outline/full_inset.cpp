@@ -11,19 +11,19 @@
 // offsets of adjacent sides at their crossings, which takes one cut per corner. In general, offsets
 // that are joined in this way can cross each other again (W. Tiller and E. G. Hanson, "Offsets of
 // two-dimensional profiles", 1984). The code therefore proves for every pair of a piece and a side
-// that the piece is far enough from the side, and gives up if a bound fails: InsetTracer then finds
-// the inset. The bounds and the proof are our own; one bound uses the intersecting chords theorem
-// (Euclid, "Elements", III.35).
+// that the piece is far enough from the side. If a bound fails, the code gives up, and InsetTracer
+// finds the inset. The bounds and the proof are our own; one bound uses the intersecting chords
+// theorem (Euclid, "Elements", III.35).
 
 namespace foam::texgen {
 
 namespace {
 
-// Limits on the half angle of a side (at most 60 degrees) and on the angle of the left turn from
-// one side to the next (from 0.06 to 120 degrees). Suppose that the offsets of two successive sides
-// cross exactly once. A point of one offset beyond this crossing is too near to the circle of the
-// other side. Within the limits, the nearest point of this circle is on that side, so that the
-// point is too near to the side, too.
+// Limits on two angles. The half angle of a side must be at most 60 degrees. The left turn from one
+// side to the next must be from 0.06 to 120 degrees. Suppose that the offsets of two successive
+// sides cross exactly once. A point of one offset beyond this crossing is too near to the circle of
+// the other side. Within the limits, the nearest point of this circle is on that side. The point of
+// the offset is therefore too near to the side, too.
 constexpr double kMinSideCosine = 0.5;
 constexpr double kMinCornerSine = 1e-3;
 constexpr double kMinCornerCosine = -0.5;
@@ -51,9 +51,11 @@ bool FullInset::offset_sides(std::span<const ArcLoops::Side> loop, double distan
     return true;
 }
 
-// Cuts the offsets of successive sides at their crossing, beyond which each offset is too near to
-// the side of the other offset. Returns false if a piece between two cuts is too short, if two
-// offsets do not cross exactly once, or if the turn between two sides is not within the limits.
+// Cuts the offsets of successive sides at their crossing. Beyond the crossing, each offset is too
+// near to the side of the other offset. Returns false in these cases:
+//   - A piece between two cuts is too short.
+//   - Two successive offsets do not cross exactly once.
+//   - The turn between two sides is not within the limits.
 bool FullInset::cut_corners() {
     for (std::size_t k = 0; k < sides_.size(); ++k) {
         Side& before = sides_[k];
@@ -97,17 +99,17 @@ const ArcLoops* FullInset::trace(std::span<const ArcLoops::Side> loop, double di
     return &inset_;
 }
 
-// Returns true only if the pieces of all other sides have at least the given distance from side k,
-// that is, if they are on the left of its offset.
+// Returns true only if the pieces of all other sides have at least the given distance from side k.
+// These pieces are then on the left of the offset of side k.
 //
 // Let p and q be the signed distances of the two ends of a piece from the offset, positive on its
 // left. Let c be the length of the chord of the piece, and a and b the absolute curvatures of the
 // piece and of the side. Let t be a fraction of the chord, counted from the end with the distance
 // q. The signed distance of the piece from the offset at this fraction is at least
 //     t p + (1 - t) q - t (1 - t) c² (a + b).
-// The term with a bounds the distance of the piece from its chord (intersecting chords theorem),
-// the term with b the difference between the signed distance of the chord and its linear
-// interpolation. The signed distance is not negative for any t if
+// The term with a bounds the distance of the piece from its chord (intersecting chords theorem).
+// The term with b bounds the difference between the signed distance of the chord and its linear
+// interpolation. The signed distance of the piece is not negative for any t if
 //     c² (a + b) <= (sqrt p + sqrt q)².
 // The code compares c² (a + b) with p + q + 2 min(p, q), which is at most the right-hand side.
 //

@@ -13,10 +13,10 @@
 // An inset is the erosion of a region by a disc (J. Serra, "Image Analysis and Mathematical
 // Morphology", 1982). Like the method of W. Tiller and E. G. Hanson ("Offsets of two-dimensional
 // profiles", 1984), this one cuts the offsets of sides at their crossings and discards the invalid
-// parts. It does not join the offsets of adjacent sides first, and it tests each piece by its
-// distances from all sides; both are our own. One test per piece suffices: the set of points that
-// are too near to some side is bounded by offsets, so that between two cuts either all points of an
-// offset are too near to another side or none is.
+// parts. Two properties are our own: the method does not join the offsets of adjacent sides first,
+// and it tests each piece by its distances from all sides. One test per piece suffices. The set of
+// points that are too near to some side is bounded by offsets. Between two cuts, an offset is
+// therefore too near to another side at all its points or at none.
 
 namespace foam::texgen {
 
@@ -28,9 +28,9 @@ constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 // Tolerances in pixels. Coordinates within a bubble have errors of about 1e-11, and crossings of
 // arcs that meet at a small angle have errors of about 1e-7. A point therefore counts as far enough
 // from a side if its distance falls short of the required distance by at most kDistanceTolerance.
-// When pieces of offsets (see the class InsetTracer) are linked into loops, a piece can only be
-// followed by a piece whose tail is less than kLargestGap from its head. This limit is about one
-// subpixel of the rasterizer (1 / kSubpixel pixels).
+// Pieces of offsets (see the class InsetTracer) are linked into loops. A piece can only be followed
+// by a piece whose tail is less than kLargestGap from its head. This limit is about one subpixel of
+// the rasterizer (1 / kSubpixel pixels).
 constexpr double kDistanceTolerance = 1e-7;
 constexpr double kLargestGap = 1e-3;
 
@@ -45,8 +45,9 @@ Disc disc_around(const OffsetArc& arc, double distance) {
     return {arc.middle, extent(arc) + distance};
 }
 
-// Returns true if a boundary turns right by exactly 180 degrees: the region is on both sides of a
-// line, and the boundary runs along one side of it to its end and back along the other side.
+// Returns true if a boundary turns right by exactly 180 degrees. The region is then on both sides
+// of a line. The boundary runs along one side of the line to its end, and back along the other
+// side.
 bool turns_back(const OffsetArc& before, const OffsetArc& after) {
     const Vec2 from = head_tangent(before);
     const Vec2 to = tail_tangent(after);

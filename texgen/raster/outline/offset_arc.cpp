@@ -22,11 +22,12 @@ OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double dis
     return cap;
 }
 
-// The nearest point of the arc's circle has the parameter 2 u / (2 - k v - k d). (The parameter is
-// explained at OffsetArc.) Here k is the curvature of the arc; u and v are the coordinates of the
-// given point along the tangent and the normal at the middle of the arc; d is the signed distance
-// of the given point from the circle. If the parameter is beyond an end of the arc, one of the ends
-// is nearest.
+// The point of the arc's circle that is nearest to the given point has the parameter (OffsetArc)
+//     2 u / (2 - k v - k d).
+// Here k is the curvature of the arc, and d is the signed distance of the given point from the
+// circle. Relative to the middle of the arc, the given point has the coordinates u along the
+// tangent and v along the normal. If the parameter is beyond an end of the arc, one of the ends is
+// nearest.
 double distance(const OffsetArc& arc, const Vec2& point) {
     const Vec2 y = point - arc.middle;
     const double u = arc.direction.dot(y);

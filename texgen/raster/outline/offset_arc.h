@@ -12,11 +12,11 @@ namespace foam::texgen {
 /// the arc at a given distance on its left, that is, inside the bubble (offset_left). The offset of
 /// a corner is an arc around the corner (corner_arc). The bubble is on the left of the arc.
 ///
-/// The position of a point on the arc is given by the parameter s = 2 r tan(phi / 2), where r is
-/// the signed radius (positive if the arc turns left) and phi the angle by which the arc turns left
-/// from its middle to the point. On a straight arc, s is the signed distance from the middle.
-/// Coordinates are rational functions of the parameter and the curvature, so that no formula
-/// divides by the curvature.
+/// The position of a point on the arc is given by the parameter s = 2 r tan(phi / 2). Here r is the
+/// signed radius, positive if the arc turns left. From its middle to the point, the arc turns left
+/// by the angle phi. On a straight arc, s is the signed distance from the middle. Coordinates are
+/// rational functions of the parameter and the curvature, so that no formula divides by the
+/// curvature.
 struct OffsetArc {
     Vec2 middle{0.0, 0.0};
     Vec2 direction{1.0, 0.0};  // unit tangent at the middle, in the direction from tail to head
@@ -65,8 +65,8 @@ inline OffsetArc offset_left(const OffsetArc& arc, double distance) {
             arc.reach * shrunk};
 }
 
-/// Returns the offset of a corner at which a boundary turns right: the circular arc around the
-/// corner, with the radius `distance`, from the offset of `before` to the offset of `after`.
+/// Returns the offset of a corner at which a boundary turns right. It is the circular arc around
+/// the corner with the radius `distance`, from the offset of `before` to the offset of `after`.
 OffsetArc corner_arc(const OffsetArc& before, const OffsetArc& after, double distance);
 
 /// Returns the point that has a given parameter.
@@ -92,8 +92,8 @@ inline HalfAngle half_angle_between(double curvature, double from, double to) {
     return {cosine * scale, sine * scale};
 }
 
-/// The crossings of the circle of an arc with another circle, as parameters of the arc. A point
-/// that moves along the circle of the arc, in the direction of the arc, passes from the left of the
+/// The crossings of the circle of an arc with another circle, as parameters of the arc. Let a point
+/// move along the circle of the arc, in the direction of the arc. It passes from the left of the
 /// other circle to its right at `leaving`, and from its right to its left at `entering`. A
 /// parameter is infinite or NaN if there is no such crossing.
 struct Crossings {
@@ -104,9 +104,9 @@ struct Crossings {
 /// Computes the crossings of the circle of `arc` with the circle of `other`.
 ///
 /// Let k be the curvature of `arc`, t its unit tangent at the middle, and n its normal (t turned
-/// left). Let k' and n' be the curvature and the normal of `other`, and q the vector from the
-/// middle of `arc` to the middle of `other`. The points of the first circle, relative to the middle
-/// of `arc`, are
+/// left). Let k' and n' be the curvature and the normal of `other`. Let q be the vector from the
+/// middle of `arc` to the middle of `other`. Relative to the middle of `arc`, the points of the
+/// first circle are
 ///     y(s) = s / (1 + (k s / 2)²) (t + (k s / 2) n).
 /// They are inserted into the equation of the second circle,
 ///     n' · (y - q) - k' / 2 |y - q|² = 0.

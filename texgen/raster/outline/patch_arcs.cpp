@@ -13,11 +13,13 @@
 #include <vector>
 
 // The paper treats the space around a patch as one more bubble, the ghost bubble (Section 4.2, "The
-// Ghost-Bubble Method"). The rasterizer does the same: the outer half of an outer film is the part
-// of the ghost that its inset leaves out. The two sides of a film of width 0 are separate arcs.
-// Their pieces are computed from the same end, so that they are equal and their areas add up
-// without an error. Areas of loops are sums of triangles (the shoelace formula) and circular
-// segments. The fallback for rafts that overlap is our own.
+// Ghost-Bubble Method"). The rasterizer does the same. The inset of a bubble is the part of it that
+// films do not cover, and what no inset covers is film. The ghost has an inset, too; the rest of
+// the ghost is the outer half of the outer films. If films have the width 0, the two bubbles beside
+// a film have separate arcs. Both arcs are split into pieces from the same end, so that the pieces
+// are equal and the areas of the two bubbles meet without a gap. Areas of loops are sums of
+// triangles (the shoelace formula) and circular segments. The fallback for rafts that overlap is
+// our own.
 
 namespace foam::texgen {
 
@@ -76,9 +78,9 @@ class PatchArcs {
     // (outer boundaries) of rafts. If rafts overlap, the boundary of the inset of all loops does
     // not close. If a raft overlaps itself, the boundary of the inset of its rim alone does not
     // close either. A loop of the ghost bubble whose own inset does not close is appended without
-    // an inset; as a result, the halves of its films on the side of the ghost are not drawn. Such a
-    // loop of any other bubble is left out. `region` is `boundaries` relative to the tail of its
-    // first side.
+    // an inset. As a result, the halves of its films on the side of the ghost are not drawn. A loop
+    // of any other bubble is left out if its own inset does not close. `region` is `boundaries`
+    // relative to the tail of its first side.
     void append_each(const ArcLoops& boundaries,
                      const ArcLoops& region,
                      BubbleId bubble,
@@ -102,8 +104,8 @@ class PatchArcs {
     }
 
     // Appends the arcs of a loop, moved by `anchor`. Leaves out a loop that cannot be visible. Also
-    // leaves out a loop of any bubble but the ghost if it is clockwise or encloses no area, because
-    // a bubble with such a loop is invalid.
+    // leaves out a loop of any bubble but the ghost if it is clockwise or encloses no area. A
+    // bubble with such a loop is invalid.
     void append_loop(std::span<const ArcLoops::Side> sides,
                      const Vec2& anchor,
                      BubbleId bubble,
@@ -122,8 +124,8 @@ class PatchArcs {
         }
     }
 
-    // Appends the arc of a side. Splitting begins at that end of the arc that has the smaller x (or
-    // the smaller y, if both have the same x), so that both sides of a film have the same pieces.
+    // Appends the arc of a side. Splitting begins at the end of the arc with the smaller x, or with
+    // the smaller y if both have the same x. Both sides of a film therefore have the same pieces.
     void append_side(const ArcLoops::Side& side,
                      const Vec2& head,
                      const ArcSides& sides,

@@ -68,10 +68,10 @@ struct Push {
 
 /// The changes that are imposed on a foam from outside during a step (E9).
 struct Drive {
-    /// Bubbles whose target areas change evenly during the step. On a torus, the other bubbles
-    /// give and take the gas. If the driven bubbles would fill more than nine tenths of the torus,
-    /// their target areas are scaled down so that they fill nine tenths; if every bubble is driven,
-    /// all target areas are scaled to fill the torus. Bubbles that have vanished are ignored.
+    /// Bubbles whose target areas change evenly during the step. On a torus, the other bubbles give
+    /// and take the gas. If the driven bubbles would fill more than nine tenths of the torus, their
+    /// target areas are scaled down so that they fill nine tenths. If every bubble is driven, all
+    /// target areas are scaled to fill the torus. Bubbles that have vanished are ignored.
     std::vector<DrivenArea> areas{};
     /// Simple shear of a torus, from -100 to 100: every point moves to the right by strain * y.
     double strain = 0.0;
@@ -126,9 +126,10 @@ class FOAMTEX_EXPORT Foam {
     /// Advances a foam in equilibrium by a time of at least 0, in the unit of foam time (E6). In
     /// this time gas diffuses, bubbles vanish (T2), bubbles swap neighbors (T1), and `drive` acts
     /// on the foam. If this fails, the result says so, and the foam is in the last equilibrium that
-    /// was reached; the errors in the result are 0 if the step reached none. A step of time 0
-    /// without a drive only measures the errors, and `converged` tells whether they are below the
-    /// tolerance. Throws ArgumentError if an argument is not allowed. `poll` is as in `relax`.
+    /// was reached. The errors in the result are 0 if the step reached no equilibrium. A step of
+    /// time 0 without a drive only measures the errors, and `converged` tells whether they are
+    /// below the tolerance. Throws ArgumentError if an argument is not allowed. `poll` is as in
+    /// `relax`.
     Equilibrium step(double time,
                      const Drive& drive = {},
                      const StepSettings& settings = {},
@@ -155,8 +156,8 @@ class FOAMTEX_EXPORT Foam {
     /// in StepSettings.
     std::optional<double> shear_modulus(int threads = 0) const;
 
-    /// Returns the changes of topology since the last call, or since the foam was made, in the
-    /// order in which they happened, and removes them from the foam.
+    /// Returns the changes of topology since the last call, in the order in which they happened,
+    /// and removes them from the foam. The first call returns all changes since the foam was made.
     std::vector<Event> take_events();
 
     /// Returns all bubbles, films and junctions.

@@ -140,10 +140,12 @@ class FOAMTEX_EXPORT Frame {
 
     /// Draws a map into a caller's buffer: the rows from top to bottom, with interleaved channels.
     /// Numbers are in the unit of the map; colors are linear light from 0 to 1, multiplied by the
-    /// opacity if there is one. Throws ArgumentError for an unknown map, if the size of the buffer
-    /// is not that of shape(map), or if the map needs the next frame, as "motion" and "growth" do,
-    /// but image.maps and output.pack contain no map that needs the next frame. `threads`: 0 for
-    /// all threads of the machine.
+    /// opacity if there is one. `threads`: 0 for all threads of the machine. Throws ArgumentError
+    /// in these cases:
+    ///   - The map is unknown.
+    ///   - The size of the buffer is not that of shape(map).
+    ///   - The map needs the next frame, as "motion" and "growth" do, but neither image.maps nor
+    ///     output.pack contains a map that needs the next frame.
     void draw(const std::string& map, std::span<float> samples, int threads = 1) const;
 
     /// Draws a map as integers of 8 bits. If PNGs of the map have 8 bits, the integers are exactly
@@ -215,12 +217,13 @@ struct BakeSettings {
 /// Writes the images of a preset, and what else `foamtex bake` writes: the manifest, sheets and
 /// scene files. `out` is a folder, or a pattern of file names such as "out/{map}.####.exr". It is a
 /// pattern if it has an extension or contains `{`, `#`, `@` or `%`, unless it is an existing
-/// folder. A folder replaces the folders that all files of the preset's own pattern
-/// (output.pattern) share: with the pattern "out/{map}/####.png" and `out` = "foam", images are
-/// written to "foam/{map}/####.png". Returns the names of all images. Throws ArgumentError if an
-/// argument is not allowed, InputError if an existing manifest is unreadable, OutputError if a file
-/// cannot be written, and EquilibriumError if the animation fails; the frames before the failure
-/// have been written then.
+/// folder. A folder replaces the folders that all files of output.pattern, the preset's own
+/// pattern, share. For example, with output.pattern = "out/{map}/####.png" and `out` = "foam",
+/// images are written to "foam/{map}/####.png".
+///
+/// Returns the names of all images. Throws ArgumentError if an argument is not allowed, InputError
+/// if an existing manifest is unreadable, and OutputError if a file cannot be written. Throws
+/// EquilibriumError if the animation fails; the frames before the failure are then already written.
 FOAMTEX_EXPORT std::vector<std::string> bake(const Preset& preset,
                                              const std::string& out,
                                              const BakeSettings& settings = {});
