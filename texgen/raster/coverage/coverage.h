@@ -11,8 +11,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -124,15 +126,26 @@ class Coverage {
         Sums start{};  // added to the start of the running sum
     };
 
-    // Adds factor * values to sums, per channel. Reads all channels before it writes any, so that
-    // the loop is vectorized.
-    static void add_times(double factor, const Sums& values, Sums& to) {
-        Sums sums = to;
-#pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
-        for (std::size_t c = 0; c < sums.size(); ++c) {
-            sums[c] += factor * values[c];
-        }
-        to = sums;
+    // The sums of a pixel in a SIMD register. If loops computed with arrays, compilers would copy
+    // them through memory, in pieces of half a register, and every load of a whole register would
+    // wait until both pieces are stored.
+    struct VectorRegister {
+        using Type [[gnu::vector_size(sizeof(Sums))]] = double;
+    };
+    struct ScalarRegister {
+        using Type = double;
+    };
+    using Register =
+        typename std::conditional_t<Channels == 1, ScalarRegister, VectorRegister>::Type;
+
+    // Adds factor * values to sums, per channel.
+    [[gnu::always_inline]] static void add_times(double factor, const Sums& values, Sums& to) {
+        Register summand;
+        Register sums;
+        std::memcpy(&summand, &values, sizeof(summand));
+        std::memcpy(&sums, &to, sizeof(sums));
+        sums += factor * summand;
+        std::memcpy(&to, &sums, sizeof(sums));
     }
     void add_parts(std::size_t k);
     void add_outside(const ArcSplitter::Part& part, std::uint32_t arc, Row& row);
@@ -195,7 +208,7 @@ void Coverage<Channels>::take_row(int row, const Sums& start, const Visit& visit
         for (const RowPart& part : parts) {
             const auto column = static_cast<std::size_t>(part.column);
             touched[column / kFlagsPerWord] |= std::uint64_t{1} << column % kFlagsPerWord;
-            const Sums step = across[part.arc];
+            const Sums& step = across[part.arc];
             add_times(part.twice_area - part.twice_area_on_left, step, cells[column]);
             add_times(part.twice_area_on_left, step, cells[column + 1]);
         }
@@ -207,7 +220,9 @@ void Coverage<Channels>::take_row(int row, const Sums& start, const Visit& visit
         Sums sums = first;
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t begin = begins[k];
-            add_times(1, std::exchange(cells[begin], Sums{}), sums);
+            add_times(1, cells[begin], sums);
+            const Register zero{};
+            std::memcpy(&cells[begin], &zero, sizeof(zero));
             visit(begin, static_cast<std::size_t>(begins[k + 1]), sums);
         }
         cells[width] = {};
