@@ -97,21 +97,6 @@ void add_part(const Network& network,
 
 }  // namespace
 
-double lagrangian(const Foam& foam) {
-    double sum = 0.0;
-    for (const FilmId film : foam.network.films()) {
-        const HalfEdgeId h = forward_side(film);
-        const double delta = pressure_difference(foam, h);
-        sum += foam.network.is_outer(film)
-                   ? bulge_energy(film_arc(foam, h), delta, foam.film_tension).value
-                   : film_energy(chord(foam, h), delta, foam.film_tension).value;
-    }
-    for (const BubbleId bubble : foam.network.bubbles()) {
-        sum -= foam.pressures[bubble] * (polygon_area(foam, bubble) - foam.target_areas[bubble]);
-    }
-    return sum;
-}
-
 Eigen::VectorXd residual(const Foam& foam, const Unknowns& unknowns, int threads) {
     Eigen::VectorXd r = Eigen::VectorXd::Zero(unknowns.size());
     auto areas = r.segment(unknowns.first_pressure_row(),

@@ -8,9 +8,6 @@
 
 namespace foam {
 
-/// Returns the value of the function L of E3 for the whole foam.
-double lagrangian(const Foam& foam);
-
 /// Returns the gradient of the function L of E3 with respect to the unknowns, which is zero in
 /// equilibrium (E2). The two rows of a junction are minus the force of films and pressures on it.
 /// The row of a bubble is its target area minus its area. The row of an outer film is the

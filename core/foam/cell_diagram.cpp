@@ -148,10 +148,6 @@ Vec2 polygon_centroid(std::span<const Vec2> polygon) {
     return polygon[0] + weighted / twice;
 }
 
-Vec2 cell_centroid(const std::vector<CellCorner>& cell) {
-    return polygon_centroid(cell_polygon(cell));
-}
-
 Foam foam_from_cells(const Domain& domain, const CellDiagram& cells) {
     Foam foam;
     foam.domain = domain;

@@ -35,7 +35,4 @@ std::vector<Vec2> cell_polygon(const std::vector<CellCorner>& cell);
 /// Returns the centroid of a polygon. Precondition: the polygon is counter-clockwise.
 Vec2 polygon_centroid(std::span<const Vec2> polygon);
 
-/// Returns the centroid of the polygon of a cell.
-Vec2 cell_centroid(const std::vector<CellCorner>& cell);
-
 }  // namespace foam

@@ -22,14 +22,4 @@ Mat2 mean_stress(const Frame& frame) {
     return area > 0.0 ? Mat2(sum / area) : Mat2::Zero();
 }
 
-Mat2 bubble_stress(const Frame& frame, BubbleId bubble) {
-    Mat2 films = Mat2::Zero();
-    for (const HalfEdgeId h : frame.network.around(bubble)) {
-        const double share = frame.network.is_outer(film_of(h)) ? 1.0 : 0.5;
-        films += share * tangent_tensor(frame.arc(h));
-    }
-    const FrameBubble& gas = frame.bubbles[bubble];
-    return frame.film_tension / gas.area * films - gas.pressure * Mat2::Identity();
-}
-
 }  // namespace foam

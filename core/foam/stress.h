@@ -17,9 +17,4 @@ namespace foam {
 /// acts on the patch from outside. Returns zero for a patch without bubbles.
 Mat2 mean_stress(const Frame& frame);
 
-/// Returns the mean stress of a bubble with its share of the films around it: half of each inner
-/// film, and the whole of each outer film. The mean of these stresses over all bubbles, weighted by
-/// area, is mean_stress. The stress of a lone bubble in equilibrium is 0.
-Mat2 bubble_stress(const Frame& frame, BubbleId bubble);
-
 }  // namespace foam

@@ -115,17 +115,6 @@ std::size_t SparseLdlt<Real>::nonzeros() const {
     return count;
 }
 
-template <class Real>
-std::size_t SparseLdlt<Real>::positive_pivots() const {
-    std::size_t count = 0;
-    for (const Front& front : plan_.fronts) {
-        for (std::size_t pivot = 0; pivot < front.pivots; ++pivot) {
-            count += factor_[front.panel_begin + pivot * (front.rows() + 1)] > Real(0) ? 1U : 0U;
-        }
-    }
-    return count;
-}
-
 template class SparseLdlt<float>;
 template class SparseLdlt<double>;
 

@@ -71,10 +71,6 @@ class SparseLdlt {
     /// store. Precondition: `analyze` has returned Planned.
     std::size_t nonzeros() const;
 
-    /// Returns the number of positive pivots of the factor, which is the number of positive
-    /// eigenvalues of the matrix (Sylvester's law of inertia). Precondition: a factor is available.
-    std::size_t positive_pivots() const;
-
   private:
     Dissection dissection_;
     std::size_t new_size_ = 0;  // size of the factor when the order was last computed anew

@@ -108,12 +108,4 @@ inline std::uint32_t seed_of_octave(std::uint32_t seed, int octave) {
     return seed + static_cast<std::uint32_t>(octave) * 0x9e3779b9U;
 }
 
-/// Returns the sum of several octaves of gradient noise at a point (K. Perlin, "Improving noise",
-/// 2002). The first octave has features of size 1 and is multiplied by kNoiseScale. The features of
-/// each further octave have half the size and half the height of the features of the preceding
-/// octave. The gradient is the derivative with respect to `point`. The noise depends only on the
-/// arguments. draw_grain (grain.h) computes the same sum for many points; tests compare both.
-/// Precondition: `octaves` is from 1 to 30.
-NoiseValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves);
-
 }  // namespace foam::texgen

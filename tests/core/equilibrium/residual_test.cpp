@@ -4,6 +4,8 @@
 
 #include "core/foam/honeycomb.h"
 #include "core/foam/measure.h"
+#include "core/geometry/bulge_energy.h"
+#include "core/geometry/film_energy.h"
 #include "tests/core/equilibrium/derivative_foams.h"
 #include "tests/core/foams.h"
 #include "tests/support/sample_foams.h"
@@ -30,6 +32,22 @@ std::vector<Foam> all_derivative_foams() {
     const std::vector<Foam> patches = test::derivative_patches();
     foams.insert(foams.end(), patches.begin(), patches.end());
     return foams;
+}
+
+// Returns the value of the function L of E3 for the whole foam.
+double lagrangian(const Foam& foam) {
+    double sum = 0.0;
+    for (const FilmId film : foam.network.films()) {
+        const HalfEdgeId h = forward_side(film);
+        const double delta = pressure_difference(foam, h);
+        sum += foam.network.is_outer(film)
+                   ? bulge_energy(film_arc(foam, h), delta, foam.film_tension).value
+                   : film_energy(chord(foam, h), delta, foam.film_tension).value;
+    }
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        sum -= foam.pressures[bubble] * (polygon_area(foam, bubble) - foam.target_areas[bubble]);
+    }
+    return sum;
 }
 
 // Energies are up to 100 and the step is 1e-5: rounding errors are 100 * 1e-16 / 1e-5 = 1e-9. The

@@ -100,8 +100,8 @@ std::vector<CellCorner> cell_with_corners(const std::vector<Vec2>& points) {
 TEST(CellDiagram, ATriangleHasItsKnownAreaAndCentroid) {
     const auto triangle = cell_with_corners({{10.0, 20.0}, {16.0, 20.0}, {10.0, 23.0}});
     EXPECT_DOUBLE_EQ(cell_area(triangle), 9.0);
-    EXPECT_DOUBLE_EQ(cell_centroid(triangle).x(), 12.0);
-    EXPECT_DOUBLE_EQ(cell_centroid(triangle).y(), 21.0);
+    EXPECT_DOUBLE_EQ(polygon_centroid(cell_polygon(triangle)).x(), 12.0);
+    EXPECT_DOUBLE_EQ(polygon_centroid(cell_polygon(triangle)).y(), 21.0);
 }
 
 // The L consists of a rectangle of 2 x 1 and a unit square on the right half of its top. The
@@ -110,8 +110,8 @@ TEST(CellDiagram, AnLHasItsKnownAreaAndCentroid) {
     const auto l =
         cell_with_corners({{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {1.0, 2.0}, {1.0, 1.0}, {0.0, 1.0}});
     EXPECT_DOUBLE_EQ(cell_area(l), 3.0);
-    EXPECT_DOUBLE_EQ(cell_centroid(l).x(), (2.0 * 1.0 + 1.0 * 1.5) / 3.0);
-    EXPECT_DOUBLE_EQ(cell_centroid(l).y(), (2.0 * 0.5 + 1.0 * 1.5) / 3.0);
+    EXPECT_DOUBLE_EQ(polygon_centroid(cell_polygon(l)).x(), (2.0 * 1.0 + 1.0 * 1.5) / 3.0);
+    EXPECT_DOUBLE_EQ(polygon_centroid(cell_polygon(l)).y(), (2.0 * 0.5 + 1.0 * 1.5) / 3.0);
 }
 
 }  // namespace

@@ -205,9 +205,6 @@ TEST(Stress, TurnsWithTheFoam) {
     }
     const Mat2 expected = turn * mean_stress(frame) * turn.transpose();
     EXPECT_LT((mean_stress(turned) - expected).norm(), 1e-13);
-    const BubbleId bubble{7};
-    const Mat2 of_bubble = turn * bubble_stress(frame, bubble) * turn.transpose();
-    EXPECT_LT((bubble_stress(turned, bubble) - of_bubble).norm(), 1e-13);
 }
 
 // No force acts from outside on a patch in equilibrium.
@@ -225,6 +222,18 @@ TEST(Stress, OfAPatchWithoutBubblesIsZero) {
     EXPECT_EQ(stress_of(test::circles({lone})).norm(), 0.0);
 }
 
+// Returns the stress of a bubble, times its area, with half of each inner film around it and the
+// whole of each outer film.
+Mat2 stress_times_area(const Frame& frame, BubbleId bubble) {
+    Mat2 films = Mat2::Zero();
+    for (const HalfEdgeId h : frame.network.around(bubble)) {
+        const double share = frame.network.is_outer(film_of(h)) ? 1.0 : 0.5;
+        films += share * tangent_tensor(frame.arc(h));
+    }
+    const FrameBubble& gas = frame.bubbles[bubble];
+    return frame.film_tension * films - gas.area * gas.pressure * Mat2::Identity();
+}
+
 TEST(Stress, IsTheMeanOfTheStressesOfBubbles) {
     for (const Foam& foam : {test::bent_foam(3, 1.0, 5),
                              test::bent_foam(40, 2.0, 5),
@@ -234,7 +243,7 @@ TEST(Stress, IsTheMeanOfTheStressesOfBubbles) {
         Mat2 sum = Mat2::Zero();
         double area = 0.0;
         for (const BubbleId bubble : frame.network.bubbles()) {
-            sum += frame.bubbles[bubble].area * bubble_stress(frame, bubble);
+            sum += stress_times_area(frame, bubble);
             area += frame.bubbles[bubble].area;
         }
         EXPECT_LT((sum / area - mean_stress(frame)).norm(), 1e-13);

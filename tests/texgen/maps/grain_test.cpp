@@ -16,6 +16,22 @@
 namespace foam::texgen {
 namespace {
 
+// Returns the sum of several octaves of noise at a point. The first octave has features of size 1.
+// The features of each further octave have half the size and half the height.
+NoiseValue octave_noise(const Vec2& point, std::uint32_t seed, int octaves) {
+    NoiseValue sum;
+    double size = 1.0;
+    for (int k = 0; k < octaves; ++k) {
+        const NoiseValue one =
+            gradient_noise(point.x() / size, point.y() / size, seed_of_octave(seed, k));
+        sum.value += kNoiseScale * size * one.value;
+        sum.slope_x += kNoiseScale * one.slope_x;
+        sum.slope_y += kNoiseScale * one.slope_y;
+        size *= 0.5;
+    }
+    return sum;
+}
+
 constexpr auto kMiddle = static_cast<std::size_t>(32 * test::kCircleImage + 30);
 
 // The mean is added to every value in the bubble, but not around the patch.
