@@ -11,8 +11,7 @@ namespace foam::evolver {
 
 namespace {
 
-// The largest shear of a torus, as a multiple of its width. A larger shear would leave few digits
-// for coordinates.
+// Largest shear of a torus, divided by its width. More would leave few digits for coordinates.
 constexpr double kMaxShear = 1e6;
 
 // Returns the rejected keywords in lower case. Each has a text, which follows the keyword in the
@@ -240,9 +239,8 @@ class HeaderReader {
         }
     }
 
-    // Reads METHOD name or GLOBAL_METHOD name. The name is that of a method, or of a method
-    // instance that was declared before. Words after a method, such as MODULUS, are read too. Words
-    // after an instance are not: a MODULUS there belongs to the quantity.
+    // Reads METHOD name or GLOBAL_METHOD name. Also reads the words after the name of a method, but
+    // not those after the name of a method instance: a MODULUS there belongs to the quantity.
     Method take_method() {
         const bool global = lower(tokens_.take().text) == "global_method";
         const std::string name = lower(tokens_.take_word("the name of a method"));
