@@ -44,7 +44,7 @@ struct DivisionMemory {
 /// neighbors in the graph are far apart.
 class PartDivider {
   public:
-    /// Keeps references to all arguments. `nodes` are the nodes of the graph.
+    /// Keeps references to all arguments except the domain. `nodes` are the nodes of the graph.
     PartDivider(const NodeGraph& graph,
                 std::span<const SolverNode> nodes,
                 const Domain& domain,
@@ -81,7 +81,7 @@ class PartDivider {
 
     const NodeGraph& graph_;
     std::span<const SolverNode> nodes_;
-    const Domain& domain_;
+    Domain domain_;
     Vec2 periods_;
     const DissectionOptions& options_;
     DivisionMemory& memory_;
