@@ -9,8 +9,7 @@ struct DissectionOptions {
     int leaf_rows = 16;  // a part with at most this many rows is not divided
 
     // Separators that were found from positions are refined along the edges of the graph
-    // (SeparatorRefinement) if the part that they divide has at least this many rows. The limit
-    // `heaviest_refined` below applies only to refined separators.
+    // (SeparatorRefinement) if the part that they divide has at least this many rows.
     int min_refined_rows = 40;
 
     // A separator that was found from positions is rejected if its relative weight exceeds a limit.

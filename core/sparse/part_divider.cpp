@@ -71,12 +71,12 @@ ZoneBoxes PartDivider::divide(Nodes part, int rows, const std::optional<PartBox>
 std::optional<ZoneBoxes> PartDivider::divide_by_position(Nodes part, int rows, const PartBox& box) {
     const Eigen::Index axis = box.high.x() - box.low.x() < box.high.y() - box.low.y() ? 1 : 0;
     const double length = box.high[axis] - box.low[axis];
-    LowRange low{box.low[axis], 0.0};
-    if (!domain_.is_plane() && length >= periods_[axis]) {
-        low = halve_at_lightest_position(part, nodes_, graph_, periods_[axis], axis, memory_.zones);
-    } else {
-        low.end = halve_at_median(part, nodes_, periods_, box, axis, memory_.zones);
-    }
+    const bool extends_around = !domain_.is_plane() && length >= periods_[axis];
+    const LowRange low =
+        extends_around
+            ? halve_at_lightest_position(part, nodes_, graph_, length, axis, memory_.zones)
+            : LowRange{box.low[axis],
+                       halve_at_median(part, nodes_, periods_, box, axis, memory_.zones)};
     separate_halves(part, nodes_, graph_, memory_.zones);
     ZoneBoxes boxes{box, box};
     boxes.low->low[axis] = low.begin;
