@@ -221,8 +221,7 @@ void Coverage<Channels>::take_row(int row, const Sums& start, const Visit& visit
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t begin = begins[k];
             add_times(1, cells[begin], sums);
-            const Register zero{};
-            std::memcpy(&cells[begin], &zero, sizeof(zero));
+            cells[begin] = {};
             visit(begin, static_cast<std::size_t>(begins[k + 1]), sums);
         }
         cells[width] = {};
