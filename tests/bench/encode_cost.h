@@ -2,13 +2,17 @@
 
 #pragma once
 
-// Used by png_bench and exr_bench: measures how long an image takes to encode.
+// Used by png_bench and exr_bench: measures how long an image takes to encode, prints tables, and
+// reads the command line.
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <functional>
 #include <limits>
 #include <string>
@@ -53,6 +57,21 @@ inline void print_row(const std::string& name, const Cost& cost, const Cost& pee
                cost.bytes,
                peer.milliseconds / cost.milliseconds,
                static_cast<double>(cost.bytes) / static_cast<double>(peer.bytes));
+}
+
+/// Runs a benchmark whose command line is [SIDE [BUBBLES]], with 1000 bubbles by default. Returns
+/// the exit code of the program.
+inline int run_encode_bench(int argc,
+                            char** argv,
+                            int default_side,
+                            const std::function<void(int side, int bubbles)>& run) {
+    try {
+        run(argc > 1 ? std::atoi(argv[1]) : default_side, argc > 2 ? std::atoi(argv[2]) : 1000);
+        return EXIT_SUCCESS;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}: {}\n", argv[0], error.what());
+        return EXIT_FAILURE;
+    }
 }
 
 }  // namespace foam::bench

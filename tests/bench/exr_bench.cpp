@@ -23,8 +23,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <utility>
 #include <vector>
 
@@ -141,11 +139,5 @@ void run(int side, int bubbles) {
 }  // namespace foam::bench
 
 int main(int argc, char** argv) {
-    try {
-        foam::bench::run(argc > 1 ? std::atoi(argv[1]) : 2048,
-                         argc > 2 ? std::atoi(argv[2]) : 1000);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "exr_bench: {}\n", error.what());
-        return EXIT_FAILURE;
-    }
+    return foam::bench::run_encode_bench(argc, argv, 2048, foam::bench::run);
 }

@@ -19,8 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -149,11 +147,5 @@ void run(int side, int bubbles) {
 }  // namespace foam::bench
 
 int main(int argc, char** argv) {
-    try {
-        foam::bench::run(argc > 1 ? std::atoi(argv[1]) : 1024,
-                         argc > 2 ? std::atoi(argv[2]) : 1000);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "png_bench: {}\n", error.what());
-        return EXIT_FAILURE;
-    }
+    return foam::bench::run_encode_bench(argc, argv, 1024, foam::bench::run);
 }
