@@ -146,11 +146,11 @@ double Cycle::sine_at(int position, double phase) const {
 }
 
 // Returns the change of strain that leads a torus with the given domain to the given position. The
-// function `shear` reduces Domain::shear by whole widths until it is at most half of the width. The
-// present strain, and so the change, is therefore known only up to multiples of width / height. The
-// function returns the change that is nearest to the change of the prescribed strain since the
-// position before. Otherwise, a step could also undo the reduction, and shear the torus by a whole
-// width.
+// function `shear` reduces the magnitude of Domain::shear, by whole widths, to at most half of the
+// width. The present strain, and so the change, is therefore known only up to multiples of width /
+// height. This function returns the change that is nearest to the change of the prescribed strain
+// since the position before. Otherwise, a step could also undo the reduction, and shear the torus
+// by a whole width.
 double Cycle::strain_to(int position, const Domain& domain) const {
     const double target = options_.strain * sine_at(position, 0.0);
     const double before = position > 0 ? options_.strain * sine_at(position - 1, 0.0) : 0.0;

@@ -13,9 +13,9 @@
 
 // The time step is quasi-static (paper section 4.1): each substep changes target areas and topology
 // and then finds the equilibrium anew. Three quantities limit the length of a substep:
-//   - the fraction of its area that a bubble loses by diffusion (E6),
-//   - the imposed change of areas,
-//   - the strain.
+// - the fraction of its area that a bubble loses by diffusion (E6),
+// - the imposed change of areas,
+// - the strain.
 // The diffusion of a small bubble sets no limit; otherwise the last part of the life of each bubble
 // would need substeps of its own. Until the network changes, growth rates are constant (von
 // Neumann's law). A long substep therefore errs only in the moments at which the network changes. A

@@ -29,14 +29,14 @@ struct StepSummary {
 
 /// Advances a foam in equilibrium by the given time: diffusion (E6), T2 (E8), T1 (E7) and
 /// equilibrium. The step is divided into substeps. In one substep, diffusion may take from a bubble
-/// at most the fraction `largest_loss` of its area. A bubble may lose all of its area if its target
-/// area is at most a quarter of the mean target area. The rafts of a patch stay where they are
-/// (restore_rafts.h). A substep that finds no equilibrium is halved and tried again. If it still
-/// fails after `max_halvings` halvings, the step ends. The summary is then not converged, and the
-/// foam is left in the last equilibrium that was reached. If EquilibriumOptions::on_round throws an
-/// exception, the foam is left in this equilibrium, too, and the exception is passed on. If the
-/// time is 0, no substep is made and the summary is not converged. Every substep removes all dead
-/// slots (compact).
+/// at most the fraction `largest_loss` of its area. Only a bubble whose target area is at most a
+/// quarter of the mean target area may lose all of its area. The rafts of a patch stay where they
+/// are (restore_rafts.h). A substep that finds no equilibrium is halved and tried again. If it
+/// still fails after `max_halvings` halvings, the step ends. The summary is then not converged, and
+/// the foam is left in the last equilibrium that was reached. If EquilibriumOptions::on_round
+/// throws an exception, the foam is left in this equilibrium, too, and the exception is passed on.
+/// If the time is 0, no substep is made and the summary is not converged. Every substep removes all
+/// dead slots (compact).
 StepSummary step(Foam& foam, double time, const StepOptions& options);
 
 /// Advances the foam in the same way while a change from outside (E9) is imposed evenly over the

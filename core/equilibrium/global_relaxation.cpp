@@ -12,9 +12,9 @@ namespace foam {
 // Newton's method (E3) converges reliably only near equilibrium. Relaxation (E4) reaches such a
 // state from a raw diagram, but converges slowly, so it is ended after a fixed number of sweeps. In
 // two cases, Newton's method sometimes finds no equilibrium afterwards:
-//   - Many films are at the limit of their half angle, where the clamped arc no longer satisfies
-//     Laplace-Young's law.
-//   - A patch has large errors.
+// - Many films are at the limit of their half angle, where the clamped arc no longer satisfies
+//   Laplace-Young's law.
+// - A patch has large errors.
 // In these cases, further passes follow, which keep the pressures found so far. The criteria for
 // further passes are our own (measurements: NOTES.md).
 
@@ -28,9 +28,9 @@ constexpr int kMaxFurtherPasses = 10;  // largest number of passes after the fir
 
 // Returns true if the foam is a patch with a large error for which find_defect_regions returns no
 // region. There are two possible reasons:
-//   - The regions would contain more than DefectOptions::largest_fraction of the bubbles.
-//   - There is no defect: the large error is an error of Laplace-Young's law at an outer film,
-//     which does not count as a defect.
+// - The regions would contain more than DefectOptions::largest_fraction of the bubbles.
+// - There is no defect: the large error is an error of Laplace-Young's law at an outer film,
+//   which does not count as a defect.
 // Always returns false for a torus, so that relax_globally does not reset the pressures for this
 // reason. Several resets in one equilibration would collapse the two-sided bubbles of the torus.
 bool is_patch_far_from_equilibrium(const Foam& foam, int threads) {

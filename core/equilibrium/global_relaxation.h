@@ -14,9 +14,9 @@ struct GlobalRelaxationOptions {
     int further_sweeps = 60;
     // If true, the first pass resets pressures and half angles (RelaxationOptions::restarts). If
     // false, the first pass resets them only in three cases:
-    //   - The foam is tangled.
-    //   - The foam has films at the limit of their half angle.
-    //   - The foam is a patch far from equilibrium.
+    // - The foam is tangled.
+    // - The foam has films at the limit of their half angle.
+    // - The foam is a patch far from equilibrium.
     // A patch is far from equilibrium if its defect regions would be too large
     // (DefectOptions::largest_fraction). It is also far from equilibrium if its only large errors
     // are errors of Laplace-Young's law at outer films, which no defect region contains.

@@ -32,9 +32,9 @@ constexpr std::array<int, 5> kFirstFilmRow = {0, 2, 4, 5, 6};
 
 // Returns the second derivatives of one film's term in L, including its polygon terms (E3). The
 // variables are the tail, the head, the left pressure and the right pressure. The derivatives of
-// the polygon terms at an end with respect to the same end are left out. For the three films at a
-// junction, these derivatives add up to 0. `d` is the chord, and `delta` is the left pressure minus
-// the right pressure.
+// the polygon terms at an end with respect to the same end are left out, because they add up to 0
+// for the three films at a junction. `d` is the chord, and `delta` is the left pressure minus the
+// right pressure.
 FilmMatrix film_matrix(const Vec2& d, double delta, const FilmEnergyHessian& hessian) {
     Mat2 turn_right;
     turn_right << 0.0, 1.0, -1.0, 0.0;

@@ -10,8 +10,8 @@ namespace foam::texgen {
 /// The phases of a long run, in the order in which they occur. Each phase counts its progress in a
 /// unit of its own. The phases before Ranges prepare the first frame. Between Ranges and Frames,
 /// the phase States occurs again if the frames are read from a cache. When a simulation is stored
-/// in a cache, Frames comes first. States and Ranges follow, because the stored states are read
-/// again to fit the ranges.
+/// in a cache, States and Ranges follow Frames, because the stored states are read again to fit the
+/// ranges.
 enum class Phase {
     Seeding,      // places the bubbles of the first foam; counts nothing
     Equilibrium,  // brings the first foam to equilibrium; counts nothing

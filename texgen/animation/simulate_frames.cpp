@@ -97,8 +97,8 @@ RunOutcome failed(const Simulation& simulation, const Preset& preset) {
 }
 
 // Returns why a loop did not close. `closing_error` compares the foam at the start and at the end
-// of the last cycle. It is infinite if a bubble is missing in one of the two states, or has another
-// number of sides.
+// of the last cycle. It is infinite if a bubble is missing in one of the two states, or if its
+// number of sides differs between them.
 std::string open_loop_failure(double closing_error) {
     if (!std::isfinite(closing_error)) {
         return "the loop does not close: at the end of its last cycle, bubbles are missing or have "

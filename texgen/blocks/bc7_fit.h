@@ -121,10 +121,10 @@ class Fitter {
     }
 
     /// Repeats the following steps `rounds` times:
-    ///   - improves the endpoints by least squares
-    ///   - rounds the endpoints to values of the format
-    ///   - chooses indices
-    ///   - takes over the result in the lanes of `best` in which the result has the smaller error
+    /// - improves the endpoints by least squares
+    /// - rounds the endpoints to values of the format
+    /// - chooses indices
+    /// - takes over the result in the lanes of `best` in which the result has the smaller error
     FOAM_INLINE void refine(int rounds, Result& best) {
 #pragma GCC unroll 1
         for (int round = 0; round < rounds; ++round) {

@@ -47,9 +47,9 @@ struct Array {  // NOLINT(readability-identifier-naming): names in the implicit 
 /// lane by lane, so that the result of a block does not depend on the width of the register.
 ///
 /// The copy constructor is not the default one. Objects of the class are therefore passed in
-/// memory, in the same way for all instruction sets. If they were passed in registers, the way
-/// would depend on the instruction set for which a function is compiled. Functions that use lanes
-/// are inlined (FOAM_INLINE), so that passing objects takes no time.
+/// memory, in the same way for all instruction sets. How objects are passed in registers would
+/// depend on the instruction set for which a function is compiled. Functions that use lanes are
+/// inlined (FOAM_INLINE), so that passing objects takes no time.
 template <class Number, int kBytes>
 class Lanes {
   public:

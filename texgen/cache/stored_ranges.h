@@ -14,10 +14,10 @@ namespace foam::texgen {
 /// The files of a cache that store automatic ranges of maps (fit_automatic_ranges). The ranges of a
 /// preset are thus fitted once, and not by every program that draws frames of the cache. There is
 /// one file per map. Its name contains a hash of everything that influences the range:
-///   - the simulation
-///   - the frames to which the range is fitted
-///   - the size of the images
-///   - the keys that the map uses
+/// - the simulation
+/// - the frames to which the range is fitted
+/// - the size of the images
+/// - the keys that the map uses
 class StoredRanges {
   public:
     /// `preset` has automatic ranges that are not yet fitted, `frames` are the frames to which they

@@ -26,8 +26,8 @@ struct Job {
 /// `stats` is true or false.
 ///
 /// Throws PresetError if the document is malformed or has no job. Also throws it if a job has no
-/// preset, an unknown key or a value of the wrong type. All other checks of values are made when a
-/// job runs.
+/// preset, or has an unknown key or a value of the wrong type. All other checks of values are made
+/// when a job runs.
 std::vector<Job> read_jobs(std::string_view toml, const std::string& source);
 
 }  // namespace foam::texgen

@@ -9,7 +9,7 @@ namespace foam::texgen {
 
 /// Returns the JSON object that a command prints for --json in two cases:
 ///
-/// - The command simulates nothing, as the command `maps`.
+/// - The command simulates nothing, for example `maps`.
 /// - The command has several parts, each with an outcome of its own: the variations of the command
 ///   `vary`, or the jobs of the command `run`.
 ///

@@ -121,9 +121,9 @@ ExitCode preview_folder(const PreviewArguments& arguments) {
 }
 
 /// Returns the preset to bake: the preset that the arguments name, with these changes:
-///   - Its maps are the maps to preview, by default only the first map of the preset.
-///   - It has no packed images.
-///   - Its images are PNG files in `folder`, with sRGB primaries.
+/// - Its maps are the maps to preview, by default only the first map of the preset.
+/// - It has no packed images.
+/// - Its images are PNG files in `folder`, with sRGB primaries.
 Preset preset_to_bake(const PreviewArguments& arguments, const std::filesystem::path& folder) {
     std::vector<Assignment> assignments;
     if (arguments.maps) {

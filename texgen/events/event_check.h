@@ -34,18 +34,18 @@ struct EventCheck {
     std::function<bool(std::string_view key)> is_given;  // true if the key was assigned
     // Throws PresetError. The message quotes an assignment, followed by the reason. The assignment
     // is the first of these that exists:
-    //   - the last assignment to the key
-    //   - the last assignment to any key of the event
-    //   - the last assignment to a key outside of the event, such as foam.bubbles, on which the
-    //     allowed values of events depend
-    //   - the last assignment of all
+    // - the last assignment to the key
+    // - the last assignment to any key of the event
+    // - the last assignment to a key outside of the event, such as foam.bubbles, on which the
+    //   allowed values of events depend
+    // - the last assignment of all
     std::function<void(std::string_view key, std::string_view reason)> reject;
     // Throws PresetError. The message quotes an assignment, followed by the reason. The assignment
     // is the first of these that exists:
-    //   - the last assignment to a key outside of the event on which the allowed values of events
-    //     depend
-    //   - the last assignment to any key of the event
-    //   - the last assignment of all
+    // - the last assignment to a key outside of the event on which the allowed values of events
+    //   depend
+    // - the last assignment to any key of the event
+    // - the last assignment of all
     std::function<void(std::string_view reason)> reject_foam;
 
     /// Calls `reject` with the key and the reason unless `holds` is true. `holds` must be a

@@ -15,10 +15,10 @@ namespace foam::texgen {
 Bytes encode_dds(const GpuTexture& texture);
 
 /// Returns the texture in a DDS file. Throws InputError in these cases:
-///   - The stream is malformed or truncated, or has no header of Direct3D 10.
-///   - The format of the texture is not one of PixelFormat.
-///   - The texture is a cube or not two-dimensional, or its alpha is premultiplied.
-///   - An image is above the limits in core/files/input_limits.h.
+/// - The stream is malformed or truncated, or has no header of Direct3D 10.
+/// - The format of the texture is not one of PixelFormat.
+/// - The texture is a cube or not two-dimensional, or its alpha is premultiplied.
+/// - An image is above the limits in core/files/input_limits.h.
 ///
 /// Throws OutOfMemory if the machine has too little memory for the texture.
 GpuTexture decode_dds(std::span<const std::byte> content);

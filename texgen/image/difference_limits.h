@@ -40,7 +40,7 @@ struct DifferenceLimits {
     /// Returns the limit of the difference of a sample: `sample`, if it is given. Otherwise the
     /// limit is kDefaultSampleLimit if none of the limits `rms`, `percentiles` and `angle` is
     /// given. If one of them is given, the limit is infinity, because kDefaultSampleLimit would
-    /// forbid differences that it allows. `angle` counts only if `has_normals` is true.
+    /// forbid differences that the given one allows. `angle` counts only if `has_normals` is true.
     double sample_limit(bool has_normals) const;
 
     /// Returns how many of `pixels` pixels may be above the limits.

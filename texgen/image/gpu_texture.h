@@ -83,12 +83,12 @@ GpuTexture texture_of(const Picture& picture, const GpuEncoding& encoding);
 
 /// Returns the full size of the first layer of a texture as a picture. The format of the texture
 /// determines the number of channels of the picture:
-///   - A format of one channel gives one channel.
-///   - Rg16, a format of two channels, gives three channels. The third one is 0.
-///   - Bc5, a format of two channels, gives three channels: x, y and z of a unit vector. The
-///     texture stores only x and y.
-///   - A format of four channels gives four channels, or three if the texture has no alpha
-///     (`opaque`).
+/// - A format of one channel gives one channel.
+/// - Rg16, a format of two channels, gives three channels. The third one is 0.
+/// - Bc5, a format of two channels, gives three channels: x, y and z of a unit vector. The
+///   texture stores only x and y.
+/// - A format of four channels gives four channels, or three if the texture has no alpha
+///   (`opaque`).
 ///
 /// Throws OutOfMemory if the machine has too little memory for the picture.
 Picture picture_of(const GpuTexture& texture);

@@ -18,12 +18,12 @@ Bytes encode_ktx2(const GpuTexture& texture);
 
 /// Returns the texture in a KTX 2.0 file. Throws OutOfMemory if the machine has too little memory
 /// for the texture. Throws InputError in these cases:
-///   - The file is malformed or truncated.
-///   - The pixel format is not one of PixelFormat.
-///   - The texture is a cube or a volume.
-///   - The data are not compressed with Zstandard.
-///   - The alpha of the texture is premultiplied.
-///   - The image is above the limits in core/files/input_limits.h.
+/// - The file is malformed or truncated.
+/// - The pixel format is not one of PixelFormat.
+/// - The texture is a cube or a volume.
+/// - The data are not compressed with Zstandard.
+/// - The alpha of the texture is premultiplied.
+/// - The image is above the limits in core/files/input_limits.h.
 GpuTexture decode_ktx2(std::span<const std::byte> content);
 
 }  // namespace foam::texgen

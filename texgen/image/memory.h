@@ -15,10 +15,11 @@ class OutOfMemory : public std::runtime_error {
 
 /// Returns the number of bytes that this process can still use without swapping. This is the
 /// smallest of these numbers:
-///   - the available memory of the machine;
-///   - the unused parts of the limits of the process's control group (cgroup version 2) and of the
-///     groups above it;
-///   - the unused part of the limit on the process's address space (ulimit -v).
+/// - the available memory of the machine;
+/// - the unused parts of the limits of the process's control group (cgroup version 2) and of the
+///   groups above it;
+/// - the unused part of the limit on the process's address space (ulimit -v).
+///
 /// If a limit does not exist or a number is not known, the largest std::uint64_t takes its place.
 std::uint64_t available_memory();
 

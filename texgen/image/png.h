@@ -35,10 +35,10 @@ struct PngEncoding {
 /// is set, the file has the chunks sRGB (perceptual intent), gAMA and cHRM. The members
 /// `primaries`, `periodic` and `frame_rate` of `metadata` are not stored. Throws OutputError if
 /// libpng fails. Throws std::invalid_argument in these cases:
-///   - The view is empty.
-///   - The number of channels is not from 1 to 4.
-///   - The keyword of a text (`metadata.text`) does not have 1 to 79 printable ASCII characters, or
-///     has a leading, trailing or double space.
+/// - The view is empty.
+/// - The number of channels is not from 1 to 4.
+/// - The keyword of a text (`metadata.text`) does not have 1 to 79 printable ASCII characters, or
+///   has a leading, trailing or double space.
 Bytes encode_png(ImageView<const std::uint8_t> pixels,
                  const ImageMetadata& metadata = {},
                  const PngEncoding& encoding = {});

@@ -12,10 +12,10 @@ inline constexpr std::uint32_t kMostLayers = 2048;
 
 /// Checks the sizes in the header of a texture before memory is allocated for its images. `format`
 /// is the name of the file format, for the message. Throws InputError in these cases:
-///   - `width`, `height`, `levels` or `layers` is 0.
-///   - The image is above the limits in core/files/input_limits.h.
-///   - There are more mip levels than an image of this size has (full_level_count).
-///   - There are more than kMostLayers layers.
+/// - `width`, `height`, `levels` or `layers` is 0.
+/// - The image is above the limits in core/files/input_limits.h.
+/// - There are more mip levels than an image of this size has (full_level_count).
+/// - There are more than kMostLayers layers.
 void check_texture_size(std::string_view format,
                         std::uint32_t width,
                         std::uint32_t height,

@@ -18,15 +18,15 @@
 namespace foam::texgen {
 
 // The kinds of values that keys accept. Each kind is a struct with four functions:
-//   - allowed() returns a description of the allowed values in words.
-//   - schema() returns the allowed values as a JSON Schema (draft 2020-12).
-//   - read() stores a value in a member and returns true. If the value is not allowed, it returns
-//     false and changes nothing.
-//   - write() converts a member back to a value, or returns nullopt if the member is unset.
+// - allowed() returns a description of the allowed values in words.
+// - schema() returns the allowed values as a JSON Schema (draft 2020-12).
+// - read() stores a value in a member and returns true. If the value is not allowed, it returns
+//   false and changes nothing.
+// - write() converts a member back to a value, or returns nullopt if the member is unset.
 // Kinds whose values are words also have the function words(), which returns these words. The
 // memory of the words must be static. A kind may also have two more functions:
-//   - fault(value) says why a value is not allowed (KeyInfo::fault).
-//   - file(member) returns the file that the member names (Key::file).
+// - fault(value) says why a value is not allowed (KeyInfo::fault).
+// - file(member) returns the file that the member names (Key::file).
 
 /// Returns the JSON Schema of a list with `min_items` to `max_items` items. A limit of 0 means that
 /// there is no limit. `item` is the schema of an item.

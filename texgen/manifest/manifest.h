@@ -112,8 +112,8 @@ struct ManifestLoop {
     bool cross_faded = false;
     // The distance between the foam at the start and at the end of the last cycle before frame 1,
     // in mean bubble diameters (closing_error in core/dynamics/cycle.h). Only loops of the kinds
-    // breathe, shear and boil have such a distance. It is nullopt if no cycle was simulated. An
-    // infinite distance becomes nullopt when a manifest is written and read again.
+    // breathe, shear and boil have such a distance. It is nullopt if no cycle was simulated before
+    // frame 1. An infinite distance becomes nullopt when a manifest is written and read again.
     std::optional<double> closing_error;
 
     friend bool operator==(const ManifestLoop&, const ManifestLoop&) = default;
@@ -133,7 +133,8 @@ struct ManifestConventions {
 
 /// A set of images: maps and frames of one preset. All bakes of a set have the same version of
 /// foamtex, and the same content of the files that keys name (files_of in preset/preset_keys.h).
-/// They have the same values of all keys except image.maps, output.scene and output.measurements.
+/// They also have the same values of all keys except image.maps, output.scene and
+/// output.measurements.
 struct BakedSet {
     std::string version;  // version of foamtex
     std::string preset;   // name of the preset
@@ -190,15 +191,15 @@ const BakedSet* find_same_set(const Manifest& manifest, const BakedSet& set);
 /// path as a file of `set` is removed from the manifest. If the manifest has no set with the same
 /// parameters, `set` is then appended. Otherwise `set` is merged into the set with the same
 /// parameters:
-///   - The maps, files and frame statistics of `set` are added.
-///   - New statistics of a frame replace its old statistics. Old measurements stay if there are no
-///     new ones.
-///   - The members `toml` and `loop` are replaced. The old closing error stays if `set` has none.
-///   - The member `failure` is replaced. It becomes empty if the merged set is complete.
-///   - The old scene files stay.
-///   - The note of a map is replaced if a file of the map has been written, that is, if the map has
-///     ManifestMap::samples in `set`.
-///   - The conventions are replaced if a file of the map `motion` has been written.
+/// - The maps, files and frame statistics of `set` are added.
+/// - New statistics of a frame replace its old statistics. Old measurements stay if there are no
+///   new ones.
+/// - The members `toml` and `loop` are replaced. The old closing error stays if `set` has none.
+/// - The member `failure` is replaced, or becomes empty if the merged set is complete.
+/// - The old scene files stay.
+/// - The note of a map is replaced if a file of the map has been written, that is, if the map has
+///   ManifestMap::samples in `set`.
+/// - The conventions are replaced if a file of the map `motion` has been written.
 /// In either case, the set becomes the last one of the manifest. Other sets that have no files left
 /// are removed.
 void merge(Manifest& manifest, const BakedSet& set);

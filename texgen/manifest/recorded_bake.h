@@ -42,9 +42,9 @@ struct RecordOptions {
 /// fitted again (StoredRanges).
 ///
 /// Throws these exceptions before anything is simulated:
-///   - the exceptions of check_bake;
-///   - std::invalid_argument if the name of a file is not UTF-8 or is the name of the manifest;
-///   - OutputError if the manifest cannot be written into its folder.
+/// - the exceptions of check_bake;
+/// - std::invalid_argument if the name of a file is not UTF-8 or is the name of the manifest;
+/// - OutputError if the manifest cannot be written into its folder.
 /// Later, throws the exceptions of bake and update_manifest, and InputError if a frame of the
 /// sequence is missing in a cache.
 BakeSummary bake_recorded(const Preset& given,

@@ -66,9 +66,8 @@ ArcDistanceNeeds stroke_needs(double width);
 /// Returns the coverage of strokes with round ends: the fraction of every pixel that the strokes
 /// cover, in one channel. `distance` contains the distances to the center lines of the strokes,
 /// which distances_to_arcs computes with the result of stroke_needs; `width` is the full width in
-/// pixels.
-/// The fraction is approximate: at the edge of a stroke it falls linearly from 1 to 0 over the
-/// width of a pixel. A stroke narrower than a pixel is drawn one pixel wide, with its fractions
+/// pixels. The fraction is approximate: at the edge of a stroke it falls linearly from 1 to 0 over
+/// the width of a pixel. A stroke narrower than a pixel is drawn one pixel wide, with its fractions
 /// multiplied by its width.
 Image<float> stroke_coverage(Image<float> distance, double width);
 

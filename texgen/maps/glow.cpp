@@ -13,8 +13,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the fraction of the color of each pixel that is emitted as light if the glow is 1, before
-// the division by the opacity.
+// Returns the weight of every pixel for glow_fractions: the fraction of its color that is emitted
+// as light if the glow is 1. In a patch, the caller divides the weight by the opacity.
 Image<float> glow_weights(FrameLayers& layers, const SurfaceColors& surface) {
     if (surface.map == LitColors::Maze) {
         return maze_wall_coverage(layers, surface.maze);

@@ -19,7 +19,7 @@ inline SubpixelPoint pixel_center(int x, int y) {
 /// Finds the periodic copies of a point, and calls visit(copy) for each copy that is in the image
 /// or near it. Near means that the copy is, in x and in y, at most `reach` pixels outside the
 /// image. The point is in foam units. A copy is in subpixels of the shifted grid. Its coordinates
-/// are whole numbers, but are stored as doubles (Vec2). In a view that magnifies a patch,
+/// are whole numbers, but are stored as doubles (Vec2), because in a view that magnifies a patch,
 /// coordinates far outside of the image do not fit into integers of 32 bits. In the plane, a point
 /// has one copy; on a torus, it has one copy for each lattice offset. The point is rounded to the
 /// nearest subpixel before the shift of the grid is subtracted. Therefore, a shift moves the copies

@@ -15,10 +15,10 @@ namespace foam::texgen {
 
 // Diffuse light is a mix of direct light (Lambert's cosine law) and the visible fraction of the
 // sky. Direct light is divided by its value on flat ground. The shine is the sum of three parts:
-//   - a highlight, which depends on the halfway vector (J. F. Blinn, "Models of light reflection
-//     for computer synthesized pictures", 1977);
-//   - a rim light that grows with the slope;
-//   - the reflections of windows and of the sky (reflections.h).
+// - a highlight, which depends on the halfway vector (J. F. Blinn, "Models of light reflection
+//   for computer synthesized pictures", 1977);
+// - a rim light that grows with the slope;
+// - the reflections of windows and of the sky (reflections.h).
 // The highlight and the reflections are each reduced by their own value on flat ground, but not
 // below 0.
 

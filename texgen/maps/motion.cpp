@@ -76,9 +76,9 @@ class FoamMotion {
     double shear_;                         // change of the shear until the next frame
 };
 
-// The motion of a lone bubble. If the bubble is still a lone bubble in the next frame, a
-// translation and a scaling map its present circle to its next circle. The points of the bubble
-// move by this mapping. Otherwise they do not move.
+// The motion of a lone bubble. A translation and a scaling map its present circle to its circle in
+// the next frame, and its points move by this mapping. If the bubble is not a lone bubble in the
+// next frame, its points do not move.
 class CircleMotion {
   public:
     CircleMotion(const LoneBubble& bubble, const Frame& next, double scale) : scale_(scale) {

@@ -12,10 +12,10 @@
 
 namespace foam::texgen {
 
-/// The conventions of an engine or a program for materials. They say which maps it needs, and how
-/// the channels of the maps are packed. They also set the direction of y in normals, and the names
-/// and formats of files. A profile is a TOML document with the keys of presets, and a description
-/// in the table [profile]:
+/// The conventions of an engine or a program for materials. They say which maps the engine needs,
+/// and how the channels of the maps are packed. They also set the direction of y in normals, and
+/// the names and formats of files. A profile is a TOML document with the keys of presets, and a
+/// description in the table [profile]:
 ///
 ///     [profile]
 ///     description = "An engine of our own"

@@ -11,9 +11,9 @@ namespace foam::texgen {
 
 /// Checks that the scene files of output.scene can be written, before a bake begins. Throws
 /// std::invalid_argument in these cases:
-///   - No image of the preset is part of a material.
-///   - The files of the bake are vector files.
-///   - A scene format cannot refer to the images of the bake.
+/// - No image of the preset is part of a material.
+/// - The files of the bake are vector files.
+/// - A scene format cannot refer to the images of the bake.
 ///
 /// OpenUSD and MaterialX need PNG files, or EXR files with one map each. OpenUSD also needs colors
 /// with the primaries of sRGB that are straight, that is, not multiplied by the opacity. A scene of

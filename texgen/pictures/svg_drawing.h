@@ -23,11 +23,11 @@ struct SvgShape {
 /// do not clip them.
 ///
 /// Throws InputError, whose message does not name the file, in these cases:
-///   - The document is no SVG, or it contains visible text.
-///   - An attribute that a filled shape needs is malformed.
-///   - A <use> refers to no element.
-///   - The document has more than 100,000 lines, curves and subpaths, more than 200,000 elements,
-///     or more than 64 levels of nesting. An element counts each time that a <use> draws it.
+/// - The document is no SVG, or it contains visible text.
+/// - An attribute that a filled shape needs is malformed.
+/// - A <use> refers to no element.
+/// - The document has more than 100,000 lines, curves and subpaths, more than 200,000 elements,
+///   or more than 64 levels of nesting. An element counts each time that a <use> draws it.
 std::vector<SvgShape> read_svg_shapes(std::string_view document);
 
 }  // namespace foam::texgen

@@ -24,10 +24,10 @@ bool is_preset_path(std::string_view name_or_path);
 /// events of its own.
 ///
 /// Throws PresetError in these cases:
-///   - A preset is invalid.
-///   - A file is missing or unreadable.
-///   - The file name without its extension is not a plain name (is_plain_name).
-///   - Presets extend each other in a circle.
+/// - A preset is invalid.
+/// - A file is missing or unreadable.
+/// - The file name without its extension is not a plain name (is_plain_name).
+/// - Presets extend each other in a circle.
 Preset load_preset(const std::string& name_or_path);
 
 /// A preset, and the assignments of its own document, without the assignment to `extends` and

@@ -22,10 +22,10 @@ namespace foam::texgen {
 /// file_name_part makes it fit for file names.
 ///
 /// Throws std::invalid_argument, with the placeholder in the message, in these cases:
-///   - There is no such placeholder.
-///   - The key is itself a pattern of file names.
-///   - The value is unset, a list, or "auto" in place of a number.
-///   - The value is a text of which file_name_part keeps nothing or more than 64 bytes.
+/// - There is no such placeholder.
+/// - The key is itself a pattern of file names.
+/// - The value is unset, a list, or "auto" in place of a number.
+/// - The value is a text of which file_name_part keeps nothing or more than 64 bytes.
 std::string placeholder_text(const Preset& preset, std::string_view name);
 
 /// Returns a text in which placeholders in braces, except {map}, have been replaced

@@ -17,10 +17,10 @@ namespace foam::texgen {
 /// (parse_key_values). A range without a count, LOW..HIGH, stands for all numbers from LOW to HIGH.
 ///
 /// Throws std::invalid_argument in these cases:
-///   - The text has another form.
-///   - There is no such key, or the key is in the table `preset` or `output`.
-///   - The key does not allow one of the values.
-///   - LOW is not below HIGH in a range without a count.
+/// - The text has another form.
+/// - There is no such key, or the key is in the table `preset` or `output`.
+/// - The key does not allow one of the values.
+/// - LOW is not below HIGH in a range without a count.
 KeyValues parse_varied_key(std::string_view text);
 
 /// Returns the items of preset.vary. Precondition: they have been checked.

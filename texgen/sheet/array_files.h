@@ -29,9 +29,9 @@ struct StagedArray {
 /// `animation` is stored in the file if the file format supports this.
 ///
 /// Throws InputError, whose message names the file, in these cases:
-///   - A file cannot be read, or is an array texture of several layers.
-///   - A file differs from the first frame in its size, pixel format or number of mip levels.
-///   - The samples of a file are not codes (integers of 8 or 16 bits).
+/// - A file cannot be read, or is an array texture of several layers.
+/// - A file differs from the first frame in its size, pixel format or number of mip levels.
+/// - The samples of a file are not codes (integers of 8 or 16 bits).
 /// Throws OutputError if the array cannot be written. Precondition: the sequence has at least one
 /// file.
 StagedArray stage_array(const MapSequence& sequence,

@@ -68,9 +68,9 @@ Flipbook write_flipbook(const BakedSet& set,
 /// Returns a preset whose sheets are written beside its images. The folder of the images replaces
 /// the default folder "out" at the start of output.sheet_pattern. An option that moves the images
 /// thus moves the sheets, too. The preset is returned unchanged in these cases:
-///   - no sheets are written (output.sheets);
-///   - output.sheet_pattern does not begin with "out";
-///   - the file pattern of the images begins with "out".
+/// - no sheets are written (output.sheets);
+/// - output.sheet_pattern does not begin with "out";
+/// - the file pattern of the images begins with "out".
 ///
 /// Throws std::invalid_argument if the folder would be replaced, but the file pattern of the images
 /// is malformed.

@@ -20,9 +20,9 @@ std::string frames_csv(const RunRecord& run);
 /// Returns a table with one row for each frame and each number of sides that occurs in this frame:
 /// frame,time,sides,bubbles,share,mean_area,mean_pressure,untouched,area_rate,film_rate,law_rate
 /// `area_rate` is empty
-///   - in the rows of the first frame and of lone bubbles (0 sides);
-///   - if no foam time has passed since the preceding frame of the table;
-///   - if every bubble with this number of sides has other neighbors than in that frame.
+/// - in the rows of the first frame and of lone bubbles (0 sides);
+/// - if no foam time has passed since the preceding frame of the table;
+/// - if every bubble with this number of sides has other neighbors than in that frame.
 std::string sides_csv(const RunRecord& run);
 
 /// Returns a table of the stress with one row per frame:

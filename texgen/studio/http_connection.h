@@ -120,10 +120,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   private:
     // The action after a response:
-    //   - Read: read the next request.
-    //   - Close: close the connection.
-    //   - Drain: read the rest of a request that was rejected before it was read completely, and
-    //     then close the connection.
+    // - Read: read the next request.
+    // - Close: close the connection.
+    // - Drain: read the rest of a request that was rejected before it was read completely, and
+    //   then close the connection.
     enum class Next { Read, Close, Drain };
 
     // Continues after a request has been read, or could not be read.

@@ -22,8 +22,9 @@ VectorContent shown_content(const VectorOptions& options, const std::vector<std:
 std::string_view name_of(VectorContent content);
 
 /// Does nothing if VectorOptions::walls is Lines, because such lines may have the width 0. If it is
-/// Outlines, throws std::invalid_argument if the lines whose outlines are drawn have no width.
-/// These are the cases of check_wall_width, and a MazeSolution whose solution has the width 0.
+/// Outlines, throws std::invalid_argument in these cases:
+/// - The lines of the content have no width (check_wall_width).
+/// - The content is MazeSolution, and the solution has no width.
 /// Precondition: `content` is not Auto.
 void check_width(VectorContent content, const MapOptions& maps, const VectorOptions& options);
 

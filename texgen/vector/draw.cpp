@@ -27,9 +27,9 @@ namespace foam::texgen {
 namespace {
 
 // The lines of one layer of a drawing. If they are cut at the border of the tile of a torus:
-//   - `lines` contains their parts, moved into the tile;
-//   - `near` contains whole copies of all lines that touch the tile when drawn with their width;
-//   - `beyond` contains the parts of these copies outside of the tile.
+// - `lines` contains their parts, moved into the tile;
+// - `near` contains whole copies of all lines that touch the tile when drawn with their width;
+// - `beyond` contains the parts of these copies outside of the tile.
 //
 // If the lines are not cut, `near` equals `lines`, and `beyond` is empty. films_work fills only the
 // members that are drawn: `near` if walls are drawn as outlines, `lines` and `beyond` if they are

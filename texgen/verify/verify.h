@@ -58,9 +58,9 @@ struct VerifiedSet {
     // Number of images and vector files whose content has the hash that the manifest records.
     int files_same = 0;
     // One line for each of these problems:
-    //   - a bad file: an image, a vector file or a scene file;
-    //   - a group of maps that lack the same frames;
-    //   - a seam whose ratio is above its limit.
+    // - a bad file: an image, a vector file or a scene file;
+    // - a group of maps that lack the same frames;
+    // - a seam whose ratio is above its limit.
     std::vector<std::string> problems;
     std::vector<VerifiedMap> maps;  // maps of which at least one file has the recorded pixels
 

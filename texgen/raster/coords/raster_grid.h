@@ -45,10 +45,10 @@ inline constexpr int kLargestGridSide = 1 << 14;
 inline constexpr double kShortestChord = 1e-9;
 
 /// Returns the number of pixels per foam unit. Throws std::invalid_argument in these cases:
-///   - The width or the height of the grid is not in [1, kLargestGridSide].
-///   - The domain is the plane, and the grid has no view.
-///   - The domain is a torus, and the grid has a view.
-///   - The pixels on a torus are not square (within one part in a million).
+/// - The width or the height of the grid is not in [1, kLargestGridSide].
+/// - The domain is the plane, and the grid has no view.
+/// - The domain is a torus, and the grid has a view.
+/// - The pixels on a torus are not square (within one part in a million).
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain);
 
 /// Returns the translation, in subpixels, from coordinates on the unshifted grid to coordinates on

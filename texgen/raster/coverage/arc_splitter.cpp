@@ -82,7 +82,7 @@ void ArcSplitter::split() {
 }
 
 // Determines which borders between columns an arc crosses. If the arc leaves the rows at the top,
-// also corrects the x of Arc::to. The function `add` has set it to the x of the upper end of the
+// also corrects the x of Arc::to. The function `add` has set this x to that of the upper end of the
 // whole arc.
 void ArcSplitter::find_columns(std::size_t k) {
     Arc& arc = arcs_[k];

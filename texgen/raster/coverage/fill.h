@@ -30,10 +30,10 @@ struct CellValues {
 ///
 /// The result has the same bits for any number of threads. If `cells.grid` is shifted, the image is
 /// shifted cyclically (RasterGrid). Throws std::invalid_argument in these cases:
-///   - The image and `cells.grid` differ in size.
-///   - The image and the values differ in the number of channels.
-///   - The number of channels is not from 1 to kMaxChannels.
-///   - A bubble beside an arc, or the ghost bubble, has no value.
+/// - The image and `cells.grid` differ in size.
+/// - The image and the values differ in the number of channels.
+/// - The number of channels is not from 1 to kMaxChannels.
+/// - A bubble beside an arc, or the ghost bubble, has no value.
 void fill_cells(const CellArcs& cells,
                 const CellValues& values,
                 int threads,

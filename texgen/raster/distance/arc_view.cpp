@@ -10,13 +10,13 @@
 
 // Let c be the length of the chord, a the half angle, and q the position of the point relative to
 // the middle of the chord. Two functions are 0 at both ends of the chord:
-//   - e = c/4 - q²/c is 0 on the circle that has the chord as its diameter.
-//   - h is the signed distance of q from the line of the chord, positive on its left.
+// - e = c/4 - q²/c is 0 on the circle that has the chord as its diameter.
+// - h is the signed distance of q from the line of the chord, positive on its left.
 // A rotation by the half angle combines them into two other functions. Both have slope 1 where they
 // are 0:
-//   - f = e sin a + h cos a is 0 on the circle of the arc, and positive on the left of the arc.
-//   - t = e cos a - h sin a is 0 on the circle that crosses the arc's circle at right angles at
-//     both ends. It is positive on the arc.
+// - f = e sin a + h cos a is 0 on the circle of the arc, and positive on the left of the arc.
+// - t = e cos a - h sin a is 0 on the circle that crosses the arc's circle at right angles at
+//   both ends. It is positive on the arc.
 //
 // The distance to the circle of the arc is 2 |f| / (1 + |grad f|). Proof: let R be the radius, and
 // r the distance from the center. Then |f| = |R² - r²| / 2R and |grad f| = r / R. The formula is

@@ -35,10 +35,10 @@ constexpr std::size_t kRegionsPerTask = 256;
 // the circle, to add the same area. Within a pixel that contains whole edges, the two areas cancel,
 // so short edges may have a larger sagitta. Longer edges must be accurate on their own.
 //
-// An arc whose sagitta is at most kSagitta is replaced by its chord. The limits may require only
-// one edge. A single edge has no inner point that could add area, because the ends of the arc
-// cannot be moved. Any other arc is therefore divided into one edge more than the limits require.
-// All lengths are in pixels.
+// An arc whose sagitta is at most kSagitta is replaced by its chord. Any other arc is divided into
+// one edge more than the limits require. If the limits require only one edge, the chain then still
+// has an inner point that can add area. The ends of the arc cannot be moved for this. All lengths
+// are in pixels.
 constexpr double kSagittaOfShortEdges = 1.0 / 256;  // largest sagitta of short edges
 constexpr double kShortEdge = std::numbers::sqrt2;  // largest length of short edges
 constexpr double kSagitta = 1.0 / 1024;             // largest sagitta of longer edges

@@ -22,8 +22,8 @@ namespace foam::texgen {
 ///
 /// Apart from CellArcs::grid, the result depends neither on threads nor on the shift of the grid.
 /// Throws std::invalid_argument in these cases:
-///   - The film width is negative or not finite.
-///   - The grid is too large or empty, or does not fit the domain (pixels_per_unit).
+/// - The film width is negative or not finite.
+/// - The grid is too large or empty, or does not fit the domain (pixels_per_unit).
 CellArcs cell_arcs(const Frame& frame, const RasterGrid& grid, double film_width, int threads);
 
 /// Implements cell_arcs for a frame in the plane. Precondition: the width is finite and not

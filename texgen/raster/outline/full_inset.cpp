@@ -53,9 +53,9 @@ bool FullInset::offset_sides(std::span<const ArcLoops::Side> loop, double distan
 
 // Cuts the offsets of successive sides at their crossing. Beyond the crossing, each offset is too
 // near to the side of the other offset. Returns false in these cases:
-//   - A piece between two cuts is too short.
-//   - Two successive offsets do not cross exactly once.
-//   - The turn between two sides is not within the limits.
+// - A piece between two cuts is too short.
+// - Two successive offsets do not cross exactly once.
+// - The turn between two sides is not within the limits.
 bool FullInset::cut_corners() {
     for (std::size_t k = 0; k < sides_.size(); ++k) {
         Side& before = sides_[k];

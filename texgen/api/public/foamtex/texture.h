@@ -142,10 +142,10 @@ class FOAMTEX_EXPORT Frame {
     /// Numbers are in the unit of the map; colors are linear light from 0 to 1, multiplied by the
     /// opacity if there is one. `threads`: 0 for all threads of the machine. Throws ArgumentError
     /// in these cases:
-    ///   - The map is unknown.
-    ///   - The size of the buffer is not that of shape(map).
-    ///   - The map needs the next frame, as "motion" and "growth" do, but neither image.maps nor
-    ///     output.pack contains a map that needs the next frame.
+    /// - The map is unknown.
+    /// - The size of the buffer is not that of shape(map).
+    /// - The map needs the next frame, as "motion" and "growth" do, but neither image.maps nor
+    ///   output.pack contains a map that needs the next frame.
     void draw(const std::string& map, std::span<float> samples, int threads = 1) const;
 
     /// Draws a map as integers of 8 bits. If PNGs of the map have 8 bits, the integers are exactly
