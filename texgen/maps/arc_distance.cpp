@@ -4,36 +4,29 @@
 
 #include "core/parallel/parallel_for.h"
 #include "texgen/maps/grid_positions.h"
+#include "texgen/raster/distance/arc_view.h"
+#include "texgen/raster/distance/pixel_batch.h"
 #include "texgen/raster/distance/region.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <vector>
+
+// The image is divided into square blocks of pixels. Each block is measured with the arcs near it,
+// by the same functions that measure the distances of the pixels of a bubble (ArcView, PixelBatch).
+// There, only the arcs that a pixel faces count. Here, the boundary of the arcs is open, so both
+// ends of each arc count, too.
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr int kBandRows = 32;  // rows that one thread computes at a time
-
-// Returns the distance from a point to the circle of an arc, and the direction from the nearest
-// point of the circle to the given point. Let p be the point relative to the tail of the arc, c the
-// chord, and a the half angle. With the scalar product p.c and the cross product c x p, let
-//     q = |p|² sin a - p.c sin a - (c x p) cos a.
-// The distance is
-//     |q| / (|c| / 2 + sqrt(|c|² / 4 + q sin a)).
-// This formula also holds for a straight line, where a = 0. The gradient of |q| points away from
-// the nearest point of the circle.
-NearestOnArc nearest_on_circle(const PixelArc& arc, const Vec2& point) {
-    const double q = arc.sine * point.dot(point - arc.chord) - arc.cosine * cross(arc.chord, point);
-    const double half_chord = 0.5 * arc.chord.norm();
-    const double root = std::sqrt(std::max(half_chord * half_chord + q * arc.sine, 0.0));
-    const Vec2 gradient =
-        arc.sine * (2.0 * point - arc.chord) - arc.cosine * turned_left(arc.chord);
-    return {std::abs(q) / (half_chord + root), q < 0.0 ? Vec2(-gradient) : gradient};
-}
+constexpr int kBlockSide = 24;  // pixels
+// An upper bound of the distance of a pixel of a block from the middle of the block, in pixels.
+constexpr double kBlockRadius = 0.5 * std::numbers::sqrt2 * kBlockSide;
 
 // Returns a radius such that the circle around the middle of the chord with this radius contains
 // the whole arc. The point of the arc that is farthest from the middle of the chord is an end or
@@ -43,114 +36,158 @@ double radius_around_chord(const PixelArc& arc) {
     return std::max(0.5 * arc.chord.norm(), (middle - 0.5 * arc.chord).norm());
 }
 
-// An arc, or a periodic copy of it, with the square of pixels that are near it.
-struct ArcCopy {
-    const PixelArc* arc;
-    Vec2 tail;      // in pixels of the image
+// An arc of the image, with the square of pixels that are near it.
+struct ArcInImage {
+    DistanceArc arc;
     Vec2 center;    // center of the square, in pixels of the image
     double extent;  // half the side of the square
 };
 
-// Returns all copies whose squares overlap the image, and some copies near the image. The square of
-// a copy contains all points that are at most `reach` pixels from this copy.
-std::vector<ArcCopy> copies_in_image(std::span<const PlacedArc> arcs,
-                                     const RasterGrid& grid,
-                                     const Domain& domain,
-                                     double reach) {
-    std::vector<ArcCopy> copies;
+// Returns the arcs and all of their periodic copies whose squares overlap the image, and some
+// copies near the image. Wide arcs are cut in halves (DistanceArc::kMinCosine). The square of an
+// arc contains all points that are at most `reach` pixels from it.
+std::vector<ArcInImage> arcs_in_image(std::span<const PlacedArc> arcs,
+                                      const RasterGrid& grid,
+                                      const Domain& domain,
+                                      double reach) {
+    std::vector<ArcInImage> in_image;
+    std::vector<DistanceArc> parts;
     for (const PlacedArc& placed : arcs) {
         const double radius = radius_around_chord(placed.arc);
         for_each_copy(grid, domain, placed.tail, reach + 2.0 * radius, [&](const Vec2& tail) {
-            const Vec2 start = tail / kSubpixel;
-            copies.push_back({&placed.arc, start, start + 0.5 * placed.arc.chord, radius + reach});
+            parts.clear();
+            add_narrow_arcs({tail / kSubpixel, placed.arc, false}, parts);
+            for (const DistanceArc& part : parts) {
+                in_image.push_back({part,
+                                    part.tail + 0.5 * part.shape.chord,
+                                    radius_around_chord(part.shape) + reach});
+            }
         });
     }
-    return copies;
+    return in_image;
 }
 
-// A half-open range of rows or columns of pixels.
-struct PixelRange {
+// The rows or the columns [begin, end) of pixels that the image shows of a block, and the middle of
+// the whole block.
+struct BlockRange {
     int begin;
     int end;
+    double middle;
 };
 
-// Returns the part of `range` that is near a position. It contains all pixels of the range that are
-// at most `extent` from the position, and possibly a few pixels that are farther away.
-PixelRange range_near(double position, double extent, PixelRange range) {
-    const double first = std::floor(position - extent);
-    const double last = std::ceil(position + extent);
-    return {static_cast<int>(std::max(first, static_cast<double>(range.begin))),
-            static_cast<int>(std::min(last + 1.0, static_cast<double>(range.end)))};
-}
-
-// If the distance of `nearest` is smaller than the distance stored at a pixel, replaces the stored
-// distance and, if gradients are needed, the stored gradient.
-void lower_to(const NearestOnArc& nearest, int x, int y, ArcDistances& distances) {
-    float& distance = distances.distance.pixel(x, y)[0];
-    if (static_cast<float>(nearest.distance) >= distance) {
-        return;
-    }
-    distance = static_cast<float>(nearest.distance);
-    if (!distances.gradient.samples().empty()) {
-        const Vec2 gradient = nearest.direction.stableNormalized();
-        const auto pixel = distances.gradient.pixel(x, y);
-        pixel[0] = static_cast<float>(gradient.x());
-        pixel[1] = static_cast<float>(gradient.y());
-    }
-}
-
-// Adds one copy of an arc to the distances at the pixels of the given rows. Where the copy is
-// nearer than the arcs added before, the distance from the copy replaces the stored distance.
-void add_arc(const ArcCopy& copy, PixelRange rows, ArcDistances& distances) {
-    const PixelRange columns =
-        range_near(copy.center.x(), copy.extent, {0, distances.distance.width()});
-    const PixelRange own_rows = range_near(copy.center.y(), copy.extent, rows);
-    for (int y = own_rows.begin; y < own_rows.end; ++y) {
-        for (int x = columns.begin; x < columns.end; ++x) {
-            const Vec2 point = Vec2(x + 0.5, y + 0.5) - copy.tail;
-            lower_to(nearest_on_arc(*copy.arc, point), x, y, distances);
+// Divides the rows or the columns of an image into blocks. `size` is the number of rows or columns.
+// The blocks are those of the unshifted grid (RasterGrid), so that a shift does not change the
+// positions of pixels relative to the middle of their block.
+std::vector<BlockRange> block_ranges(int size, int shift) {
+    std::vector<BlockRange> ranges;
+    for (int origin = -wrap(shift, size); origin < size; origin += size) {
+        for (int first = 0; first < size; first += kBlockSide) {
+            const int begin = origin + first;
+            const int end = origin + std::min(first + kBlockSide, size);
+            if (begin < size && end > 0) {
+                ranges.push_back({std::max(begin, 0), std::min(end, size), 0.5 * (begin + end)});
+            }
         }
     }
+    return ranges;
 }
 
-// Makes the distances above `reach` infinite, and their gradients zero.
-void limit(ArcDistances& distances, double reach) {
-    const bool has_gradient = !distances.gradient.samples().empty();
-    for (std::size_t k = 0; k < distances.distance.samples().size(); ++k) {
-        float& distance = distances.distance.samples()[k];
-        if (static_cast<double>(distance) > reach) {
-            distance = std::numeric_limits<float>::infinity();
-            if (has_gradient) {
-                distances.gradient.samples()[2 * k] = 0.0F;
-                distances.gradient.samples()[2 * k + 1] = 0.0F;
+// Measures the pixels of blocks. Keeps its memory from block to block.
+class BlockMeasure {
+  public:
+    BlockMeasure(const ArcDistanceNeeds& needs, ArcDistances& distances)
+        : needs_(needs), distances_(distances) {}
+
+    // Measures a block of pixels. `arcs` contains all arcs that are within reach of its pixels.
+    void measure(const BlockRange& columns,
+                 const BlockRange& rows,
+                 std::span<const DistanceArc> arcs) {
+        find_near(arcs, Vec2(columns.middle, rows.middle));
+        batch_.clear(Vec2(columns.middle, rows.middle));
+        for (int y = rows.begin; y < rows.end; ++y) {
+            batch_.add_span(columns.begin, y, columns.end - columns.begin);
+        }
+        batch_.measure(near_, ends_, needs_.gradient);
+        for (const PixelBatch::Span& span : batch_.spans()) {
+            write(span);
+        }
+    }
+
+  private:
+    // Finds the arcs and the ends of arcs that may be nearest to a pixel within its reach.
+    void find_near(std::span<const DistanceArc> arcs, const Vec2& middle) {
+        near_.clear();
+        ends_.clear();
+        view_.evaluate(arcs, middle);
+        const double limit = std::min(view_.horizon(kBlockRadius),
+                                      needs_.reach + kBlockRadius + PixelBatch::kMargin);
+        for (std::size_t k = 0; k < arcs.size(); ++k) {
+            if (arcs[k].shape.chord.norm() > kShortestChord) {
+                if (!view_.is_within(k, limit)) {
+                    continue;
+                }
+                near_.push_back(view_.arc_functions(k));
             }
+            for (const Vec2& end : {Vec2(arcs[k].tail - middle), Vec2(arcs[k].head() - middle)}) {
+                if (end.norm() <= limit) {
+                    ends_.push_back(end);
+                }
+            }
+        }
+    }
+
+    // Writes the results of the pixels within reach. Those of the others are already set.
+    void write(const PixelBatch::Span& span) {
+        const auto reach = static_cast<float>(needs_.reach);
+        for (std::uint32_t k = 0; k < span.count; ++k) {
+            const float distance = batch_.distance()[span.first + k];
+            if (distance > reach) {
+                continue;
+            }
+            const int x = span.column + static_cast<int>(k);
+            distances_.distance.pixel(x, span.row)[0] = distance;
+            if (needs_.gradient) {
+                const auto gradient = distances_.gradient.pixel(x, span.row);
+                gradient[0] = batch_.gradient_x()[span.first + k];
+                gradient[1] = batch_.gradient_y()[span.first + k];
+            }
+        }
+    }
+
+    ArcDistanceNeeds needs_;
+    ArcDistances& distances_;
+    ArcView view_;
+    PixelBatch batch_;
+    std::vector<ArcFunctions> near_;
+    std::vector<Vec2> ends_;
+};
+
+// Measures the pixels of one row of blocks.
+void measure_row_of_blocks(std::span<const ArcInImage> arcs,
+                           std::span<const BlockRange> columns,
+                           const BlockRange& rows,
+                           BlockMeasure& measure) {
+    std::vector<std::vector<DistanceArc>> arcs_of_block(columns.size());
+    for (const ArcInImage& arc : arcs) {
+        if (arc.center.y() + arc.extent < rows.begin || arc.center.y() - arc.extent > rows.end) {
+            continue;
+        }
+        const auto first =
+            std::ranges::lower_bound(columns, arc.center.x() - arc.extent, {}, &BlockRange::end);
+        for (auto block = first;
+             block != columns.end() && block->begin <= arc.center.x() + arc.extent;
+             ++block) {
+            arcs_of_block[static_cast<std::size_t>(block - columns.begin())].push_back(arc.arc);
+        }
+    }
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (!arcs_of_block[k].empty()) {
+            measure.measure(columns[k], rows, arcs_of_block[k]);
         }
     }
 }
 
 }  // namespace
-
-NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point) {
-    // The nearest point is an inner point of the arc if the given point is between the normals at
-    // both ends. This is a test of two half-planes. The test fails for arcs that turn by more than
-    // 180 degrees. Therefore, arcs that turn by more than 120 degrees (DistanceArc::kMinCosine) are
-    // halved.
-    if (arc.cosine < DistanceArc::kMinCosine) {
-        const auto [first, second] = halves(arc);
-        const NearestOnArc on_first = nearest_on_arc(first, point);
-        const NearestOnArc on_second = nearest_on_arc(second, point - first.chord);
-        return on_first.distance <= on_second.distance ? on_first : on_second;
-    }
-    const Vec2 from_head = point - arc.chord;
-    if (arc.chord.isZero(0.0)) {
-        return {point.norm(), point};
-    }
-    if (tail_tangent(arc).dot(point) >= 0.0 && head_tangent(arc).dot(from_head) <= 0.0) {
-        return nearest_on_circle(arc, point);
-    }
-    const Vec2 nearer = point.squaredNorm() <= from_head.squaredNorm() ? point : from_head;
-    return {nearer.norm(), nearer};
-}
 
 ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const RasterGrid& grid,
@@ -161,17 +198,15 @@ ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
     if (needs.gradient) {
         distances.gradient = {grid.width, grid.height, 2};
     }
-    std::fill(distances.distance.samples().begin(),
-              distances.distance.samples().end(),
-              std::numeric_limits<float>::infinity());
-    const std::vector<ArcCopy> copies = copies_in_image(arcs, grid, domain, needs.reach);
-    const auto rows = static_cast<std::size_t>(grid.height);
-    parallel_for(rows, kBandRows, threads, [&](std::size_t first, std::size_t last) {
-        for (const ArcCopy& copy : copies) {
-            add_arc(copy, {static_cast<int>(first), static_cast<int>(last)}, distances);
-        }
+    std::ranges::fill(distances.distance.samples(), std::numeric_limits<float>::infinity());
+    const std::vector<ArcInImage> in_image = arcs_in_image(arcs, grid, domain, needs.reach);
+    const std::vector<BlockRange> columns = block_ranges(grid.width, grid.shift_x);
+    const std::vector<BlockRange> rows = block_ranges(grid.height, grid.shift_y);
+    std::vector<BlockMeasure> workers(static_cast<std::size_t>(thread_count(threads)),
+                                      BlockMeasure(needs, distances));
+    parallel_for(static_cast<int>(rows.size()), workers, [&](BlockMeasure& measure, int k) {
+        measure_row_of_blocks(in_image, columns, rows[static_cast<std::size_t>(k)], measure);
     });
-    limit(distances, needs.reach);
     return distances;
 }
 

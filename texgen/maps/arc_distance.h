@@ -18,19 +18,6 @@ struct PlacedArc {
     PixelArc arc;         // pixels; turns by less than 360 degrees
 };
 
-/// The distance from a point to the nearest point of an arc.
-struct NearestOnArc {
-    double distance = 0.0;  // in pixels
-    // The direction from the nearest point of the arc to the given point, as a vector of any
-    // length. If the given point is on the arc, the vector is a normal of the arc instead. It is
-    // zero if the given point is on an arc with a chord of length zero.
-    Vec2 direction{0.0, 0.0};
-};
-
-/// Finds the nearest point of an arc. The given point is in pixels, relative to the tail of the
-/// arc.
-NearestOnArc nearest_on_arc(const PixelArc& arc, const Vec2& point);
-
 /// Selects what distances_to_arcs computes.
 struct ArcDistanceNeeds {
     double reach = 0.0;     // in pixels; distances above it are infinite
@@ -49,10 +36,10 @@ struct ArcDistances {
     Image<float> gradient;
 };
 
-/// Returns the distances to the nearest of the arcs and of their periodic copies. Visits the pixels
-/// in a square around each arc, so it is fast only for short arcs. The result does not depend on
-/// `threads` (core/parallel/parallel_for.h). Precondition: the function pixels_per_unit
-/// (raster_grid.h) does not throw for this grid and this domain.
+/// Returns the distances to the nearest of the arcs and of their periodic copies, with an error of
+/// at most PixelBatch::kMargin. The result does not depend on `threads`
+/// (core/parallel/parallel_for.h). Precondition: the function pixels_per_unit (raster_grid.h) does
+/// not throw for this grid and this domain.
 ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const RasterGrid& grid,
                                const Domain& domain,

@@ -30,50 +30,81 @@ double sampled_distance(const FilmArc& arc, const Vec2& point) {
     return nearest;
 }
 
+// An image of one arc in the plane. The arc begins at the given position, in pixels.
+ArcDistances distances_to_arc(const PixelArc& arc, const Vec2& tail, double reach) {
+    constexpr int kSide = 48;
+    const RasterGrid grid{kSide, kSide, 0, 0, View{Vec2::Constant(0.5 * kSide), 1.0}};
+    const std::vector<PlacedArc> arcs = {{tail, arc}};
+    return distances_to_arcs(arcs, grid, kPlane, {reach, true}, 2);
+}
+
 TEST(ArcDistance, IsTheDistanceToTheNearestPointOfTheArc) {
+    const Vec2 tail(17.0, 19.0);
     for (const double half_angle : {-2.9, -1.6, -0.7, -0.01, 0.02, 0.9, 1.5, 2.0, 3.0}) {
         const FilmArc arc{{12.0, 5.0}, half_angle};
-        for (const Vec2& point : {Vec2(3.0, 9.0),
-                                  Vec2(-4.0, 1.0),
-                                  Vec2(15.0, 2.0),
-                                  Vec2(6.0, 2.5),
-                                  Vec2(7.0, -8.0),
-                                  Vec2(-20.0, 30.0)}) {
-            EXPECT_NEAR(
-                nearest_on_arc(pixel_arc(arc), point).distance, sampled_distance(arc, point), 1e-6)
-                << "half angle " << half_angle << ", point " << point.transpose();
+        const Image<float> image = distances_to_arc(pixel_arc(arc), tail, 100.0).distance;
+        for (int y = 0; y < image.height(); y += 5) {
+            for (int x = 0; x < image.width(); x += 5) {
+                const Vec2 point = Vec2(x + 0.5, y + 0.5) - tail;
+                EXPECT_NEAR(image.pixel(x, y)[0], sampled_distance(arc, point), 1e-4)
+                    << "half angle " << half_angle << ", point " << point.transpose();
+            }
         }
     }
 }
 
 TEST(ArcDistance, IsExactForAStraightLine) {
-    const PixelArc line{{10.0, 0.0}, 1.0, 0.0};
-    EXPECT_EQ(nearest_on_arc(line, {4.0, 3.0}).distance, 3.0);
-    EXPECT_EQ(nearest_on_arc(line, {4.0, -3.0}).distance, 3.0);
-    EXPECT_EQ(nearest_on_arc(line, {13.0, 4.0}).distance, 5.0);
-    EXPECT_EQ(nearest_on_arc(line, {-3.0, -4.0}).distance, 5.0);
+    const Image<float> image =
+        distances_to_arc({{10.0, 0.0}, 1.0, 0.0}, {20.5, 20.5}, 100.0).distance;
+    EXPECT_EQ(image.pixel(24, 23)[0], 3.0F);
+    EXPECT_EQ(image.pixel(24, 17)[0], 3.0F);
+    EXPECT_EQ(image.pixel(33, 24)[0], 5.0F);
+    EXPECT_EQ(image.pixel(17, 16)[0], 5.0F);
 }
 
 TEST(ArcDistance, AnArcWithoutLengthIsAPoint) {
-    EXPECT_EQ(nearest_on_arc({{0.0, 0.0}, 1.0, 0.0}, {3.0, 4.0}).distance, 5.0);
-    EXPECT_EQ(nearest_on_arc({{0.0, 0.0}, 1.0, 0.0}, {0.0, 0.0}).distance, 0.0);
+    const Image<float> image =
+        distances_to_arc({{0.0, 0.0}, 1.0, 0.0}, {20.5, 20.5}, 100.0).distance;
+    EXPECT_EQ(image.pixel(23, 24)[0], 5.0F);
+    EXPECT_EQ(image.pixel(20, 20)[0], 0.0F);
 }
 
-// The derivative of a distance along a direction is the product of the direction and the gradient.
-TEST(ArcDistance, DirectionIsThatOfTheGradient) {
-    constexpr double kStep = 1e-6;
-    for (const double half_angle : {-2.9, -0.7, -0.01, 0.0, 0.9, 1.5, 3.0}) {
-        const PixelArc arc = pixel_arc({{12.0, 5.0}, half_angle});
-        for (const Vec2& point :
-             {Vec2(3.0, 9.0), Vec2(-4.0, 1.0), Vec2(15.0, 2.0), Vec2(7.0, -8.0)}) {
-            const auto distance = [&](double x, double y) {
-                return nearest_on_arc(arc, point + Vec2(x, y)).distance;
-            };
-            const Vec2 slopes(distance(kStep, 0.0) - distance(-kStep, 0.0),
-                              distance(0.0, kStep) - distance(0.0, -kStep));
-            const Vec2 gradient = nearest_on_arc(arc, point).direction.normalized();
-            EXPECT_LT((gradient - slopes / (2.0 * kStep)).norm(), 1e-6)
-                << "half angle " << half_angle << ", point " << point.transpose();
+TEST(ArcDistance, IsInfiniteBeyondTheReach) {
+    const PixelArc arc = pixel_arc({{12.0, 5.0}, 0.9});
+    const ArcDistances all = distances_to_arc(arc, {17.0, 19.0}, 100.0);
+    const ArcDistances near = distances_to_arc(arc, {17.0, 19.0}, 6.5);
+    for (int y = 0; y < near.distance.height(); ++y) {
+        for (int x = 0; x < near.distance.width(); ++x) {
+            const float distance = all.distance.pixel(x, y)[0];
+            if (distance <= 6.5F) {
+                EXPECT_EQ(near.distance.pixel(x, y)[0], distance);
+                EXPECT_EQ(near.gradient.pixel(x, y)[0], all.gradient.pixel(x, y)[0]);
+                EXPECT_EQ(near.gradient.pixel(x, y)[1], all.gradient.pixel(x, y)[1]);
+            } else {
+                EXPECT_EQ(near.distance.pixel(x, y)[0], std::numeric_limits<float>::infinity());
+                EXPECT_EQ(near.gradient.pixel(x, y)[0], 0.0F);
+                EXPECT_EQ(near.gradient.pixel(x, y)[1], 0.0F);
+            }
+        }
+    }
+}
+
+// The gradient points away from the nearest of many points of the arc.
+TEST(ArcDistance, GradientPointsAwayFromTheNearestPoint) {
+    const Vec2 tail(17.0, 19.0);
+    for (const double half_angle : {-2.9, -0.7, -0.01, 0.02, 0.9, 1.5, 3.0}) {
+        const FilmArc arc{{12.0, 5.0}, half_angle};
+        const ArcDistances image = distances_to_arc(pixel_arc(arc), tail, 100.0);
+        for (int y = 2; y < image.distance.height(); y += 11) {
+            for (int x = 2; x < image.distance.width(); x += 11) {
+                const Vec2 point = Vec2(x + 0.5, y + 0.5) - tail;
+                const double distance = sampled_distance(arc, point);
+                const Vec2 gradient(image.gradient.pixel(x, y)[0], image.gradient.pixel(x, y)[1]);
+                EXPECT_NEAR(gradient.norm(), 1.0, 1e-6);
+                // Only the right gradient leads to the arc.
+                EXPECT_LT(sampled_distance(arc, point - distance * gradient), 2e-3)
+                    << "half angle " << half_angle << ", point " << point.transpose();
+            }
         }
     }
 }
@@ -109,6 +140,24 @@ TEST(ArcDistance, DoesNotDependOnTheNumberOfThreads) {
     const ArcDistances four = distances_to_arcs(arcs, {160, 120}, domain, {30.0, true}, 4);
     EXPECT_EQ(one.distance, four.distance);
     EXPECT_EQ(one.gradient, four.gradient);
+}
+
+TEST(ArcDistance, AShiftOfTheGridIsCyclicToTheBit) {
+    const Domain domain{1.0, 1.0};
+    const std::vector<PlacedArc> arcs = {{{0.1, 0.2}, {{70.0, 20.0}, 0.8, 0.6}},
+                                         {{0.9, 0.6}, {{40.0, 90.0}, 0.6, -0.8}}};
+    const ArcDistances still = distances_to_arcs(arcs, {150, 150}, domain, {30.0, true}, 1);
+    const ArcDistances shifted =
+        distances_to_arcs(arcs, {150, 150, 37, -61}, domain, {30.0, true}, 1);
+    for (int y = 0; y < 150; ++y) {
+        for (int x = 0; x < 150; ++x) {
+            const int from_x = (x + 37) % 150;
+            const int from_y = (y - 61 + 150) % 150;
+            EXPECT_EQ(shifted.distance.pixel(x, y)[0], still.distance.pixel(from_x, from_y)[0]);
+            EXPECT_EQ(shifted.gradient.pixel(x, y)[0], still.gradient.pixel(from_x, from_y)[0]);
+            EXPECT_EQ(shifted.gradient.pixel(x, y)[1], still.gradient.pixel(from_x, from_y)[1]);
+        }
+    }
 }
 
 TEST(ArcDistance, TheGradientIsOptional) {

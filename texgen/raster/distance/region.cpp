@@ -43,19 +43,8 @@ void Boundary::add_arc(const PixelArc& shape, const Vec2& tail) {
         loop_tangent_ = tangent;
     }
     films_.push_back({tail, shape, !is_first && cross(head_tangent_, tangent) < 0.0});
-    add_halves(films_.back());
+    add_narrow_arcs(films_.back(), arcs_);
     head_tangent_ = head_tangent(shape);
-}
-
-void Boundary::add_halves(const DistanceArc& arc) {
-    // The negated comparison is also true for NaN, so that the recursion ends.
-    if (!(arc.shape.cosine < DistanceArc::kMinCosine)) {
-        arcs_.push_back(arc);
-        return;
-    }
-    const auto [first, second] = halves(arc.shape);
-    add_halves({arc.tail, first, arc.corner});
-    add_halves({arc.tail + first.chord, second, false});
 }
 
 void Boundary::close_loop() {
@@ -88,6 +77,17 @@ std::array<PixelArc, 2> halves(const PixelArc& arc) {
     const Vec2 sagitta = -sine / cosine * turned_left(half_chord);
     return {PixelArc{half_chord + sagitta, cosine, sine},
             PixelArc{half_chord - sagitta, cosine, sine}};
+}
+
+// The negated comparison is also true for NaN, so that the recursion ends.
+void add_narrow_arcs(const DistanceArc& arc, std::vector<DistanceArc>& arcs) {
+    if (!(arc.shape.cosine < DistanceArc::kMinCosine)) {
+        arcs.push_back(arc);
+        return;
+    }
+    const auto [first, second] = halves(arc.shape);
+    add_narrow_arcs({arc.tail, first, arc.corner}, arcs);
+    add_narrow_arcs({arc.tail + first.chord, second, false}, arcs);
 }
 
 }  // namespace foam::texgen

@@ -77,8 +77,6 @@ class Boundary {
     std::span<const OutlineArc> outline() const { return outline_; }
 
   private:
-    void add_halves(const DistanceArc& arc);
-
     std::vector<DistanceArc> arcs_;
     std::vector<DistanceArc> films_;
     std::vector<OutlineArc> outline_;
@@ -89,6 +87,10 @@ class Boundary {
 
 /// Returns the two halves of an arc, the half at its tail first.
 std::array<PixelArc, 2> halves(const PixelArc& arc);
+
+/// Appends an arc to `arcs`. An arc that turns by more than 120 degrees is cut in halves until the
+/// parts fit (DistanceArc::kMinCosine).
+void add_narrow_arcs(const DistanceArc& arc, std::vector<DistanceArc>& arcs);
 
 enum class RegionKind {
     Bubble,
