@@ -2,6 +2,7 @@
 
 #include "texgen/maps/arc_distance.h"
 
+#include "core/parallel/counting_sort.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/maps/grid_positions.h"
 #include "texgen/raster/distance/arc_view.h"
@@ -11,22 +12,26 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <vector>
 
 // The image is divided into square blocks of pixels. Each block is measured with the arcs near it,
-// by the same functions that measure the distances of the pixels of a bubble (ArcView, PixelBatch).
-// There, only the arcs that a pixel faces count. Here, the boundary of the arcs is open, so both
-// ends of each arc count, too.
+// by the functions that also measure the pixels of a bubble (ArcView, PixelBatch). PixelBatch
+// ignores the arcs that a pixel does not face. The arcs here have free ends, so the ends of all
+// arcs are passed to it as points. Positions are relative to the middle of a block before anything
+// is rounded. Therefore, a shift of the grid does not change a bit.
 
 namespace foam::texgen {
 
 namespace {
 
-constexpr int kBlockSide = 24;  // pixels
+constexpr int kBlockSide = 16;  // pixels
+static_assert(kBlockSide * kBlockSide <= PixelBatch::kCapacity);
 // An upper bound of the distance of a pixel of a block from the middle of the block, in pixels.
 constexpr double kBlockRadius = 0.5 * std::numbers::sqrt2 * kBlockSide;
+constexpr std::size_t kArcsPerTask = 4096;
 
 // Returns a radius such that the circle around the middle of the chord with this radius contains
 // the whole arc. The point of the arc that is farthest from the middle of the chord is an end or
@@ -36,35 +41,42 @@ double radius_around_chord(const PixelArc& arc) {
     return std::max(0.5 * arc.chord.norm(), (middle - 0.5 * arc.chord).norm());
 }
 
-// An arc of the image, with the square of pixels that are near it.
-struct ArcInImage {
-    DistanceArc arc;
-    Vec2 center;    // center of the square, in pixels of the image
-    double extent;  // half the side of the square
+// An arc near the image, or a part of an arc that turns by more than 120 degrees.
+struct NearArc {
+    Vec2 start;        // tail of the whole arc, in pixels of the image; a whole number of subpixels
+    DistanceArc part;  // its tail is relative to `start`
+    bool has_tail;     // true if the part begins at the tail of the whole arc
+    bool has_head;     // true if it ends at the head of the whole arc
+    Vec2 center;       // the center of a square, in pixels of the image
+    double extent;     // half the side of the square
 };
 
-// Returns the arcs and all of their periodic copies whose squares overlap the image, and some
-// copies near the image. Wide arcs are cut in halves (DistanceArc::kMinCosine). The square of an
-// arc contains all points that are at most `reach` pixels from it.
-std::vector<ArcInImage> arcs_in_image(std::span<const PlacedArc> arcs,
-                                      const RasterGrid& grid,
-                                      const Domain& domain,
-                                      double reach) {
-    std::vector<ArcInImage> in_image;
+// Returns the arcs and their periodic copies that are near the image. Wide arcs are cut into parts
+// (add_narrow_arcs). The square of an arc contains all points that are at most `reach` pixels from
+// it.
+std::vector<NearArc> arcs_near_image(std::span<const PlacedArc> arcs,
+                                     const RasterGrid& grid,
+                                     const Domain& domain,
+                                     double reach) {
+    std::vector<NearArc> near;
     std::vector<DistanceArc> parts;
     for (const PlacedArc& placed : arcs) {
+        parts.clear();
+        add_narrow_arcs({Vec2::Zero(), placed.arc, false}, parts);
         const double radius = radius_around_chord(placed.arc);
         for_each_copy(grid, domain, placed.tail, reach + 2.0 * radius, [&](const Vec2& tail) {
-            parts.clear();
-            add_narrow_arcs({tail / kSubpixel, placed.arc, false}, parts);
-            for (const DistanceArc& part : parts) {
-                in_image.push_back({part,
-                                    part.tail + 0.5 * part.shape.chord,
-                                    radius_around_chord(part.shape) + reach});
+            const Vec2 start = tail / kSubpixel;
+            for (std::size_t k = 0; k < parts.size(); ++k) {
+                near.push_back({start,
+                                parts[k],
+                                k == 0,
+                                k + 1 == parts.size(),
+                                start + parts[k].tail + 0.5 * parts[k].shape.chord,
+                                radius_around_chord(parts[k].shape) + reach});
             }
         });
     }
-    return in_image;
+    return near;
 }
 
 // The rows or the columns [begin, end) of pixels that the image shows of a block, and the middle of
@@ -76,8 +88,8 @@ struct BlockRange {
 };
 
 // Divides the rows or the columns of an image into blocks. `size` is the number of rows or columns.
-// The blocks are those of the unshifted grid (RasterGrid), so that a shift does not change the
-// positions of pixels relative to the middle of their block.
+// The blocks are those of the unshifted grid (RasterGrid). A block that the border of a shifted
+// image cuts appears twice, with one part at each border.
 std::vector<BlockRange> block_ranges(int size, int shift) {
     std::vector<BlockRange> ranges;
     for (int origin = -wrap(shift, size); origin < size; origin += size) {
@@ -92,56 +104,118 @@ std::vector<BlockRange> block_ranges(int size, int shift) {
     return ranges;
 }
 
+// Calls visit(k) for each range k that overlaps the interval around `center`, or touches it.
+template <class Visit>
+void for_each_range(std::span<const BlockRange> ranges,
+                    double center,
+                    double extent,
+                    const Visit& visit) {
+    const auto first = std::ranges::lower_bound(ranges, center - extent, {}, &BlockRange::end);
+    for (auto range = first; range != ranges.end() && range->begin <= center + extent; ++range) {
+        visit(static_cast<std::size_t>(range - ranges.begin()));
+    }
+}
+
+// The indices of the arcs whose squares overlap each row of blocks.
+Buckets<std::uint32_t> sorted_by_row(std::span<const NearArc> arcs,
+                                     std::span<const BlockRange> rows,
+                                     int threads) {
+    const std::size_t parts = chunk_count(arcs.size(), kArcsPerTask);
+    return counting_sort<std::uint32_t>(
+        rows.size(), parts, threads, [&](std::size_t part, const auto& put) {
+            const std::size_t end = std::min((part + 1) * kArcsPerTask, arcs.size());
+            for (std::size_t k = part * kArcsPerTask; k < end; ++k) {
+                for_each_range(rows, arcs[k].center.y(), arcs[k].extent, [&](std::size_t row) {
+                    put(row, static_cast<std::uint32_t>(k));
+                });
+            }
+        });
+}
+
 // Measures the pixels of blocks. Keeps its memory from block to block.
 class BlockMeasure {
   public:
-    BlockMeasure(const ArcDistanceNeeds& needs, ArcDistances& distances)
-        : needs_(needs), distances_(distances) {}
+    BlockMeasure(std::span<const NearArc> arcs,
+                 const ArcDistanceNeeds& needs,
+                 ArcDistances& distances)
+        : all_arcs_(arcs), needs_(needs), distances_(distances) {}
 
-    // Measures a block of pixels. `arcs` contains all arcs that are within reach of its pixels.
-    void measure(const BlockRange& columns,
-                 const BlockRange& rows,
-                 std::span<const DistanceArc> arcs) {
-        find_near(arcs, Vec2(columns.middle, rows.middle));
-        batch_.clear(Vec2(columns.middle, rows.middle));
+    // Measures a row of blocks. `near_row` contains the indices of the arcs near the row.
+    void measure_row(std::span<const BlockRange> columns,
+                     const BlockRange& rows,
+                     std::span<const std::uint32_t> near_row) {
+        near_block_.resize(columns.size());
+        for (std::vector<std::uint32_t>& near : near_block_) {
+            near.clear();
+        }
+        for (const std::uint32_t k : near_row) {
+            for_each_range(
+                columns, all_arcs_[k].center.x(), all_arcs_[k].extent, [&](std::size_t column) {
+                    near_block_[column].push_back(k);
+                });
+        }
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            measure_block(columns[k], rows, near_block_[k]);
+        }
+    }
+
+  private:
+    void measure_block(const BlockRange& columns,
+                       const BlockRange& rows,
+                       std::span<const std::uint32_t> near) {
+        const Vec2 middle(columns.middle, rows.middle);
+        find_nearest(near, middle);
+        if (functions_.empty() && ends_.empty()) {
+            return;
+        }
+        batch_.clear(middle);
         for (int y = rows.begin; y < rows.end; ++y) {
             batch_.add_span(columns.begin, y, columns.end - columns.begin);
         }
-        batch_.measure(near_, ends_, needs_.gradient);
+        batch_.measure(functions_, ends_, needs_.gradient);
         for (const PixelBatch::Span& span : batch_.spans()) {
             write(span);
         }
     }
 
-  private:
-    // Finds the arcs and the ends of arcs that may be nearest to a pixel within its reach.
-    void find_near(std::span<const DistanceArc> arcs, const Vec2& middle) {
-        near_.clear();
+    // Finds the arcs and the ends that may be the nearest of a pixel within its reach. If the
+    // middle of the block faces an arc, the distance of a pixel from this arc is at most that of
+    // the middle plus the radius of the block. Arcs and ends beyond the horizon are farther away
+    // from every pixel.
+    void find_nearest(std::span<const std::uint32_t> near, const Vec2& middle) {
+        arcs_.clear();
+        functions_.clear();
         ends_.clear();
-        view_.evaluate(arcs, middle);
+        for (const std::uint32_t k : near) {
+            const NearArc& arc = all_arcs_[k];
+            arcs_.push_back({(arc.start - middle) + arc.part.tail, arc.part.shape, false});
+        }
+        view_.evaluate(arcs_, Vec2::Zero());
         const double limit = std::min(view_.horizon(kBlockRadius),
                                       needs_.reach + kBlockRadius + PixelBatch::kMargin);
-        for (std::size_t k = 0; k < arcs.size(); ++k) {
-            if (arcs[k].shape.chord.norm() > kShortestChord) {
-                if (!view_.is_within(k, limit)) {
-                    continue;
-                }
-                near_.push_back(view_.arc_functions(k));
+        const auto add_end = [&](const Vec2& end) {
+            if (end.norm() <= limit) {
+                ends_.push_back(end);
             }
-            for (const Vec2& end : {Vec2(arcs[k].tail - middle), Vec2(arcs[k].head() - middle)}) {
-                if (end.norm() <= limit) {
-                    ends_.push_back(end);
-                }
+        };
+        for (std::size_t k = 0; k < near.size(); ++k) {
+            if (arcs_[k].shape.chord.norm() > kShortestChord && view_.is_within(k, limit)) {
+                functions_.push_back(view_.arc_functions(k));
+            }
+            if (all_arcs_[near[k]].has_tail) {
+                add_end(arcs_[k].tail);
+            }
+            if (all_arcs_[near[k]].has_head) {
+                add_end(arcs_[k].head());
             }
         }
     }
 
     // Writes the results of the pixels within reach. Those of the others are already set.
     void write(const PixelBatch::Span& span) {
-        const auto reach = static_cast<float>(needs_.reach);
         for (std::uint32_t k = 0; k < span.count; ++k) {
             const float distance = batch_.distance()[span.first + k];
-            if (distance > reach) {
+            if (static_cast<double>(distance) > needs_.reach) {
                 continue;
             }
             const int x = span.column + static_cast<int>(k);
@@ -154,38 +228,17 @@ class BlockMeasure {
         }
     }
 
+    std::span<const NearArc> all_arcs_;
     ArcDistanceNeeds needs_;
     ArcDistances& distances_;
+    std::vector<std::vector<std::uint32_t>>
+        near_block_;                 // indices of arcs, for each block of a row
+    std::vector<DistanceArc> arcs_;  // near a block, relative to its middle
     ArcView view_;
-    PixelBatch batch_;
-    std::vector<ArcFunctions> near_;
+    std::vector<ArcFunctions> functions_;
     std::vector<Vec2> ends_;
+    PixelBatch batch_;
 };
-
-// Measures the pixels of one row of blocks.
-void measure_row_of_blocks(std::span<const ArcInImage> arcs,
-                           std::span<const BlockRange> columns,
-                           const BlockRange& rows,
-                           BlockMeasure& measure) {
-    std::vector<std::vector<DistanceArc>> arcs_of_block(columns.size());
-    for (const ArcInImage& arc : arcs) {
-        if (arc.center.y() + arc.extent < rows.begin || arc.center.y() - arc.extent > rows.end) {
-            continue;
-        }
-        const auto first =
-            std::ranges::lower_bound(columns, arc.center.x() - arc.extent, {}, &BlockRange::end);
-        for (auto block = first;
-             block != columns.end() && block->begin <= arc.center.x() + arc.extent;
-             ++block) {
-            arcs_of_block[static_cast<std::size_t>(block - columns.begin())].push_back(arc.arc);
-        }
-    }
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        if (!arcs_of_block[k].empty()) {
-            measure.measure(columns[k], rows, arcs_of_block[k]);
-        }
-    }
-}
 
 }  // namespace
 
@@ -199,13 +252,17 @@ ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
         distances.gradient = {grid.width, grid.height, 2};
     }
     std::ranges::fill(distances.distance.samples(), std::numeric_limits<float>::infinity());
-    const std::vector<ArcInImage> in_image = arcs_in_image(arcs, grid, domain, needs.reach);
+    const std::vector<NearArc> near = arcs_near_image(arcs, grid, domain, needs.reach);
     const std::vector<BlockRange> columns = block_ranges(grid.width, grid.shift_x);
     const std::vector<BlockRange> rows = block_ranges(grid.height, grid.shift_y);
-    std::vector<BlockMeasure> workers(static_cast<std::size_t>(thread_count(threads)),
-                                      BlockMeasure(needs, distances));
-    parallel_for(static_cast<int>(rows.size()), workers, [&](BlockMeasure& measure, int k) {
-        measure_row_of_blocks(in_image, columns, rows[static_cast<std::size_t>(k)], measure);
+    const Buckets<std::uint32_t> near_rows = sorted_by_row(near, rows, threads);
+    const auto count = static_cast<int>(rows.size());
+    std::vector<BlockMeasure> workers(
+        static_cast<std::size_t>(std::min(thread_count(threads), count)),
+        BlockMeasure(near, needs, distances));
+    parallel_for(count, workers, [&](BlockMeasure& measure, int k) {
+        const auto row = static_cast<std::size_t>(k);
+        measure.measure_row(columns, rows[row], near_rows.items_of(row, row + 1));
     });
     return distances;
 }

@@ -36,10 +36,11 @@ struct ArcDistances {
     Image<float> gradient;
 };
 
-/// Returns the distances to the nearest of the arcs and of their periodic copies, with an error of
-/// at most PixelBatch::kMargin. The result does not depend on `threads`
-/// (core/parallel/parallel_for.h). Precondition: the function pixels_per_unit (raster_grid.h) does
-/// not throw for this grid and this domain.
+/// Returns the distances to the nearest of the arcs and of their periodic copies. The error is at
+/// most PixelBatch::kMargin, except at pixels that are within 0.001 pixels of the normals at both
+/// ends of an arc. The result does not depend on `threads` (core/parallel/parallel_for.h).
+/// Precondition: the function pixels_per_unit (raster_grid.h) does not throw for this grid and this
+/// domain.
 ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const RasterGrid& grid,
                                const Domain& domain,

@@ -2,6 +2,9 @@
 
 #include "texgen/maps/arc_distance.h"
 
+#include "core/foam/random.h"
+#include "texgen/raster/distance/pixel_batch.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,21 +16,26 @@
 namespace foam::texgen {
 namespace {
 
-// Returns the distance from a point to the nearest of many points of an arc.
-double sampled_distance(const FilmArc& arc, const Vec2& point) {
-    constexpr int kSamples = 200'000;
-    const double radius = 0.5 * arc.chord.norm() / std::sin(arc.half_angle);
+// Returns the distance from a point to an arc that begins at the origin. If the ray from the center
+// of the circle to the point crosses the arc, it is the distance from the circle, otherwise that
+// from the nearer end.
+double exact_distance(const FilmArc& arc, const Vec2& point) {
+    const double to_ends = std::min(point.norm(), (point - arc.chord).norm());
+    const double sine = std::sin(arc.half_angle);
+    if (std::abs(sine) < 1e-9 || arc.chord.isZero(0.0)) {
+        const double along = point.dot(arc.chord) / std::max(arc.chord.squaredNorm(), 1e-300);
+        return along < 0.0 || along > 1.0 ? to_ends : (point - along * arc.chord).norm();
+    }
+    const double radius = 0.5 * arc.chord.norm() / sine;
     const Vec2 center =
         0.5 * arc.chord + radius * std::cos(arc.half_angle) * turned_left(arc.chord.normalized());
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int k = 0; k <= kSamples; ++k) {
-        const double angle = 2.0 * arc.half_angle * k / kSamples;
-        const Vec2 from_center = -center;
-        const Vec2 at =
-            center + std::cos(angle) * from_center + std::sin(angle) * turned_left(from_center);
-        nearest = std::min(nearest, (point - at).norm());
-    }
-    return nearest;
+    const Vec2 from_center = point - center;
+    const double turned =
+        std::atan2(cross(Vec2(-center), from_center), Vec2(-center).dot(from_center));
+    const double left = arc.half_angle > 0.0 ? turned : -turned;  // in the direction of the arc
+    const double angle = left < 0.0 ? left + 2.0 * std::numbers::pi : left;
+    const bool crosses = angle <= 2.0 * std::abs(arc.half_angle);
+    return crosses ? std::abs(from_center.norm() - std::abs(radius)) : to_ends;
 }
 
 // An image of one arc in the plane. The arc begins at the given position, in pixels.
@@ -43,10 +51,10 @@ TEST(ArcDistance, IsTheDistanceToTheNearestPointOfTheArc) {
     for (const double half_angle : {-2.9, -1.6, -0.7, -0.01, 0.02, 0.9, 1.5, 2.0, 3.0}) {
         const FilmArc arc{{12.0, 5.0}, half_angle};
         const Image<float> image = distances_to_arc(pixel_arc(arc), tail, 100.0).distance;
-        for (int y = 0; y < image.height(); y += 5) {
-            for (int x = 0; x < image.width(); x += 5) {
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
                 const Vec2 point = Vec2(x + 0.5, y + 0.5) - tail;
-                EXPECT_NEAR(image.pixel(x, y)[0], sampled_distance(arc, point), 1e-4)
+                EXPECT_NEAR(image.pixel(x, y)[0], exact_distance(arc, point), 1e-4)
                     << "half angle " << half_angle << ", point " << point.transpose();
             }
         }
@@ -89,7 +97,7 @@ TEST(ArcDistance, IsInfiniteBeyondTheReach) {
     }
 }
 
-// The gradient points away from the nearest of many points of the arc.
+// The gradient points away from the nearest point of the arc.
 TEST(ArcDistance, GradientPointsAwayFromTheNearestPoint) {
     const Vec2 tail(17.0, 19.0);
     for (const double half_angle : {-2.9, -0.7, -0.01, 0.02, 0.9, 1.5, 3.0}) {
@@ -98,14 +106,96 @@ TEST(ArcDistance, GradientPointsAwayFromTheNearestPoint) {
         for (int y = 2; y < image.distance.height(); y += 11) {
             for (int x = 2; x < image.distance.width(); x += 11) {
                 const Vec2 point = Vec2(x + 0.5, y + 0.5) - tail;
-                const double distance = sampled_distance(arc, point);
+                const double distance = exact_distance(arc, point);
                 const Vec2 gradient(image.gradient.pixel(x, y)[0], image.gradient.pixel(x, y)[1]);
                 EXPECT_NEAR(gradient.norm(), 1.0, 1e-6);
                 // Only the right gradient leads to the arc.
-                EXPECT_LT(sampled_distance(arc, point - distance * gradient), 2e-3)
+                EXPECT_LT(exact_distance(arc, point - distance * gradient), 2e-3)
                     << "half angle " << half_angle << ", point " << point.transpose();
             }
         }
+    }
+}
+
+// Arcs of all shapes at random positions: wide ones, tiny ones and one without length. Angles and
+// chords are in pixels and radians.
+struct RandomArcs {
+    RandomArcs(int count, const Vec2& low, const Vec2& size) {
+        Random random(7);
+        const auto between = [&](double least, double most) {
+            return least + (most - least) * random.uniform();
+        };
+        for (int k = 0; k < count; ++k) {
+            const double length = k == 0 ? 0.0 : std::exp(between(std::log(1e-4), std::log(30.0)));
+            const double direction = between(0.0, 2.0 * std::numbers::pi);
+            const double half_angle = k % 3 == 0 ? between(-2.5, 2.5) : between(-0.8, 0.8);
+            shapes.push_back({length * Vec2(std::cos(direction), std::sin(direction)), half_angle});
+            const double x = low.x() + size.x() * random.uniform();
+            const double y = low.y() + size.y() * random.uniform();
+            placed.push_back({{x, y}, pixel_arc(shapes.back())});
+        }
+    }
+
+    std::vector<FilmArc> shapes;
+    std::vector<PlacedArc> placed;
+};
+
+// Returns the distance from a point, in foam units, to the nearest of all arcs and of their copies.
+double nearest_distance(const RandomArcs& arcs,
+                        const Domain& domain,
+                        double scale,
+                        const Vec2& point) {
+    constexpr int kCopies = 2;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < arcs.shapes.size(); ++k) {
+        for (int j = -kCopies; j <= (domain.is_plane() ? -kCopies : kCopies); ++j) {
+            for (int i = -kCopies; i <= (domain.is_plane() ? -kCopies : kCopies); ++i) {
+                const Vec2 tail = arcs.placed[k].tail + domain.translation({i, j});
+                nearest = std::min(nearest, exact_distance(arcs.shapes[k], scale * (point - tail)));
+            }
+        }
+    }
+    return nearest;
+}
+
+// Tails are rounded to subpixels, so distances may be wrong by half of the diagonal of a subpixel.
+void expect_nearest(const RandomArcs& arcs,
+                    const RasterGrid& grid,
+                    const Domain& domain,
+                    double reach) {
+    const double scale = pixels_per_unit(grid, domain);
+    const Image<float> image =
+        distances_to_arcs(arcs.placed, grid, domain, {reach, false}, 2).distance;
+    const Vec2 corner = grid.view
+                            ? Vec2(grid.view->center - 0.5 / scale * Vec2(grid.width, grid.height))
+                            : Vec2(Vec2(grid.shift_x, grid.shift_y) / scale);
+    for (int y = 0; y < grid.height; ++y) {
+        for (int x = 0; x < grid.width; ++x) {
+            const Vec2 point = corner + Vec2(x + 0.5, y + 0.5) / scale;
+            const double expected = nearest_distance(arcs, domain, scale, point);
+            const auto distance = static_cast<double>(image.pixel(x, y)[0]);
+            if (expected < reach - PixelBatch::kMargin) {
+                EXPECT_NEAR(distance, expected, PixelBatch::kMargin) << x << ", " << y;
+            } else if (expected > reach + PixelBatch::kMargin) {
+                EXPECT_EQ(distance, std::numeric_limits<double>::infinity()) << x << ", " << y;
+            }
+        }
+    }
+}
+
+TEST(ArcDistance, IsTheDistanceToTheNearestOfManyArcs) {
+    for (const double reach : {1.5, 9.3, 200.0}) {
+        for (const RasterGrid& grid :
+             {RasterGrid{61, 53}, {61, 53, 20, 37}, {7, 7}, {32, 16, -5, 3}}) {
+            const Domain domain{grid.width / 10.0, grid.height / 10.0};
+            const RandomArcs arcs(12, {0.0, 0.0}, {domain.width, domain.height});
+            expect_nearest(arcs, grid, domain, reach);
+        }
+        const Domain sheared{6.1, 5.3, 1.234};
+        const RandomArcs arcs(12, {0.0, 0.0}, {sheared.width, sheared.height});
+        expect_nearest(arcs, {61, 53, 20, 37}, sheared, reach);
+        const RandomArcs in_patch(12, {-4.0, -4.0}, {8.0, 8.0});
+        expect_nearest(in_patch, {61, 53, 0, 0, View{{0.3, -0.2}, 10.0}}, kPlane, reach);
     }
 }
 
@@ -144,8 +234,7 @@ TEST(ArcDistance, DoesNotDependOnTheNumberOfThreads) {
 
 TEST(ArcDistance, AShiftOfTheGridIsCyclicToTheBit) {
     const Domain domain{1.0, 1.0};
-    const std::vector<PlacedArc> arcs = {{{0.1, 0.2}, {{70.0, 20.0}, 0.8, 0.6}},
-                                         {{0.9, 0.6}, {{40.0, 90.0}, 0.6, -0.8}}};
+    const std::vector<PlacedArc> arcs = RandomArcs(300, {0.0, 0.0}, {1.0, 1.0}).placed;
     const ArcDistances still = distances_to_arcs(arcs, {150, 150}, domain, {30.0, true}, 1);
     const ArcDistances shifted =
         distances_to_arcs(arcs, {150, 150, 37, -61}, domain, {30.0, true}, 1);

@@ -48,6 +48,7 @@ TEST(ArcsOfFilms, ALoneBubbleIsTwoHalfCircles) {
     const std::vector<PlacedArc> circle =
         arcs_of_films(patch.frame, test::patch_grid(64), 1, [](FilmId) { return false; });
     ASSERT_EQ(circle.size(), 2U);
+    EXPECT_GT((circle[0].tail - circle[1].tail).norm(), radius);
     for (const PlacedArc& half : circle) {
         const Vec2 middle = half.tail + halves(half.arc)[0].chord / scale;
         const Vec2 head = half.tail + half.arc.chord / scale;

@@ -45,11 +45,11 @@ struct FilmFunctions {
     float chord = 0.0F;  // length of the chord, pixels
 };
 
-/// Up to 1600 pixels of a region that are close together, with their distances, gradients and
-/// smooth distances. Positions are in pixels, relative to the lower left corner of the box of the
-/// region (RegionPixels). Functions of arcs are evaluated in doubles at the middle of the batch.
-/// All further arithmetic is in floats relative to the middle, which avoids cancellation, however
-/// large the arcs are.
+/// Up to 1600 pixels that are close together, with their distances, gradients and smooth distances.
+/// Columns, rows and the middle of the batch are in the coordinates of the caller, in pixels. For a
+/// region, they are relative to the lower left corner of its box (RegionPixels). Functions of arcs
+/// are evaluated in doubles at the middle of the batch. All further arithmetic is in floats
+/// relative to the middle, which avoids cancellation, however large the arcs are.
 class PixelBatch {
   public:
     static constexpr std::size_t kCapacity = 1600;

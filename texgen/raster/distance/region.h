@@ -14,10 +14,10 @@ namespace foam::texgen {
 
 /// An arc from which distances are measured, in pixels.
 struct DistanceArc {
-    /// The smallest cosine of the half angle of an arc in Boundary::arcs(): the arc turns by at
-    /// most 120 degrees. The class Boundary cuts wider arcs in half until they fit. A point faces
-    /// an arc if it is between the normals at both ends of the arc. This is tested with two
-    /// half-planes, and the test fails for arcs that turn by more than 180 degrees.
+    /// The smallest cosine of the half angle of an arc whose distance is measured: the arc turns by
+    /// at most 120 degrees. The function add_narrow_arcs cuts wider arcs in half until they fit. A
+    /// point faces an arc if it is between the normals at both ends of the arc. This is tested with
+    /// two half-planes, and the test fails for arcs that turn by more than 180 degrees.
     static constexpr double kMinCosine = 0.5;
 
     Vec2 tail{0.0, 0.0};
