@@ -28,6 +28,7 @@ struct Kernels {
     // memcpy, because GCC 12 copies 32 bytes as two halves. Reading them as a whole then waits
     // until both halves are written, which made factoring up to twice as slow.
     using LanesInMemory [[gnu::aligned(alignof(Real)), gnu::may_alias]] = Lanes;
+    static_assert(alignof(LanesInMemory) == alignof(Real));
     using Index = std::ptrdiff_t;
 
     static constexpr Index kLanes = Bytes / Index{sizeof(Real)};

@@ -27,7 +27,7 @@ template <class Real>
 class DenseKernelsTest : public testing::Test {
   public:
     using Index = std::ptrdiff_t;
-    static constexpr Index kStride = 140;
+    static constexpr Index kStride = 141;
     static constexpr Index kMaxCols = 64;
 
     // Returns the target after a product of random numbers. The numbers do not depend on the shape
