@@ -11,7 +11,8 @@ namespace foam::evolver {
 
 namespace {
 
-// Largest shear of a torus, divided by its width. More would leave few digits for coordinates.
+// Largest shear of a torus (the x component of its second period), as a multiple of its width. More
+// would leave few digits for coordinates.
 constexpr double kMaxShear = 1e6;
 
 // Returns the rejected keywords in lower case. Each has a text, which follows the keyword in the

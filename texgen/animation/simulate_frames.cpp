@@ -18,12 +18,13 @@
 #include <utility>
 
 // States are passed on as soon as they exist and are not kept here. A boil whose start is not known
-// is simulated twice. The first simulation searches for the start and ends. The second simulation
-// begins with the start, which was written as text and read again. It is therefore in the same
-// situation as a simulation whose start was stored earlier. Nothing else that the search leaves
-// behind, such as its history (history.h), can make the frames differ. All other animations are
-// simulated once. The frames of a breathe or shear loop continue from the foam whose cycle has
-// closed. The method is our own.
+// is simulated twice. The first simulation searches for the start, and stops when it has found it.
+// The second simulation begins with the start, which was written as text and read again. It is
+// therefore in the same situation as a simulation whose start was stored earlier. Apart from this
+// text, nothing that the search leaves behind, such as its history (history.h), reaches the second
+// simulation. Its frames are therefore the same in both cases. All other animations are simulated
+// once. The frames of a breathe or shear loop continue from the foam whose cycle has closed. The
+// method is our own.
 
 namespace foam::texgen {
 
@@ -68,7 +69,8 @@ SimulatedFrame state_of(const Simulation& simulation, const LoopOptions& loop, F
     return state;
 }
 
-// The name of the start of a loop that is kept outside of the program, for error messages.
+// Stands in place of a file name in error messages about the start of a loop, if its text was not
+// compiled into the program but kept in a LoopMemory.
 constexpr const char* kKeptLoop = "the start of the loop";
 
 // Returns the start of the loop of a preset that is stored in the program or, for a boil, kept in

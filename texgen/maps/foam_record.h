@@ -54,9 +54,10 @@ struct FoamRecord {
     /// (FramesOptions::warm_up), in increasing order. They are in units of PressureUnit::Current:
     /// divided by the film tension and multiplied by the square root of the mean area. The map
     /// `pressure` takes percentiles and ranks from this list for all frames, which prevents
-    /// flicker. If the map smooths or flattens pressures, it does not use the list. The list is
-    /// empty before this equilibrium, for example in a frame 1 that shows the raw diagram (a seeded
-    /// foam before its first equilibrium).
+    /// flicker. If the map averages pressures over neighbors (if PressureOptions::smoothing or
+    /// PressureOptions::flattening is above 0), it does not use the list. The list is empty before
+    /// this equilibrium, for example in a frame 1 that shows the raw diagram (a seeded foam before
+    /// its first equilibrium).
     std::vector<double> first_pressures{};
     /// The foam time of the last birth of each bubble, indexed by the bubble's identity. It is 0
     /// for a seeded bubble that has not been born again. For other bubbles, it is

@@ -15,9 +15,9 @@ namespace foam::texgen {
 /// - The files of the bake are vector files.
 /// - A scene format cannot refer to the images of the bake.
 ///
-/// OpenUSD and MaterialX need PNG files, or EXR files with one map each. OpenUSD also needs colors
-/// with the primaries of sRGB that are straight, that is, not multiplied by the opacity. A scene of
-/// glTF contains its images, so all image formats are possible.
+/// OpenUSD and MaterialX need PNG files, or EXR files with one map each. OpenUSD also needs
+/// straight colors (not multiplied by the opacity) with the primaries of sRGB. A scene of glTF
+/// contains its images, so all image formats are possible.
 void check_scenes(const Preset& preset);
 
 /// Writes the scene files of output.scene for a preset, whose bake has just ended, into the folder

@@ -10,9 +10,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the row of a frame that is copied to row `position` of the sheet cell, where positions
-// are counted from the first row of the frame. Positions in the gutter are outside of [0, extent);
-// the result is always in this range. The same holds for columns.
+// Returns the row of a frame that is copied to the row `position` of its cell in the sheet.
+// Position 0 is the first row of the frame in the cell; the gutter has the positions below 0 and
+// from `extent` on. The result is in [0, extent). The same holds for columns.
 int source_of(int position, int extent, Gutter gutter) {
     if (gutter == Gutter::Edge) {
         return std::clamp(position, 0, extent - 1);

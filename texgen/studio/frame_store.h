@@ -48,12 +48,14 @@ struct SimulationState {
 /// any frame can be drawn immediately, with any colors. Each page of the studio wants one foam.
 /// When a simulation ends, the foam that was wanted last is simulated next; a simulation that no
 /// page wants any more is stopped. At most eight foams are kept, or fewer if the memory does not
-/// suffice. Foams whose simulation is complete or has failed are forgotten before others. In each
-/// of these two groups, the foam that was wanted longest ago is forgotten first. Thread-safe.
+/// suffice. Foams whose simulation has ended (complete or failed) are forgotten before foams whose
+/// simulation has not. In each of these two groups, the foam that was wanted longest ago is
+/// forgotten first. Thread-safe.
 class FrameStore {
   public:
-    /// Keeps states of at most `bytes` bytes, approximately, and drafts of at most a quarter of
-    /// that. If the states of an animation need more memory, only its first frames are kept.
+    /// Keeps states of at most `bytes` bytes, approximately, and drafts (see `draft`) of at most a
+    /// quarter of that. If the states of an animation need more memory, only its first frames are
+    /// kept.
     explicit FrameStore(std::size_t bytes);
     ~FrameStore();
     FrameStore(const FrameStore&) = delete;
@@ -82,8 +84,8 @@ class FrameStore {
     /// function unless all frames are kept.
     FrameSource source(const Preset& preset);
 
-    /// Stops all simulations except drafts. Calls of `frame` that wait for a frame, or that would
-    /// wait later, throw FrameReplaced.
+    /// Stops all simulations except drafts. Calls of `frame` that are waiting, and all later calls,
+    /// throw FrameReplaced.
     void stop();
 
   private:
