@@ -145,11 +145,13 @@ double nearest_distance(const RandomArcs& arcs,
                         const Domain& domain,
                         double scale,
                         const Vec2& point) {
-    constexpr int kCopies = 2;
+    // An arc extends up to 60 pixels from its tail.
+    const double period = scale * std::min(domain.width, domain.height);
+    const int copies = domain.is_plane() ? 0 : 1 + static_cast<int>(70.0 / period);
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < arcs.shapes.size(); ++k) {
-        for (int j = -kCopies; j <= (domain.is_plane() ? -kCopies : kCopies); ++j) {
-            for (int i = -kCopies; i <= (domain.is_plane() ? -kCopies : kCopies); ++i) {
+        for (int j = -copies; j <= copies; ++j) {
+            for (int i = -copies; i <= copies; ++i) {
                 const Vec2 tail = arcs.placed[k].tail + domain.translation({i, j});
                 nearest = std::min(nearest, exact_distance(arcs.shapes[k], scale * (point - tail)));
             }
