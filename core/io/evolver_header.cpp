@@ -11,8 +11,7 @@ namespace foam::evolver {
 
 namespace {
 
-// Largest shear of a torus (the x component of its second period), as a multiple of its width. More
-// would leave few digits for coordinates.
+// Largest x component of the second period of a torus, in widths. More would leave few digits.
 constexpr double kMaxShear = 1e6;
 
 // Returns the rejected keywords in lower case. Each has a text, which follows the keyword in the
