@@ -17,14 +17,14 @@ namespace {
 // of its circle. No film of a bubble above the T2 area is so close to a full circle.
 constexpr double kLargestHalfAngle = std::numbers::pi - 1e-6;
 
-// Keeps only the values of the ids in `kept`, in the order of `kept`.
+// Puts the values into the order of `ids`, and removes the values of all other ids.
 template <class Id, class T>
-void keep(Indexed<Id, T>& values, const std::vector<Id>& kept) {
-    Indexed<Id, T> dense;
-    for (const Id id : kept) {
-        dense.push_back(values[id]);
+void reorder(Indexed<Id, T>& values, const std::vector<Id>& ids) {
+    Indexed<Id, T> reordered;
+    for (const Id id : ids) {
+        reordered.push_back(values[id]);
     }
-    values = std::move(dense);
+    values = std::move(reordered);
 }
 
 }  // namespace
@@ -91,18 +91,24 @@ void translate(Foam& foam, const Vec2& by) {
     }
 }
 
-void compact(Foam& foam) {
-    if (foam.network.is_compact()) {
-        return;
+void renumber(Foam& foam, const Network::OldIds& order) {
+    const BubbleId ghost = foam.network.ghost();
+    std::vector<BubbleId> bubbles = order.bubbles;
+    if (ghost != kNone<BubbleId>) {
+        bubbles.push_back(ghost);
+        reorder(foam.half_angles, order.films);
     }
-    const Network::Kept kept = foam.network.compact();
-    keep(foam.positions, kept.junctions);
-    keep(foam.pressures, kept.bubbles);
-    keep(foam.target_areas, kept.bubbles);
-    keep(foam.identities, kept.bubbles);
-    keep(foam.t1_armed, kept.films);
-    if (foam.network.ghost() != kNone<BubbleId>) {
-        keep(foam.half_angles, kept.films);
+    foam.network.renumber(order);
+    reorder(foam.positions, order.junctions);
+    reorder(foam.pressures, bubbles);
+    reorder(foam.target_areas, bubbles);
+    reorder(foam.identities, bubbles);
+    reorder(foam.t1_armed, order.films);
+}
+
+void compact(Foam& foam) {
+    if (!foam.network.is_compact()) {
+        renumber(foam, foam.network.live_ids());
     }
 }
 

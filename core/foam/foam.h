@@ -91,8 +91,12 @@ void place_junction(Foam& foam, JunctionId junction, const Vec2& point);
 /// Moves all junctions by the same vector. Lone bubbles are not moved.
 void translate(Foam& foam, const Vec2& by);
 
-/// Removes the dead slots from the network (Network::compact) and from every vector of the foam
-/// that is indexed by ids.
+/// Renumbers the elements of the network, and reorders every vector of the foam that is indexed by
+/// their ids. Removes all dead slots. Precondition: that of Network::renumber.
+void renumber(Foam& foam, const Network::OldIds& order);
+
+/// Removes the dead slots from the network and from every vector of the foam that is indexed by
+/// ids. The elements keep their order, except that the ghost becomes the last bubble.
 void compact(Foam& foam);
 
 }  // namespace foam

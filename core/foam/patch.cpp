@@ -5,6 +5,7 @@
 #include "core/foam/clipped_cells.h"
 #include "core/foam/patch_part.h"
 #include "core/foam/random.h"
+#include "core/foam/spatial_order.h"
 #include "core/foam/target_areas.h"
 
 #include <algorithm>
@@ -161,6 +162,7 @@ Foam seed_patch(std::span<const Outline> parts, const PatchOptions& options) {
     Foam foam = foam_of(seeded);
     foam.film_tension = 2.0 * options.surface_tension;
     set_targets(seeded, options.area_ratio, foam);
+    sort_if_large(foam);
     return foam;
 }
 

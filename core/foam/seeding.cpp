@@ -4,6 +4,7 @@
 
 #include "core/foam/clipped_cells.h"
 #include "core/foam/random.h"
+#include "core/foam/spatial_order.h"
 #include "core/foam/target_areas.h"
 #include "core/foam/voronoi.h"
 
@@ -117,6 +118,7 @@ Foam seed_foam(const SeedingOptions& options) {
     }
     Foam foam = draw_foam(placed, domain, random);
     foam.film_tension = 2.0 * options.surface_tension;
+    sort_if_large(foam);
     return foam;
 }
 

@@ -9,12 +9,12 @@ namespace foam {
 
 namespace {
 
-// Returns the id after `compact` for each id before it. The new id of a dead element is kNone.
+// Returns the new id for each old id. The new id of a removed element is kNone.
 template <class Id>
-Indexed<Id, Id> new_ids(const std::vector<Id>& kept, std::size_t slots) {
+Indexed<Id, Id> new_ids(const std::vector<Id>& old_ids, std::size_t slots) {
     Indexed<Id, Id> ids(slots, kNone<Id>);
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        ids[kept[i]] = id_at<Id>(i);
+    for (std::size_t i = 0; i < old_ids.size(); ++i) {
+        ids[old_ids[i]] = id_at<Id>(i);
     }
     return ids;
 }
@@ -104,30 +104,36 @@ bool Network::is_connected_as(const Network& other) const {
            ghost_ == other.ghost_;
 }
 
-Network::Kept Network::compact() {
-    Kept kept{junctions().ids(junction_count()),
-              films().ids(film_count()),
-              bubbles().ids(bubble_count())};
-    if (ghost_ != kNone<BubbleId>) {
-        kept.bubbles.push_back(ghost_);
-    }
-    const auto junction = new_ids(kept.junctions, junction_slots());
-    const auto film = new_ids(kept.films, film_slots());
-    const auto bubble = new_ids(kept.bubbles, bubble_slots());
+Network::OldIds Network::live_ids() const {
+    return {junctions().ids(junction_count()),
+            films().ids(film_count()),
+            bubbles().ids(bubble_count())};
+}
+
+void Network::renumber(const OldIds& order) {
+    const auto junction = new_ids(order.junctions, junction_slots());
+    const auto film = new_ids(order.films, film_slots());
+    auto bubble = new_ids(order.bubbles, bubble_slots());
     const auto half_edge = [&](HalfEdgeId h) {
         const HalfEdgeId forward = forward_side(film[film_of(h)]);
         return is_forward(h) ? forward : twin(forward);
     };
     Network dense;
-    for (std::size_t i = 0; i < kept.junctions.size(); ++i) {
+    for (std::size_t i = 0; i < order.junctions.size(); ++i) {
         dense.add_junction();
     }
-    for (const BubbleId old : kept.bubbles) {
-        const BubbleId id = old == ghost_ ? dense.add_ghost() : dense.add_bubble();
+    const auto copy_bubble = [&](BubbleId old, BubbleId id) {
+        bubble[old] = id;
         dense.set_first(id, sides(old) > 0 ? half_edge(first(old)) : kNone<HalfEdgeId>);
         dense.set_sides(id, sides(old));
+    };
+    for (const BubbleId old : order.bubbles) {
+        copy_bubble(old, dense.add_bubble());
     }
-    for (const FilmId old : kept.films) {
+    if (ghost_ != kNone<BubbleId>) {
+        copy_bubble(ghost_, dense.add_ghost());
+    }
+    for (const FilmId old : order.films) {
         const FilmId id = dense.add_film();
         dense.offsets_[id] = offsets_[old];
         for (const HalfEdgeId h : {forward_side(old), twin(forward_side(old))}) {
@@ -135,11 +141,10 @@ Network::Kept Network::compact() {
             target = {junction[tail(h)], bubble[left(h)], half_edge(next(h))};
         }
     }
-    for (const JunctionId old : kept.junctions) {
+    for (const JunctionId old : order.junctions) {
         dense.outgoing_[junction[old]] = half_edge(outgoing(old));
     }
     *this = std::move(dense);
-    return kept;
 }
 
 bool Network::is_compact() const {

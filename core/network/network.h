@@ -29,7 +29,7 @@ namespace foam {
 /// no half-edge.
 ///
 /// A removed element leaves a dead slot behind, so that the ids of other elements stay valid during
-/// a time step; `compact` removes dead slots. Accessors take live ids only, unless stated
+/// a time step; `renumber` removes dead slots. Accessors take live ids only, unless stated
 /// otherwise.
 class Network {
   public:
@@ -120,18 +120,20 @@ class Network {
     /// differ.
     bool is_connected_as(const Network& other) const;
 
-    /// The old ids of the elements that compact() keeps. The index of an old id in its vector is
-    /// the new id. The elements of each kind keep their order, except that the ghost becomes the
-    /// last bubble.
-    struct Kept {
+    /// The old ids of the elements in a new order: the index of an old id in its vector is the new
+    /// id. Ids that are in none of the vectors are removed. The ghost is in none of them; it always
+    /// becomes the last bubble.
+    struct OldIds {
         std::vector<JunctionId> junctions;
         std::vector<FilmId> films;
         std::vector<BubbleId> bubbles;
     };
-    /// Removes the dead slots and renumbers all elements. Returns the old ids of the kept elements.
-    Kept compact();
-    /// Returns true if there are no dead slots and the ghost, if any, is the last bubble. compact()
-    /// would then change nothing.
+    /// Returns the ids of all live elements, in increasing order.
+    OldIds live_ids() const;
+    /// Renumbers all elements. Precondition: `order` contains each live element once.
+    void renumber(const OldIds& order);
+    /// Returns true if there are no dead slots and the ghost, if any, is the last bubble. To
+    /// renumber the elements in the order of live_ids() would then change nothing.
     bool is_compact() const;
 
   private:

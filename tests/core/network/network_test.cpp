@@ -147,7 +147,7 @@ TEST(Network, IsCompactWithoutDeadSlots) {
     EXPECT_TRUE(network.is_compact());
     vanish(network, BubbleId{5});
     EXPECT_FALSE(network.is_compact());
-    network.compact();
+    network.renumber(network.live_ids());
     EXPECT_TRUE(network.is_compact());
 }
 
@@ -160,10 +160,11 @@ TEST(Network, IsNotCompactWithABubbleAfterTheGhost) {
     EXPECT_FALSE(network.is_compact());
 }
 
-TEST(Network, CompactOfADenseNetworkChangesNothing) {
+TEST(Network, RenumberingADenseNetworkInItsOrderChangesNothing) {
     const Network before = honeycomb(3, 4).network;
     Network after = before;
-    const Network::Kept kept = after.compact();
+    const Network::OldIds kept = after.live_ids();
+    after.renumber(kept);
     EXPECT_TRUE(are_same(before, after));
     EXPECT_EQ(kept.junctions, listed(before.junctions()));
     EXPECT_EQ(kept.films, listed(before.films()));
@@ -172,11 +173,12 @@ TEST(Network, CompactOfADenseNetworkChangesNothing) {
 
 // After a T2, the remaining elements have new ids in the old order, and all relations among them
 // are the same.
-TEST(Network, CompactKeepsEverything) {
+TEST(Network, RenumberingKeepsEverything) {
     Network sparse = honeycomb_around(3).network;
     vanish(sparse, BubbleId{5});
     Network dense = sparse;
-    const Network::Kept kept = dense.compact();
+    const Network::OldIds kept = dense.live_ids();
+    dense.renumber(kept);
     ASSERT_TRUE(is_valid(dense));
     EXPECT_EQ(kept.bubbles, listed(sparse.bubbles()));
     EXPECT_EQ(dense.bubble_slots(), 15U);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "core/foam/foam.h"
+
+#include <cstddef>
+
+namespace foam {
+
+/// Foams with at least this many bubbles are sorted after seeding (sort_if_large). The data of
+/// smaller foams fits into the caches of usual processors, so that any order is as fast
+/// (core/equilibrium/NOTES.md).
+inline constexpr std::size_t kMinSortedBubbles = 20'000;
+
+/// Renumbers the junctions, films and bubbles of a foam along a Hilbert curve. Elements that are
+/// close together in the foam are then mostly close together in memory, so that the solver reads
+/// large foams faster. The identities of bubbles do not change, and the ghost remains the last
+/// bubble. Removes dead slots (compact).
+void sort_along_curve(Foam& foam);
+
+/// Sorts a foam along the curve if it has at least kMinSortedBubbles bubbles.
+void sort_if_large(Foam& foam);
+
+}  // namespace foam
