@@ -93,7 +93,9 @@ struct Kernels {
 
     template <Index Strip>
     static Tile<Strip> multiply(const Real* left, Index stride, const Real* right, Index depth) {
-        Tile<Strip> tile;  // cleared element by element, so that GCC keeps it in registers
+        // Cleared element by element, so that GCC keeps it in registers.
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+        Tile<Strip> tile;
         for (auto& column : tile.sums) {
             for (Lanes& sum : column) {
                 sum = Lanes{};

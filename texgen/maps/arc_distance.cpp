@@ -28,7 +28,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kBlockSide = 16;  // pixels
-static_assert(kBlockSide * kBlockSide <= PixelBatch::kCapacity);
+static_assert(std::size_t{kBlockSide} * kBlockSide <= PixelBatch::kCapacity);
 // An upper bound of the distance of a pixel of a block from the middle of the block, in pixels.
 constexpr double kBlockRadius = 0.5 * std::numbers::sqrt2 * kBlockSide;
 constexpr std::size_t kArcsPerTask = 4096;
