@@ -92,18 +92,15 @@ void translate(Foam& foam, const Vec2& by) {
 }
 
 void renumber(Foam& foam, const Network::OldIds& order) {
-    const BubbleId ghost = foam.network.ghost();
-    std::vector<BubbleId> bubbles = order.bubbles;
-    if (ghost != kNone<BubbleId>) {
-        bubbles.push_back(ghost);
-        reorder(foam.half_angles, order.films);
-    }
     foam.network.renumber(order);
     reorder(foam.positions, order.junctions);
-    reorder(foam.pressures, bubbles);
-    reorder(foam.target_areas, bubbles);
-    reorder(foam.identities, bubbles);
+    reorder(foam.pressures, order.bubbles);
+    reorder(foam.target_areas, order.bubbles);
+    reorder(foam.identities, order.bubbles);
     reorder(foam.t1_armed, order.films);
+    if (foam.network.ghost() != kNone<BubbleId>) {
+        reorder(foam.half_angles, order.films);
+    }
 }
 
 void compact(Foam& foam) {

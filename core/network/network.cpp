@@ -105,15 +105,19 @@ bool Network::is_connected_as(const Network& other) const {
 }
 
 Network::OldIds Network::live_ids() const {
-    return {junctions().ids(junction_count()),
-            films().ids(film_count()),
-            bubbles().ids(bubble_count())};
+    OldIds live{junctions().ids(junction_count()),
+                films().ids(film_count()),
+                bubbles().ids(bubble_count())};
+    if (ghost_ != kNone<BubbleId>) {
+        live.bubbles.push_back(ghost_);
+    }
+    return live;
 }
 
 void Network::renumber(const OldIds& order) {
     const auto junction = new_ids(order.junctions, junction_slots());
     const auto film = new_ids(order.films, film_slots());
-    auto bubble = new_ids(order.bubbles, bubble_slots());
+    const auto bubble = new_ids(order.bubbles, bubble_slots());
     const auto half_edge = [&](HalfEdgeId h) {
         const HalfEdgeId forward = forward_side(film[film_of(h)]);
         return is_forward(h) ? forward : twin(forward);
@@ -122,16 +126,10 @@ void Network::renumber(const OldIds& order) {
     for (std::size_t i = 0; i < order.junctions.size(); ++i) {
         dense.add_junction();
     }
-    const auto copy_bubble = [&](BubbleId old, BubbleId id) {
-        bubble[old] = id;
+    for (const BubbleId old : order.bubbles) {
+        const BubbleId id = old == ghost_ ? dense.add_ghost() : dense.add_bubble();
         dense.set_first(id, sides(old) > 0 ? half_edge(first(old)) : kNone<HalfEdgeId>);
         dense.set_sides(id, sides(old));
-    };
-    for (const BubbleId old : order.bubbles) {
-        copy_bubble(old, dense.add_bubble());
-    }
-    if (ghost_ != kNone<BubbleId>) {
-        copy_bubble(ghost_, dense.add_ghost());
     }
     for (const FilmId old : order.films) {
         const FilmId id = dense.add_film();

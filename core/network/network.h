@@ -121,19 +121,19 @@ class Network {
     bool is_connected_as(const Network& other) const;
 
     /// The old ids of the elements in a new order: the index of an old id in its vector is the new
-    /// id. Ids that are in none of the vectors are removed. The ghost is in none of them; it always
-    /// becomes the last bubble.
+    /// id. The ghost, if any, is the last bubble.
     struct OldIds {
         std::vector<JunctionId> junctions;
         std::vector<FilmId> films;
         std::vector<BubbleId> bubbles;
     };
-    /// Returns the ids of all live elements, in increasing order.
+    /// Returns the ids of all live elements, in increasing order except for the ghost.
     OldIds live_ids() const;
-    /// Renumbers all elements. Precondition: `order` contains each live element once.
+    /// Renumbers all elements, and removes the dead slots. Precondition: `order` contains each live
+    /// element and the ghost once, the ghost as the last bubble.
     void renumber(const OldIds& order);
-    /// Returns true if there are no dead slots and the ghost, if any, is the last bubble. To
-    /// renumber the elements in the order of live_ids() would then change nothing.
+    /// Returns true if there are no dead slots and the ghost, if any, is the last bubble. Calling
+    /// renumber(live_ids()) would then change nothing.
     bool is_compact() const;
 
   private:
