@@ -2,6 +2,8 @@
 
 #include "core/foam/corners.h"
 
+#include <limits>
+
 namespace foam {
 
 std::vector<Vec2> corners_of(const Foam& foam, BubbleId bubble) {
@@ -21,6 +23,16 @@ Vec2 mean_corner(const Foam& foam, BubbleId bubble) {
         sum += corner;
     }
     return sum / static_cast<double>(corners.size());
+}
+
+Box box_around_junctions(const Foam& foam) {
+    const Vec2 far = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Box box{far, -far};
+    for (const JunctionId junction : foam.network.junctions()) {
+        box.low = box.low.cwiseMin(foam.positions[junction]);
+        box.high = box.high.cwiseMax(foam.positions[junction]);
+    }
+    return box;
 }
 
 }  // namespace foam

@@ -2,9 +2,12 @@
 
 #include "core/foam/spatial_order.h"
 
+#include "core/foam/corners.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -42,54 +45,36 @@ std::uint32_t position_on_curve(std::uint32_t x, std::uint32_t y) {
     return position;
 }
 
-// The smallest square around all junctions.
-struct Square {
-    Vec2 low;
-    double side;
-};
-
-Square square_around(const Foam& foam) {
-    Vec2 low = foam.positions[*foam.network.junctions().begin()];
-    Vec2 high = low;
+// Returns the position along the curve of each junction. The curve fills the smallest square that
+// contains all junctions.
+Indexed<JunctionId, std::uint32_t> positions_on_curve(const Foam& foam) {
+    const Box box = box_around_junctions(foam);
+    const double side = box.size().maxCoeff();
+    const double scale = side > 0.0 ? ((1U << kLevels) - 1U) / side : 0.0;
+    Indexed<JunctionId, std::uint32_t> on_curve(foam.network.junction_slots(), 0);
     for (const JunctionId junction : foam.network.junctions()) {
-        low = low.cwiseMin(foam.positions[junction]);
-        high = high.cwiseMax(foam.positions[junction]);
+        const Vec2 at = scale * (foam.positions[junction] - box.low);
+        on_curve[junction] = position_on_curve(static_cast<std::uint32_t>(at.x()),
+                                               static_cast<std::uint32_t>(at.y()));
     }
-    return {low, (high - low).maxCoeff()};
-}
-
-// Sorts ids by the position along the curve of a junction of the element. Ids at the same position
-// keep their order.
-template <class Id, class JunctionOf>
-void sort_ids(std::vector<Id>& ids,
-              const Indexed<JunctionId, std::uint32_t>& positions,
-              const JunctionOf& junction_of) {
-    std::stable_sort(ids.begin(), ids.end(), [&](Id a, Id b) {
-        return positions[junction_of(a)] < positions[junction_of(b)];
-    });
+    return on_curve;
 }
 
 }  // namespace
 
 void sort_along_curve(Foam& foam) {
     const Network& network = foam.network;
-    if (network.junction_count() == 0) {
-        return;
-    }
-    const Square square = square_around(foam);
-    const double scale = square.side > 0.0 ? ((1U << kLevels) - 1U) / square.side : 0.0;
-    Indexed<JunctionId, std::uint32_t> positions(network.junction_slots(), 0);
-    for (const JunctionId junction : network.junctions()) {
-        const Vec2 at = scale * (foam.positions[junction] - square.low);
-        positions[junction] = position_on_curve(static_cast<std::uint32_t>(at.x()),
-                                                static_cast<std::uint32_t>(at.y()));
-    }
+    const Indexed<JunctionId, std::uint32_t> on_curve = positions_on_curve(foam);
+    const auto of_junction = [&](JunctionId junction) { return on_curve[junction]; };
+    const auto of_film = [&](FilmId film) { return on_curve[network.tail(forward_side(film))]; };
+    const auto of_bubble = [&](BubbleId bubble) {
+        return on_curve[network.tail(network.first(bubble))];
+    };
     Network::OldIds order = network.live_ids();
-    sort_ids(order.junctions, positions, [](JunctionId junction) { return junction; });
-    sort_ids(order.films, positions, [&](FilmId film) { return network.tail(forward_side(film)); });
-    sort_ids(order.bubbles, positions, [&](BubbleId bubble) {
-        return network.tail(network.first(bubble));
-    });
+    const auto without_ghost = std::span(order.bubbles).first(network.bubble_count());
+    std::ranges::stable_sort(order.junctions, {}, of_junction);
+    std::ranges::stable_sort(order.films, {}, of_film);
+    std::ranges::stable_sort(without_ghost, {}, of_bubble);
     renumber(foam, order);
 }
 

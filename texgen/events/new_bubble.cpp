@@ -3,10 +3,10 @@
 #include "texgen/events/new_bubble.h"
 
 #include "core/dynamics/nucleation.h"
+#include "core/foam/corners.h"
 #include "core/foam/locate.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace foam::texgen {
 
@@ -22,13 +22,8 @@ Vec2 random_point(const Foam& foam, Random& random) {
     if (!foam.domain.is_plane()) {
         return {x * foam.domain.width, y * foam.domain.height};
     }
-    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-    Vec2 high = -low;
-    for (const JunctionId junction : foam.network.junctions()) {
-        low = low.cwiseMin(foam.positions[junction]);
-        high = high.cwiseMax(foam.positions[junction]);
-    }
-    return low + Vec2(x, y).cwiseProduct(high - low);
+    const Box box = box_around_junctions(foam);
+    return box.low + Vec2(x, y).cwiseProduct(box.size());
 }
 
 }  // namespace

@@ -34,5 +34,24 @@ TEST(Corners, TheMeanOfAHexagonIsItsCenter) {
     EXPECT_LT((mean_corner(foam, BubbleId{5}) - center).norm(), 1e-12);
 }
 
+TEST(Corners, TheBoxIsTheSmallestAroundAllJunctions) {
+    const Foam foam = honeycomb(4, 4);
+    const Box box = box_around_junctions(foam);
+    bool is_left = false;
+    bool is_right = false;
+    bool is_lower = false;
+    bool is_upper = false;
+    for (const JunctionId junction : foam.network.junctions()) {
+        const Vec2& at = foam.positions[junction];
+        EXPECT_TRUE((at.array() >= box.low.array()).all() &&
+                    (at.array() <= box.high.array()).all());
+        is_left = is_left || at.x() == box.low.x();
+        is_right = is_right || at.x() == box.high.x();
+        is_lower = is_lower || at.y() == box.low.y();
+        is_upper = is_upper || at.y() == box.high.y();
+    }
+    EXPECT_TRUE(is_left && is_right && is_lower && is_upper);
+}
+
 }  // namespace
 }  // namespace foam
