@@ -51,28 +51,41 @@ struct NearArc {
     double extent;     // half the side of the square
 };
 
-// Returns the arcs and their periodic copies that are near the image. Wide arcs are cut into parts
-// (add_narrow_arcs). The square of an arc contains all points that are at most `reach` pixels from
-// it.
+// Returns the parts of an arc that begins at the origin: the arc itself, or several parts if it is
+// wide (add_narrow_arcs). The square of a part contains all points that are at most `reach` pixels
+// from it.
+std::vector<NearArc> parts_of(const PixelArc& arc, double reach) {
+    std::vector<DistanceArc> shapes;
+    add_narrow_arcs({Vec2::Zero(), arc, false}, shapes);
+    std::vector<NearArc> parts;
+    parts.reserve(shapes.size());
+    for (const DistanceArc& part : shapes) {
+        parts.push_back({Vec2::Zero(),
+                         part,
+                         false,
+                         false,
+                         part.tail + 0.5 * part.shape.chord,
+                         radius_around_chord(part.shape) + reach});
+    }
+    parts.front().has_tail = true;
+    parts.back().has_head = true;
+    return parts;
+}
+
+// Returns the parts of all arcs and of their periodic copies that are near the image.
 std::vector<NearArc> arcs_near_image(std::span<const PlacedArc> arcs,
                                      const RasterGrid& grid,
                                      const Domain& domain,
                                      double reach) {
     std::vector<NearArc> near;
-    std::vector<DistanceArc> parts;
     for (const PlacedArc& placed : arcs) {
-        parts.clear();
-        add_narrow_arcs({Vec2::Zero(), placed.arc, false}, parts);
+        const std::vector<NearArc> parts = parts_of(placed.arc, reach);
         const double radius = radius_around_chord(placed.arc);
         for_each_copy(grid, domain, placed.tail, reach + 2.0 * radius, [&](const Vec2& tail) {
-            const Vec2 start = tail / kSubpixel;
-            for (std::size_t k = 0; k < parts.size(); ++k) {
-                near.push_back({start,
-                                parts[k],
-                                k == 0,
-                                k + 1 == parts.size(),
-                                start + parts[k].tail + 0.5 * parts[k].shape.chord,
-                                radius_around_chord(parts[k].shape) + reach});
+            for (NearArc part : parts) {
+                part.start = tail / kSubpixel;
+                part.center += part.start;
+                near.push_back(part);
             }
         });
     }
@@ -231,8 +244,8 @@ class BlockMeasure {
     std::span<const NearArc> all_arcs_;
     ArcDistanceNeeds needs_;
     ArcDistances& distances_;
-    std::vector<std::vector<std::uint32_t>>
-        near_block_;                 // indices of arcs, for each block of a row
+    // The indices of the arcs near each block of a row.
+    std::vector<std::vector<std::uint32_t>> near_block_;
     std::vector<DistanceArc> arcs_;  // near a block, relative to its middle
     ArcView view_;
     std::vector<ArcFunctions> functions_;
