@@ -10,7 +10,6 @@
 #include "texgen/raster/distance/region.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -20,8 +19,8 @@
 // The image is divided into square blocks of pixels. Each block is measured with the arcs near it,
 // by the functions that also measure the pixels of a bubble (ArcView, PixelBatch). PixelBatch
 // ignores the arcs that a pixel does not face. The arcs here have free ends, so the ends of all
-// arcs are passed to it as points. Positions are relative to the middle of a block before anything
-// is rounded. Therefore, a shift of the grid does not change a bit.
+// arcs are passed to it as points. Tails of arcs are whole numbers of subpixels. Their positions
+// relative to the middle of a block are therefore exact, and a shift of the grid changes no bit.
 
 namespace foam::texgen {
 
@@ -45,8 +44,7 @@ double radius_around_chord(const PixelArc& arc) {
 struct NearArc {
     Vec2 start;        // tail of the whole arc, in pixels of the image; a whole number of subpixels
     DistanceArc part;  // its tail is relative to `start`
-    bool has_tail;     // true if the part begins at the tail of the whole arc
-    bool has_head;     // true if it ends at the head of the whole arc
+    bool has_head;     // true if the part ends at the head of the whole arc
     Vec2 center;       // the center of a square, in pixels of the image
     double extent;     // half the side of the square
 };
@@ -56,19 +54,17 @@ struct NearArc {
 // from it.
 std::vector<NearArc> parts_of(const PixelArc& arc, double reach) {
     std::vector<DistanceArc> shapes;
-    add_narrow_arcs({Vec2::Zero(), arc, false}, shapes);
+    add_narrow_arcs({Vec2::Zero(), arc, true}, shapes);
     std::vector<NearArc> parts;
     parts.reserve(shapes.size());
     for (const DistanceArc& part : shapes) {
+        // A part turns by at most 120 degrees, so that its ends are farthest from its middle.
         parts.push_back({Vec2::Zero(),
                          part,
-                         false,
-                         false,
+                         parts.size() + 1 == shapes.size(),
                          part.tail + 0.5 * part.shape.chord,
-                         radius_around_chord(part.shape) + reach});
+                         0.5 * part.shape.chord.norm() + reach});
     }
-    parts.front().has_tail = true;
-    parts.back().has_head = true;
     return parts;
 }
 
@@ -191,17 +187,17 @@ class BlockMeasure {
         }
     }
 
-    // Finds the arcs and the ends that may be the nearest of a pixel within its reach. If the
-    // middle of the block faces an arc, the distance of a pixel from this arc is at most that of
-    // the middle plus the radius of the block. Arcs and ends beyond the horizon are farther away
-    // from every pixel.
+    // Finds the arcs and the ends that may be nearest to a pixel of the block and within reach of
+    // it. ArcView::horizon also bounds the ends: each pixel is nearer to the arc that determines
+    // the horizon than to any end beyond the horizon.
     void find_nearest(std::span<const std::uint32_t> near, const Vec2& middle) {
         arcs_.clear();
         functions_.clear();
         ends_.clear();
         for (const std::uint32_t k : near) {
             const NearArc& arc = all_arcs_[k];
-            arcs_.push_back({(arc.start - middle) + arc.part.tail, arc.part.shape, false});
+            arcs_.push_back(
+                {(arc.start - middle) + arc.part.tail, arc.part.shape, arc.part.corner});
         }
         view_.evaluate(arcs_, Vec2::Zero());
         const double limit = std::min(view_.horizon(kBlockRadius),
@@ -215,7 +211,7 @@ class BlockMeasure {
             if (arcs_[k].shape.chord.norm() > kShortestChord && view_.is_within(k, limit)) {
                 functions_.push_back(view_.arc_functions(k));
             }
-            if (all_arcs_[near[k]].has_tail) {
+            if (arcs_[k].corner) {
                 add_end(arcs_[k].tail);
             }
             if (all_arcs_[near[k]].has_head) {

@@ -97,7 +97,6 @@ TEST(ArcDistance, IsInfiniteBeyondTheReach) {
     }
 }
 
-// The gradient points away from the nearest point of the arc.
 TEST(ArcDistance, GradientPointsAwayFromTheNearestPoint) {
     const Vec2 tail(17.0, 19.0);
     for (const double half_angle : {-2.9, -0.7, -0.01, 0.02, 0.9, 1.5, 3.0}) {
@@ -117,8 +116,8 @@ TEST(ArcDistance, GradientPointsAwayFromTheNearestPoint) {
     }
 }
 
-// Arcs of all shapes at random positions: wide ones, tiny ones and one without length. Angles and
-// chords are in pixels and radians.
+// Arcs of all shapes at random positions: wide ones, tiny ones and one without length. Chords are
+// in pixels, half angles in radians.
 struct RandomArcs {
     RandomArcs(int count, const Vec2& low, const Vec2& size) {
         Random random(7);
@@ -160,7 +159,8 @@ double nearest_distance(const RandomArcs& arcs,
     return nearest;
 }
 
-// Tails are rounded to subpixels, so distances may be wrong by half of the diagonal of a subpixel.
+// Tails are rounded to subpixels, so distances may also be wrong by half of the diagonal of a
+// subpixel, which is less than kMargin.
 void expect_nearest(const RandomArcs& arcs,
                     const RasterGrid& grid,
                     const Domain& domain,

@@ -22,8 +22,8 @@ struct DistanceArc {
 
     Vec2 tail{0.0, 0.0};
     PixelArc shape;
-    /// True if the region on the left has an inner angle of more than 180 degrees at the tail. The
-    /// tail itself may then be the nearest point of the boundary.
+    /// True if the region on the left has an inner angle of more than 180 degrees at the tail, or
+    /// if the arc begins there without another arc. The tail itself may then be the nearest point.
     bool corner = false;
 
     Vec2 head() const { return tail + shape.chord; }
