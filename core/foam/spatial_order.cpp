@@ -5,11 +5,9 @@
 #include "core/foam/corners.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 // The curve of D. Hilbert ("Ueber die stetige Abbildung einer Linie auf ein Flächenstück", 1891)
 // visits the four quarters of a square one after another, and the quarters of each quarter in the

@@ -5,6 +5,7 @@
 #include "core/foam/measure.h"
 #include "core/foam/patch.h"
 #include "core/foam/seeding.h"
+#include "core/network/t2.h"
 #include "tests/core/foams.h"
 
 #include <gtest/gtest.h>
@@ -94,6 +95,19 @@ TEST(SpatialOrder, OnlyLargeFoamsAreSorted) {
     const int limit = static_cast<int>(kMinSortedBubbles);
     EXPECT_GT(median_distance_in_memory(seed_foam({.bubbles = limit - 1, .seed = 2})), 4000);
     EXPECT_LT(median_distance_in_memory(seed_foam({.bubbles = limit, .seed = 2})), 30);
+    const Foam patch = seed_patch(disc_outline(), {.bubbles = limit + limit / 10, .seed = 2});
+    EXPECT_GE(patch.network.bubble_count(), kMinSortedBubbles);
+    EXPECT_LT(median_distance_in_memory(patch), 30);
+}
+
+TEST(SpatialOrder, DeadSlotsAreRemoved) {
+    Foam foam = test::honeycomb_around(3);
+    vanish(foam.network, BubbleId{5});
+    sort_along_curve(foam);
+    EXPECT_TRUE(foam.network.is_compact());
+    EXPECT_TRUE(is_valid(foam.network));
+    EXPECT_EQ(foam.positions.size(), foam.network.junction_slots());
+    EXPECT_EQ(foam.identities.size(), foam.network.bubble_slots());
 }
 
 }  // namespace

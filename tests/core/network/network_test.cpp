@@ -163,12 +163,26 @@ TEST(Network, IsNotCompactWithABubbleAfterTheGhost) {
 TEST(Network, RenumberingADenseNetworkInItsOrderChangesNothing) {
     const Network before = honeycomb(3, 4).network;
     Network after = before;
-    const Network::OldIds kept = after.live_ids();
-    after.renumber(kept);
+    const Network::OldIds order = after.live_ids();
+    after.renumber(order);
     EXPECT_TRUE(are_same(before, after));
-    EXPECT_EQ(kept.junctions, listed(before.junctions()));
-    EXPECT_EQ(kept.films, listed(before.films()));
-    EXPECT_EQ(kept.bubbles, listed(before.bubbles()));
+    EXPECT_EQ(order.junctions, listed(before.junctions()));
+    EXPECT_EQ(order.films, listed(before.films()));
+    EXPECT_EQ(order.bubbles, listed(before.bubbles()));
+}
+
+TEST(Network, RenumberingInReverseOrderTwiceChangesNothing) {
+    const Network before = honeycomb_around(3).network;
+    Network after = before;
+    for (int k = 0; k < 2; ++k) {
+        Network::OldIds order = after.live_ids();
+        std::ranges::reverse(order.junctions);
+        std::ranges::reverse(order.films);
+        std::ranges::reverse(order.bubbles);
+        after.renumber(order);
+        EXPECT_TRUE(is_valid(after));
+        EXPECT_EQ(are_same(before, after), k == 1);
+    }
 }
 
 // After a T2, the remaining elements have new ids in the old order, and all relations among them
@@ -177,27 +191,27 @@ TEST(Network, RenumberingKeepsEverything) {
     Network sparse = honeycomb_around(3).network;
     vanish(sparse, BubbleId{5});
     Network dense = sparse;
-    const Network::OldIds kept = dense.live_ids();
-    dense.renumber(kept);
+    const Network::OldIds order = dense.live_ids();
+    dense.renumber(order);
     ASSERT_TRUE(is_valid(dense));
-    EXPECT_EQ(kept.bubbles, listed(sparse.bubbles()));
+    EXPECT_EQ(order.bubbles, listed(sparse.bubbles()));
     EXPECT_EQ(dense.bubble_slots(), 15U);
     EXPECT_EQ(dense.film_slots(), 45U);
     EXPECT_EQ(dense.junction_slots(), 30U);
     const auto old_half_edge = [&](HalfEdgeId h) {
-        const HalfEdgeId forward = forward_side(kept.films[index_of(film_of(h))]);
+        const HalfEdgeId forward = forward_side(order.films[index_of(film_of(h))]);
         return is_forward(h) ? forward : twin(forward);
     };
     for (std::size_t k = 0; k < 2 * dense.film_slots(); ++k) {
         const auto h = id_at<HalfEdgeId>(k);
         const HalfEdgeId old = old_half_edge(h);
         EXPECT_EQ(old_half_edge(dense.next(h)), sparse.next(old));
-        EXPECT_EQ(kept.junctions[index_of(dense.tail(h))], sparse.tail(old));
-        EXPECT_EQ(kept.bubbles[index_of(dense.left(h))], sparse.left(old));
+        EXPECT_EQ(order.junctions[index_of(dense.tail(h))], sparse.tail(old));
+        EXPECT_EQ(order.bubbles[index_of(dense.left(h))], sparse.left(old));
         EXPECT_TRUE(dense.offset(h) == sparse.offset(old));
     }
     for (const BubbleId bubble : dense.bubbles()) {
-        const BubbleId old = kept.bubbles[index_of(bubble)];
+        const BubbleId old = order.bubbles[index_of(bubble)];
         EXPECT_EQ(dense.sides(bubble), sparse.sides(old));
         EXPECT_EQ(old_half_edge(dense.first(bubble)), sparse.first(old));
     }
