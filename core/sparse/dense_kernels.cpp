@@ -24,9 +24,9 @@ using Vector [[gnu::vector_size(Bytes)]] = Real;
 template <class Real, int Bytes>
 struct Kernels {
     using Lanes = Vector<Real, Bytes>;
-    // Lanes at the address of any number. A pointer to this type is dereferenced instead of calling
-    // memcpy, because GCC 12 copies 32 bytes as two halves. Reading them as a whole then waits
-    // until both halves are written, which made factoring up to twice as slow.
+    // Lanes at an address that is aligned for a Real only. A pointer to this type is dereferenced
+    // instead of calling memcpy, because GCC 12 copies 32 bytes as two halves. Reading them as a
+    // whole then waits until both halves are written, which made factoring up to twice as slow.
     using LanesInMemory [[gnu::aligned(alignof(Real)), gnu::may_alias]] = Lanes;
     static_assert(alignof(LanesInMemory) == alignof(Real));
     using Index = std::ptrdiff_t;
@@ -93,7 +93,7 @@ struct Kernels {
 
     template <Index Strip>
     static Tile<Strip> multiply(const Real* left, Index stride, const Real* right, Index depth) {
-        // Cleared element by element, so that GCC keeps it in registers.
+        // Cleared element by element, because GCC would otherwise clear it in memory first.
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
         Tile<Strip> tile;
         for (auto& column : tile.sums) {

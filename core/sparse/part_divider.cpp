@@ -74,7 +74,7 @@ std::optional<ZoneBoxes> PartDivider::divide_by_position(Nodes part, int rows, c
     const bool extends_around = !domain_.is_plane() && length >= periods_[axis];
     const LowRange low =
         extends_around
-            ? halve_at_lightest_position(part, nodes_, graph_, length, axis, memory_.zones)
+            ? halve_at_lightest_position(part, nodes_, graph_, periods_[axis], axis, memory_.zones)
             : LowRange{box.low[axis],
                        halve_at_median(part, nodes_, periods_, box, axis, memory_.zones)};
     separate_halves(part, nodes_, graph_, memory_.zones);

@@ -27,6 +27,7 @@ template <class Real>
 class DenseKernelsTest : public testing::Test {
   public:
     using Index = std::ptrdiff_t;
+    // Odd, so that most columns are not aligned for a vector.
     static constexpr Index kStride = 141;
     static constexpr Index kMaxCols = 64;
 
