@@ -84,8 +84,8 @@ class FrameStore {
     /// function unless all frames are kept.
     FrameSource source(const Preset& preset);
 
-    /// Stops all simulations except drafts. Calls of `frame` that are waiting, and all later calls,
-    /// throw FrameReplaced.
+    /// Stops all simulations except drafts. Calls of `frame` that are waiting, and later calls for
+    /// kept frames, throw FrameReplaced.
     void stop();
 
   private:

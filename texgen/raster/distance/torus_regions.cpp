@@ -10,12 +10,13 @@
 
 // The sides of a bubble are read in a traversal of half-edges (D. E. Muller and F. P. Preparata,
 // "Finding the intersection of two convex polyhedra", 1978). In the order of the simulation, each
-// side would be a random access to memory. Therefore the data of films and the order of bubbles are
-// both sorted by position, a reordering of data and of computation as by J. Mellor-Crummey, D.
-// Whalley and K. Kennedy ("Improving memory hierarchy performance for irregular applications using
-// data and computation reorderings", 2001). They order along space-filling curves; for an image
-// that is drawn in bands of rows, rows of squares suffice. The sum of the lattice offsets of the
-// sides unwraps a boundary that crosses the border of the torus.
+// side would be a random access to memory, unless the foam was numbered along a curve
+// (core/foam/spatial_order). Therefore the data of films and the order of bubbles are both sorted
+// by position, a reordering of data and of computation as by J. Mellor-Crummey, D. Whalley and K.
+// Kennedy ("Improving memory hierarchy performance for irregular applications using data and
+// computation reorderings", 2001). They order along space-filling curves; for an image that is
+// drawn in bands of rows, rows of squares suffice. The sum of the lattice offsets of the sides
+// unwraps a boundary that crosses the border of the torus.
 
 namespace foam::texgen {
 
