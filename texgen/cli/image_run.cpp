@@ -161,18 +161,25 @@ BakeSummary bake_images(const ImageRun& run,
     if (progress.verbosity != Verbosity::Quiet && !arguments.watch) {
         on_replace = warn_of_replaced_files;
     }
+    bool has_frame = arguments.resume;  // true if a resumed bake would find a frame
     const auto bake = [&] {
         ProgressReporter reporter(progress);
+        const auto on_progress = [&, report = reporter.callback()](const RunProgress& latest) {
+            has_frame = has_frame || (latest.phase == Phase::Frames && latest.done > 0);
+            report(latest);
+        };
         return bake_recorded(
             run.preset,
             run.options,
-            {.on_progress = reporter.callback(), .on_frame = on_frame},
+            {.on_progress = on_progress, .on_frame = on_frame},
             {.resume = arguments.resume ? Resume::Yes : Resume::No, .on_replace = on_replace});
     };
     try {
         return with_memory(memory_of(run), bake);
     } catch (const Interrupted&) {
-        print_stderr("foamtex: to continue, run the same command with --resume");
+        print_stderr("foamtex: {}",
+                     has_frame ? "to continue, run the same command with --resume"
+                               : "no frame was written; to start again, run the same command");
         throw;
     }
 }

@@ -104,18 +104,25 @@ TEST(Interruption, AnIgnoredSignalStaysIgnored) {
     EXPECT_EQ(outcome.written.size(), 301U);
 }
 
-// Sends SIGINT to a bake as soon as its verbose output contains a text.
+// Sends SIGINT to a bake as soon as its verbose output on stderr contains a text.
 Outcome stopped_in_phase(const std::string& arguments, const std::string& text) {
     return run_program("--version > /dev/null; { '" + foam::test::executable().string() +
                        "' bake sea_foam -v --set foam.bubbles=100 --set frames.count=20000 "
                        "--size 8 --out a.######.png " +
                        arguments + " 2>err & until grep -q '" + text +
-                       "' err || ! kill -0 $!; do sleep 0.02; done; kill -INT $!; wait $!; }");
+                       "' err || ! kill -0 $!; do sleep 0.02; done; kill -INT $!; wait $!; "
+                       "code=$?; cat err >&2; (exit $code); }");
 }
+
+// The last lines on stderr if a bake stops before its first frame.
+constexpr const char* kNothingToResume =
+    "foamtex: no frame was written; to start again, run the same command\n"
+    "foamtex: interrupted\n";
 
 TEST(Interruption, ALoopThatIsBeingClosedStops) {
     const Outcome outcome = stopped_in_phase("", "closing the loop: cycle 1");
     EXPECT_EQ(outcome.code, 130);
+    EXPECT_TRUE(outcome.err.ends_with(kNothingToResume)) << outcome.err;
     EXPECT_EQ(outcome.written, (std::vector<std::string>{"err"}));
 }
 
@@ -123,6 +130,7 @@ TEST(Interruption, RangesThatAreBeingFittedStop) {
     const Outcome outcome =
         stopped_in_phase("--maps height --set loop.kind=none", "ranges: frame 0 of 20000");
     EXPECT_EQ(outcome.code, 130);
+    EXPECT_TRUE(outcome.err.ends_with(kNothingToResume)) << outcome.err;
     EXPECT_EQ(outcome.written, (std::vector<std::string>{"err"}));
 }
 
