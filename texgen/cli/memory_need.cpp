@@ -21,6 +21,10 @@ MemoryNeed memory_to_bake(const Preset& preset, std::size_t frames, int threads)
     return {estimated_memory(preset, frames, threads), "--threads, image.size or foam.bubbles"};
 }
 
+MemoryNeed memory_to_vary(std::span<const Preset> presets, const VariationDrawing& drawing) {
+    return {estimated_memory(presets, drawing), "--threads, --width or foam.bubbles"};
+}
+
 std::string text_of(const MemoryNeed& need) {
     const std::string advice =
         need.to_lower.empty() ? "" : fmt::format("; lower {}", need.to_lower);

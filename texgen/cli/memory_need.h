@@ -4,10 +4,12 @@
 
 #include "texgen/image/memory.h"
 #include "texgen/preset/preset.h"
+#include "texgen/variations/drawn_variations.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -30,6 +32,10 @@ MemoryNeed memory_to_fill_cache(const Preset& preset, std::size_t frames, int th
 
 /// Returns the memory of a bake of the given number of frames of a preset (estimated_memory).
 MemoryNeed memory_to_bake(const Preset& preset, std::size_t frames, int threads);
+
+/// Returns the memory of draw_variations and of the sheet (estimated_memory in
+/// drawn_variations.h).
+MemoryNeed memory_to_vary(std::span<const Preset> presets, const VariationDrawing& drawing);
 
 /// Returns the part of a message that says how much memory a run needs and what to lower.
 std::string text_of(const MemoryNeed& need);

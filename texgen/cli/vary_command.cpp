@@ -4,6 +4,7 @@
 #include "texgen/bake/frame_range.h"
 #include "texgen/cli/command.h"
 #include "texgen/cli/json_report.h"
+#include "texgen/cli/memory_need.h"
 #include "texgen/cli/options.h"
 #include "texgen/cli/report.h"
 #include "texgen/cli/run_arguments.h"
@@ -179,8 +180,14 @@ std::vector<DrawnVariation> draw(const std::vector<Preset>& presets,
     drawing.map = arguments.map.empty() ? base.image.maps.front() : arguments.map;
     drawing.threads = arguments.run.threads;
     find_map(drawing.map);
-    ProgressReporter reporter(progress_options(arguments.run, presets.size()));
-    return draw_variations(presets, drawing, reporter.callback());
+    const MemoryNeed need = memory_to_vary(presets, drawing);
+    if (!arguments.run.quiet) {
+        warn_of_little_memory(need);
+    }
+    return with_memory(need, [&] {
+        ProgressReporter reporter(progress_options(arguments.run, presets.size()));
+        return draw_variations(presets, drawing, reporter.callback());
+    });
 }
 
 ExitCode run_vary(const VaryArguments& arguments) {

@@ -5,6 +5,7 @@
 #include "core/files/scratch_folder.h"
 #include "core/parallel/parallel_for.h"
 #include "texgen/animation/progress_meter.h"
+#include "texgen/bake/estimated_memory.h"
 #include "texgen/bake/reduced_image.h"
 #include "texgen/manifest/manifest_file.h"
 #include "texgen/manifest/recorded_bake.h"
@@ -18,6 +19,8 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <numeric>
 #include <stdexcept>
 
 namespace foam::texgen {
@@ -86,6 +89,23 @@ void check_sizes(std::span<const Preset> presets, int side) {
 }
 
 }  // namespace
+
+std::uint64_t estimated_memory(std::span<const Preset> presets, const VariationDrawing& drawing) {
+    std::vector<std::uint64_t> needs;  // of each picture while it is drawn
+    std::uint64_t total = 0;
+    for (const Preset& preset : presets) {
+        const Preset small = reduced(preset, drawing, "");
+        needs.push_back(estimated_memory(small, 1, 1));
+        // The picture is kept, and copied into the sheet.
+        total += 2 * DisplayFrame::kColors * static_cast<std::uint64_t>(small.image.width) *
+                 static_cast<std::uint64_t>(small.image.height);
+    }
+    std::ranges::sort(needs, std::greater<>());
+    const auto at_once =
+        std::min(needs.size(), static_cast<std::size_t>(thread_count(drawing.threads)));
+    return std::accumulate(
+        needs.begin(), needs.begin() + static_cast<std::ptrdiff_t>(at_once), total);
+}
 
 std::vector<DrawnVariation> draw_variations(std::span<const Preset> presets,
                                             const VariationDrawing& drawing,

@@ -28,6 +28,11 @@ struct DrawnVariation {
     RunOutcome outcome;
 };
 
+/// Returns the estimated peak memory, in bytes, of a process that calls draw_variations and joins
+/// the pictures to a sheet. As many pictures are drawn at once as there are threads. The estimate
+/// is usually right within a factor of 1.5.
+std::uint64_t estimated_memory(std::span<const Preset> presets, const VariationDrawing& drawing);
+
 /// Draws a frame of each preset as a bake does, reduced to `drawing.side` (reduced_image), and
 /// composited over gray where it is transparent. `on_progress` receives the phase Phase::Previews,
 /// which counts pictures. Throws std::invalid_argument if the pictures have different sizes, or if

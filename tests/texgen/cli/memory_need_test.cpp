@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace foam::texgen {
 namespace {
@@ -41,6 +42,21 @@ TEST(MemoryNeed, GrowsWithTheFoamAndTheImages) {
     EXPECT_LT(to_simulate.bytes, memory_to_simulate(preset).bytes);
     preset.image.width *= 2;
     EXPECT_LT(to_bake.bytes, memory_to_bake(preset, 1, 1).bytes);
+}
+
+TEST(MemoryNeed, OfVariationsCountsThePicturesThatAreDrawnAtOnce) {
+    const std::vector<Preset> one(1);
+    const std::vector<Preset> three(3);
+    const auto need = [](const std::vector<Preset>& presets, int threads, int side) {
+        return memory_to_vary(presets, {.map = "albedo", .side = side, .threads = threads}).bytes;
+    };
+    EXPECT_LT(need(one, 1, 256), need(one, 1, 1024));
+    EXPECT_EQ(need(one, 1, 256), need(one, 8, 256));
+    EXPECT_LT(need(three, 1, 256), 2 * need(one, 1, 256));
+    EXPECT_LT(2 * need(one, 1, 256), need(three, 3, 256));
+    EXPECT_EQ(need(three, 3, 256), need(three, 8, 256));
+    const std::string text = text_of(memory_to_vary(one, {.map = "albedo"}));
+    EXPECT_TRUE(text.ends_with("; lower --threads, --width or foam.bubbles")) << text;
 }
 
 TEST(MemoryNeed, IsPartOfTheErrorIfMemoryRunsOut) {
