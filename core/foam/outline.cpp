@@ -12,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 namespace foam {
 
@@ -110,6 +112,33 @@ void check_validity(const Polygon& polygon) {
     }
 }
 
+bool is_line_space(char c) {
+    return c == '\n' || c == '\r' || c == '\t';
+}
+
+// Throws std::invalid_argument unless each point of a WKT polygon has two numbers. Boost.Geometry
+// replaces missing numbers by 0 and ignores further ones. Precondition: Boost.Geometry has read the
+// text as a polygon.
+void check_points(std::string_view text) {
+    int numbers = 0;    // of the present point
+    char before = ' ';  // the last character that is not a space
+    bool in_number = false;
+    for (const char c : text.substr(std::min(text.find('('), text.size()))) {
+        const bool is_space = c == ' ';
+        const bool ends_point = c == ',' || c == ')';
+        if (ends_point && before != ')' && numbers != 2) {
+            throw std::invalid_argument(
+                "each point must have two numbers, such as '6 4', but a "
+                "point has " +
+                std::to_string(numbers));
+        }
+        const bool is_number = !is_space && !ends_point && c != '(';
+        numbers = ends_point || c == '(' ? 0 : numbers + (is_number && !in_number ? 1 : 0);
+        in_number = is_number;
+        before = is_space ? before : c;
+    }
+}
+
 Box box_around(const Vec2& a, const Vec2& b) {
     return {a.cwiseMin(b), a.cwiseMax(b)};
 }
@@ -147,14 +176,18 @@ bool is_apart_from_rings(const Outline& outline, const std::vector<Vec2>& polygo
 
 }  // namespace
 
-Outline outline_from_wkt(const std::string& text) {
+Outline outline_from_wkt(std::string text) {
+    std::ranges::replace_if(text, is_line_space, ' ');  // Boost.Geometry knows only spaces
     Polygon polygon;
     try {
         bg::read_wkt(text, polygon);
     } catch (const bg::read_wkt_exception&) {
         throw std::invalid_argument(
-            "this is not written as a WKT polygon; check its brackets, commas and numbers");
+            std::ranges::count(text, '(') > std::ranges::count(text, ')')
+                ? "a bracket of the WKT polygon is not closed"
+                : "this is not written as a WKT polygon; check its brackets, commas and numbers");
     }
+    check_points(text);
     bg::correct(polygon);
     check_validity(polygon);
     return outline_of(polygon);

@@ -19,10 +19,11 @@ struct Outline {
 
 /// Parses a polygon in the format WKT (well-known text), POLYGON((x y, ...), (...)): the outer
 /// ring, followed by the holes. Rings may have either direction; repeating the first corner at the
-/// end is optional. Throws std::invalid_argument, with the reason, if the text is not a polygon or
-/// if the polygon is not valid. For example, a polygon is not valid if it crosses itself, or if its
-/// area is less than 1e-9 of the square of the longer side of its bounding box.
-Outline outline_from_wkt(const std::string& text);
+/// end is optional, and the text may have several lines. Throws std::invalid_argument, with the
+/// reason, if the text is not a polygon or if the polygon is not valid. For example, a polygon is
+/// not valid if it crosses itself, or if its area is less than 1e-9 of the square of the longer
+/// side of its bounding box.
+Outline outline_from_wkt(std::string text);
 
 /// Returns the unit disc around the origin as a regular polygon of 360 sides.
 Outline disc_outline();

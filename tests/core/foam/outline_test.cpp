@@ -6,6 +6,7 @@
 
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace foam {
@@ -34,11 +35,17 @@ std::string fault_of(const char* text) {
 }
 
 TEST(Outline, SaysWhatIsWrongWithAPolygon) {
-    for (const char* text :
-         {"CIRCLE(1)", "", "POLYGON((0 0, 1 0, 1 1)", "POLYGON((0 0, x 0, 1 1))"}) {
+    for (const char* text : {"CIRCLE(1)", "", "o.wkt", "POLYGON((0 0, x 0, 1 1))"}) {
         EXPECT_EQ(fault_of(text),
                   "this is not written as a WKT polygon; check its brackets, commas and numbers");
     }
+    EXPECT_EQ(fault_of("POLYGON((0 0, 1 0, 1 1)"), "a bracket of the WKT polygon is not closed");
+    const std::string two_numbers =
+        "each point must have two numbers, such as '6 4', but a point has ";
+    EXPECT_EQ(fault_of("POLYGON((0,0 6,0 6,4 0,4))"), two_numbers + "1");
+    EXPECT_EQ(fault_of("POLYGON((0 0 0,6 0 0,6 4 0,0 4 0,0 0 0))"), two_numbers + "3");
+    EXPECT_EQ(fault_of("POLYGON((0 0,6 0,6 4,0 4),)"), two_numbers + "0");
+    EXPECT_EQ(fault_of("POLYGON ( ( 0 0 , 6 0 ,6 4, 0 4 ) ,\n\t( 1 1, 2 1, 2 2 ) )"), "none");
     EXPECT_EQ(fault_of("POLYGON((0 0, 1 1, 1 0, 0 1))"), "the polygon crosses or touches itself");
     EXPECT_EQ(fault_of("POLYGON((0 0, 1 0))"), "a ring has fewer than three corners");
     EXPECT_EQ(fault_of("POLYGON((0 0, 4 0, 4 4, 0 4), (5 5, 6 5, 6 6))"),
