@@ -63,6 +63,38 @@ void extrapolate(const MeasuredFrames& measured,
     estimate.seconds = std::max(estimate.simulating, preparation + meanwhile) + afterwards;
 }
 
+/// Returns a source of the same frames for images whose width is divided by `reduction`.
+FrameSource reduced(const FrameSource& source, double reduction) {
+    return [source, reduction](const std::vector<int>& numbers,
+                               NextFrames next_frames,
+                               const FrameVisitor& visit,
+                               const ProgressCallback& on_progress) {
+        const auto visit_reduced = [&](SimulatedFrame frame) {
+            if (frame.view) {
+                frame.view->pixels_per_unit /= reduction;
+            }
+            visit(frame);
+        };
+        return source(numbers, next_frames, visit_reduced, on_progress);
+    };
+}
+
+/// Reduces the images of a bake to sides of at most kLargestEstimatedSide pixels. Returns the
+/// number of pixels of an image divided by that of the reduced image.
+double reduce_images(Preset& preset, BakeOptions& options) {
+    const ReducedImage image = reduced_image(preset, kLargestEstimatedSide);
+    if (image.reduction == 1.0 || FilePattern(preset).is_vector()) {
+        return 1.0;
+    }
+    preset.image.width = image.width;
+    preset.image.height = image.height;
+    preset.maps = image.options;
+    if (options.source) {
+        options.source = reduced(options.source, image.reduction);
+    }
+    return image.reduction * image.reduction;
+}
+
 }  // namespace
 
 BakeEstimate estimate_bake(const Preset& preset,
@@ -79,6 +111,7 @@ BakeEstimate estimate_bake(const Preset& preset,
     first.output.pattern = (scratch.path() / name).string();
     BakeOptions some = options;
     some.frames.resize(std::min(options.frames.size(), kEstimatedFrames));
+    const double pixels = reduce_images(first, some);
 
     MeasuredFrames measured;
     const auto begin = std::chrono::steady_clock::now();
@@ -90,7 +123,7 @@ BakeEstimate estimate_bake(const Preset& preset,
                   [&](const SimulatedFrame&) { measured.begins.push_back(seconds_since(begin)); },
               .on_baked =
                   [&](const BakedFrame& baked) {
-                      measured.drawing += baked.seconds;
+                      measured.drawing += pixels * baked.seconds;
                       measured.files += baked.files.size();
                       for (const WrittenFile& file : baked.files) {
                           measured.bytes += file.bytes;
@@ -101,7 +134,8 @@ BakeEstimate estimate_bake(const Preset& preset,
                           .outcome = summary.outcome};
     if (summary.outcome.status == RunStatus::Complete) {
         estimate.files = measured.files * frames / some.frames.size();
-        estimate.bytes = measured.bytes * frames / some.frames.size();
+        estimate.bytes = static_cast<std::uint64_t>(
+            pixels * static_cast<double>(measured.bytes * frames / some.frames.size()));
         extrapolate(
             measured, preset, static_cast<double>(frames), thread_count(options.threads), estimate);
     }

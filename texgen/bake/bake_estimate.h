@@ -28,12 +28,19 @@ struct BakeEstimate {
 /// The number of frames that estimate_bake bakes, unless the bake has fewer.
 inline constexpr std::size_t kEstimatedFrames = 2;
 
+/// The images that estimate_bake draws have sides of at most this number of pixels, so that an
+/// estimate of a bake that is too large for the memory is possible. It is a little more if the
+/// width and the height have too small a common divisor (reduced_image).
+inline constexpr int kLargestEstimatedSide = 2048;
+
 /// Bakes the first two frames into a scratch folder, which is removed afterwards. Measures the time
 /// before the first frame, the time from frame to frame, the time of drawing and writing, and the
 /// size of the files. Extrapolates to all frames, on the assumption that all threads share the
-/// drawing and writing equally. `on_progress` receives the phases of the bake of the first frames.
-/// Throws the exceptions of check_bake and bake, and OutputError if the scratch folder cannot be
-/// created.
+/// drawing and writing equally. Images larger than kLargestEstimatedSide are drawn at a reduced
+/// size; the time of drawing and the size of the files are then taken to be in proportion to the
+/// number of pixels, which is usually too much for the files. `on_progress` receives the phases of
+/// the bake of the first frames. Throws the exceptions of check_bake and bake, and OutputError if
+/// the scratch folder cannot be created.
 BakeEstimate estimate_bake(const Preset& preset,
                            const BakeOptions& options,
                            const ProgressCallback& on_progress);

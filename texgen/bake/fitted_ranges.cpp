@@ -29,6 +29,10 @@ namespace {
 constexpr double kMargin =
     1.01;  // factor that allows for peaks between the pixels of the reduced images
 
+// Numbers that are at most this share of the range before the fit are taken for rounding errors.
+// The growth of a foam that does not change is an example. The range is then not changed.
+constexpr double kRounding = 1e-9;
+
 // A map with an automatic range, and how large its numbers have been so far.
 struct MeasuredMap {
     const Map* map = nullptr;
@@ -137,7 +141,7 @@ RunOutcome fit_automatic_ranges(Preset& preset,
     if (outcome.status == RunStatus::Complete) {
         for (const MeasuredMap& one : ranges.maps()) {
             AutoReal& range = *range_option_of(*one.map, preset.maps);
-            if (one.largest > 0.0) {
+            if (one.largest > kRounding) {
                 range.value = rounded_up(kMargin * one.largest * range.value);
             }
         }

@@ -48,6 +48,28 @@ TEST(BakeEstimate, HasTheFilesOfABakeAndLeavesNone) {
     EXPECT_LT(std::abs(static_cast<double>(estimate.bytes) / bytes - 1.0), 0.1);
 }
 
+// The pictures of a patch show the whole foam, so that the compressed pixels are alike at any size.
+TEST(BakeEstimate, DrawsLargeImagesAtAReducedSize) {
+    const TemporaryFolder folder;
+    Preset preset = load_preset("soap_raft");
+    preset.seeding.bubbles = 20;
+    preset.image.maps = {"id"};
+    preset.output.pattern = (folder.path() / "{map}.##.exr").string();
+    preset.image.width = preset.image.height = 2 * kLargestEstimatedSide;
+    const BakeOptions options{.frames = {1}, .threads = 1};
+    const BakeEstimate estimate = estimate_bake(preset, options, {});
+    EXPECT_EQ(estimate.outcome.status, RunStatus::Complete);
+    const BakeSummary baked = bake(preset, options);
+    EXPECT_EQ(estimate.files, baked.files.size());
+    const auto bytes = static_cast<double>(size_of(baked.files));
+    EXPECT_GT(static_cast<double>(estimate.bytes), bytes);
+    EXPECT_LT(static_cast<double>(estimate.bytes), 4.0 * bytes);
+
+    BakeOptions from_source = options;
+    from_source.source = simulation_of(preset, 1);
+    EXPECT_EQ(estimate_bake(preset, from_source, {}).bytes, estimate.bytes);
+}
+
 // All maps of a frame are layers of one file, so the two frames are exactly the estimated files.
 TEST(BakeEstimate, CountsALayeredExrOnce) {
     const TemporaryFolder folder;

@@ -64,6 +64,18 @@ TEST(FittedRanges, RoundsUpToPreferredNumbers) {
     }
 }
 
+// No gas diffuses, so the growth of this foam consists of rounding errors at most.
+TEST(FittedRanges, RoundingErrorsDoNotChangeARange) {
+    Preset preset = small_preset("growth");
+    preset.loop.kind = LoopKind::None;
+    preset.coarsening.kappa = 0.0;
+    const double range = preset.maps.growth.full.value;
+    fit(preset);
+    EXPECT_EQ(preset.maps.growth.full.value, range);
+    const NumberExtent extent = extent_of_all_frames(preset);
+    EXPECT_LT(std::max(-extent.smallest, extent.largest), 1e-9);
+}
+
 TEST(FittedRanges, EveryMapFitsItsNumbersWithAtMost30PercentToSpare) {
     for (const char* map : {"height", "distance", "area", "growth", "age", "motion", "curvature"}) {
         Preset preset = small_preset(map);
