@@ -108,6 +108,29 @@ bool uses_table(const Map& map, std::string_view table) {
     return found != users.end() && std::ranges::find(found->maps, map.name) != found->maps.end();
 }
 
+bool uses_key(const Map& map, std::string_view key, const MapOptions& options) {
+    const std::string_view table = key.substr(0, key.find('.'));
+    if (!uses_table(map, table)) {
+        return false;
+    }
+    const bool is_shaded = map.name == kLitMap.name || map.name == kEmissionMap.name;
+    const bool shows_walls = map.shows_relief && options.relief.films == ReliefFilms::Walls;
+    const auto is_drawn = [&](std::string_view name, LitColors colors) {
+        return map.name == name || (is_shaded && options.lit.colors == colors);
+    };
+    if (table == "albedo" && !is_drawn(kAlbedoMap.name, LitColors::Albedo)) {
+        const bool glows = is_shaded && options.lit.glow > 0.0;
+        return key.starts_with("albedo.film_") || (glows && key.starts_with("albedo.shade"));
+    }
+    if (table == "thin_film") {
+        return is_drawn(kThinFilmMap.name, LitColors::ThinFilm);
+    }
+    if (table == "maze" && map.name != kMazeSolutionMap.name) {
+        return is_drawn(kMazeMap.name, LitColors::Maze) || shows_walls;
+    }
+    return true;
+}
+
 bool shows_maze(std::span<const std::string> names, const MapOptions& options) {
     const bool has_walls = options.relief.films == ReliefFilms::Walls;
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) {

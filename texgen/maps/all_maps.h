@@ -194,6 +194,12 @@ const AutoReal* range_option_of(const Map& map, const MapOptions& options);
 /// "relief".
 bool uses_table(const Map& map, std::string_view table);
 
+/// Returns true if the image of a map can depend on a key of map_keys, such as "albedo.colormap",
+/// with the given options of all other keys. Is true for fewer keys than uses_table: most maps use
+/// only the keys of the films of the table "albedo", and the colors of the maps `lit` and
+/// `emission` are those of one map (LitOptions::colors).
+bool uses_key(const Map& map, std::string_view key, const MapOptions& options);
+
 /// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).
 /// Precondition: all names are names of maps.
 bool shows_maze(std::span<const std::string> names, const MapOptions& options);

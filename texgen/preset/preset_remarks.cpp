@@ -14,6 +14,27 @@
 
 namespace foam::texgen {
 
+namespace {
+
+/// Returns the value of lit.colors as the end of a line about a key without effect, if another
+/// value would give the key an effect; otherwise an empty text.
+std::string colors_remark(std::span<const Map* const> drawn,
+                          const Key<MapOptions>& key,
+                          const Preset& preset) {
+    constexpr std::string_view kColors = "lit.colors";
+    const auto has_colors = [&](const Map* map) {
+        return uses_key(*map, kColors, preset.maps) && uses_table(*map, key.table());
+    };
+    if (std::ranges::none_of(drawn, has_colors)) {
+        return "";
+    }
+    const Keys<MapOptions> keys = map_keys();
+    const auto colors = std::ranges::find(keys, kColors, &Key<MapOptions>::path);
+    return fmt::format(" with {} = {}", kColors, to_toml(*colors->write(preset.maps)));
+}
+
+}  // namespace
+
 DensityDomain density_domain(const Preset& preset) {
     if (preset.shape.kind == FoamKind::Torus) {
         return {true, static_cast<double>(preset.image.width) / preset.image.height};
@@ -37,14 +58,15 @@ std::vector<std::string> keys_without_maps(const Preset& preset,
     std::vector<std::string> lines;
     for (const Assignment& assignment : assignments) {
         const auto key = std::ranges::find(of_maps, assignment.key, &Key<MapOptions>::path);
-        const auto uses_key = [&](const Map* map) { return uses_table(*map, key->table()); };
-        if (key == of_maps.end() || std::ranges::any_of(drawn, uses_key)) {
+        const auto is_user = [&](const Map* map) { return uses_key(*map, key->path, preset.maps); };
+        if (key == of_maps.end() || std::ranges::any_of(drawn, is_user)) {
             continue;
         }
-        std::string line = fmt::format("{} has no effect on the drawn map{} {}",
+        std::string line = fmt::format("{} has no effect on the drawn map{} {}{}",
                                        key->path,
                                        drawn.size() == 1 ? "" : "s",
-                                       fmt::join(source_map_names(preset), ", "));
+                                       fmt::join(source_map_names(preset), ", "),
+                                       colors_remark(drawn, *key, preset));
         if (std::ranges::find(lines, line) == lines.end()) {
             lines.push_back(std::move(line));
         }

@@ -57,5 +57,26 @@ TEST(PresetRemarks, AreOnKeysThatNoDrawnMapUses) {
               Lines{"area.full has no effect on the drawn map lit"});
 }
 
+TEST(PresetRemarks, AreOnKeysOfColorsThatAreNotDrawn) {
+    Preset preset;
+    const std::vector<Assignment> assignments{read_set_argument("albedo.colormap=magma"),
+                                              read_set_argument("albedo.film_width=3"),
+                                              read_set_argument("thin_film.gravity=2")};
+    assign(preset, assignments);
+    using Lines = std::vector<std::string>;
+    preset.image.maps = {"lit"};
+    EXPECT_EQ(keys_without_maps(preset, assignments),
+              Lines{"thin_film.gravity has no effect on the drawn map lit with lit.colors = "
+                    "\"albedo\""});
+    preset.maps.lit.colors = LitColors::ThinFilm;
+    EXPECT_EQ(keys_without_maps(preset, assignments),
+              Lines{"albedo.colormap has no effect on the drawn map lit with lit.colors = "
+                    "\"thin_film\""});
+    preset.image.maps = {"roughness"};
+    EXPECT_EQ(keys_without_maps(preset, assignments),
+              (Lines{"albedo.colormap has no effect on the drawn map roughness",
+                     "thin_film.gravity has no effect on the drawn map roughness"}));
+}
+
 }  // namespace
 }  // namespace foam::texgen
