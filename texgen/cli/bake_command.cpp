@@ -94,7 +94,7 @@ ExitCode bake_once(const BakeArguments& arguments) {
     const ExitCode code = bake_sizes(presets, frames, arguments);
     if (code == ExitCode::Success && !arguments.run.quiet && !arguments.images.json) {
         note_open_loop(presets.front(), frames);
-        note_late_events(presets.front(), frames);
+        warn_of_late_events(presets.front(), frames);
     }
     return code;
 }

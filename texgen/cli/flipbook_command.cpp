@@ -63,17 +63,6 @@ void warn_of_size(const FlipbookArguments& arguments, const SheetLayout& layout)
     }
 }
 
-/// Prints a note on stderr if images of an earlier flipbook are no longer listed in the JSON file.
-void note_unlisted(const Flipbook& flipbook) {
-    if (!flipbook.unlisted.empty()) {
-        print_stderr(
-            "foamtex: note: '{}' no longer lists {}: these sheets have another layout or other "
-            "frames, or were made from another bake",
-            flipbook.files.back().string(),
-            fmt::join(flipbook.unlisted, ", "));
-    }
-}
-
 /// Prints the JSON object of the command. It contains the paths of the sheets and of the file that
 /// describes their layout.
 void print_report(const BakedSet& set, const std::vector<int>& frames, const Flipbook& flipbook) {
@@ -94,7 +83,7 @@ ExitCode run_flipbook(const FlipbookArguments& arguments) {
         std::filesystem::is_directory(given) ? given : given.parent_path();
     FlipbookOptions options = arguments.options;
     if (arguments.maps) {
-        options.maps = CLI::detail::split(*arguments.maps, ',');
+        options.maps = split_words(*arguments.maps);
     }
     options.frames = arguments.frames ? parse_frame_range(*arguments.frames) : set.frames();
     const Flipbook flipbook = [&] {
@@ -104,7 +93,7 @@ ExitCode run_flipbook(const FlipbookArguments& arguments) {
     }();
     warn_of_size(arguments, flipbook.layout);
     if (!arguments.quiet) {
-        note_unlisted(flipbook);
+        report_earlier_sheets(flipbook);
     }
     if (arguments.json) {
         print_report(set, options.frames, flipbook);

@@ -57,37 +57,6 @@ void print_images(const Preset& preset,
     }
 }
 
-/// Returns the keys that set the ranges of an image, and what to do with them to avoid clipping,
-/// such as "raise height.full".
-std::string advice_on_range(const DrawnImage& image, const MapOptions& options) {
-    const auto maps = image.sources();
-    const bool is_automatic = std::ranges::any_of(maps, [&](const Map* map) {
-        const AutoReal* const range = range_option_of(*map, options);
-        return range != nullptr && range->is_automatic;
-    });
-    return fmt::format(
-        "{} {}", is_automatic ? "set" : "raise", fmt::join(image.range_keys(), " or "));
-}
-
-/// Prints a note for each image that has clipped samples.
-void note_clipped(const BakeSummary& summary, const Preset& preset) {
-    for (const WrittenNumbers& numbers : summary.numbers) {
-        if (numbers.extent.clipped > 0.0) {
-            print_stderr(
-                "foamtex: {}: in a file, up to {:.3g} % of the samples are outside of {:g} "
-                "to {:g} and were clipped; before clipping, the numbers of all files were from "
-                "{:.3g} to {:.3g}; {}",
-                numbers.image.name(),
-                100.0 * numbers.extent.clipped,
-                numbers.range[0],
-                numbers.range[1],
-                numbers.extent.smallest,
-                numbers.extent.largest,
-                advice_on_range(numbers.image, preset.maps));
-        }
-    }
-}
-
 /// Prints a note if --normal-y is given, but no map depends on it.
 void note_unused_normal_y(const ImageArguments& arguments, const Preset& preset) {
     const std::vector<const Map*> maps = source_maps(preset);
@@ -188,8 +157,14 @@ BakeSummary bake_images(const ImageRun& run,
 OtherFiles write_sheets_and_scenes(const ImageRun& run, const ProgressOptions& progress) {
     OtherFiles written;
     if (run.preset.output.sheets != SheetKind::None) {
-        ProgressReporter reporter(progress);
-        written.sheets = write_sheets(run.preset, run.options.frames, reporter.callback()).files;
+        const Flipbook flipbook = [&] {
+            ProgressReporter reporter(progress);
+            return write_sheets(run.preset, run.options.frames, reporter.callback());
+        }();
+        if (progress.verbosity != Verbosity::Quiet) {
+            report_earlier_sheets(flipbook);
+        }
+        written.sheets = flipbook.files;
     }
     if (!run.preset.output.scene.empty()) {
         written.scenes = write_scenes(run.preset);
@@ -240,7 +215,7 @@ FinishedRun finish(const ImageRun& run,
             write_statistics(recorder.run(), statistics_folder(preset, FilePattern(preset)));
     }
     if (progress.verbosity != Verbosity::Quiet) {
-        note_clipped(finished.summary, preset);
+        warn_of_clipped(finished.summary, preset);
     }
     return finished;
 }
@@ -271,6 +246,10 @@ ExitCode run_images(std::span<const ImageRun> runs,
     }
     for (const ImageRun& run : runs) {
         check_sheet_folder(run.preset);
+    }
+    if (arguments.stats) {
+        const Preset& preset = runs.front().preset;
+        check_writable(statistics_folder(preset, FilePattern(preset)));
     }
     std::vector<FinishedRun> finished;
     for (const ImageRun& run : runs) {

@@ -3,6 +3,7 @@
 #include "texgen/cli/image_sizes.h"
 
 #include "texgen/bake/file_pattern.h"
+#include "texgen/cli/options.h"
 #include "texgen/manifest/bake_recorder.h"
 #include "texgen/preset/simulation_keys.h"
 
@@ -64,7 +65,7 @@ std::vector<Preset> presets_of_sizes(const RunArguments& arguments,
         return {load(arguments)};
     }
     std::vector<Preset> presets;
-    for (const std::string& size : CLI::detail::split(*arguments.size, ',')) {
+    for (const std::string& size : split_words(*arguments.size)) {
         RunArguments one = arguments;
         one.size = size;
         one.quiet = arguments.quiet || !presets.empty();

@@ -21,6 +21,14 @@ constexpr const char* kRangeExamples =
 
 }  // namespace
 
+std::vector<std::string> split_words(const std::string& list) {
+    std::vector<std::string> words = CLI::detail::split(list, ',');
+    for (std::string& word : words) {
+        CLI::detail::trim(word);
+    }
+    return words;
+}
+
 void allow_only(CLI::Option& option, const std::vector<std::string>& words) {
     option.option_text(fmt::format("{}", fmt::join(words, "|")));
     option.check([words](const std::string& value) {

@@ -19,6 +19,9 @@ class Option;
 
 namespace foam::texgen {
 
+/// Splits a list of words at its commas. Spaces around the words are dropped.
+std::vector<std::string> split_words(const std::string& list);
+
 /// Allows only the given words as values of an option, and shows them in the help. The error
 /// message for any other value lists the words and suggests the most similar one, if any is
 /// similar.

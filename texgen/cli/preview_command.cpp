@@ -67,7 +67,7 @@ PreviewKind kind_of(const std::string& name) {
 PreviewOptions options_of(const PreviewArguments& arguments) {
     PreviewOptions options{.size = arguments.animation_size, .threads = arguments.run.threads};
     if (arguments.maps) {
-        options.maps = CLI::detail::split(*arguments.maps, ',');
+        options.maps = split_words(*arguments.maps);
     }
     for (const std::string& name : arguments.kinds) {
         options.kinds.push_back(kind_of(name));
@@ -190,7 +190,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
     });
     if (!arguments.run.quiet) {
         warn_of_missing_bubbles(preset, outcome);
-        note_late_events(preset, options.frames);
+        warn_of_late_events(preset, options.frames);
     }
     print(arguments, shown, json_report(outcome));
     return outcome.status == RunStatus::Complete ? ExitCode::Success : report_failure(outcome);

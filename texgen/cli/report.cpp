@@ -8,6 +8,8 @@
 #include "texgen/cli/standard_output.h"
 #include "texgen/image/memory.h"
 #include "texgen/manifest/set_choice.h"
+#include "texgen/maps/all_maps.h"
+#include "texgen/preset/drawn_images.h"
 #include "texgen/preset/event_frames.h"
 
 #include <fmt/format.h>
@@ -16,10 +18,27 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 namespace foam::texgen {
+
+namespace {
+
+/// Returns the keys that set the ranges of an image, and what to do with them to avoid clipping,
+/// such as "raise height.full".
+std::string advice_on_range(const DrawnImage& image, const MapOptions& options) {
+    const auto maps = image.sources();
+    const bool is_automatic = std::ranges::any_of(maps, [&](const Map* map) {
+        const AutoReal* const range = range_option_of(*map, options);
+        return range != nullptr && range->is_automatic;
+    });
+    return fmt::format(
+        "{} {}", is_automatic ? "set" : "raise", fmt::join(image.range_keys(), " or "));
+}
+
+}  // namespace
 
 void print_files(std::span<const std::filesystem::path> files) {
     for (const std::filesystem::path& file : files) {
@@ -63,21 +82,29 @@ void note_open_loop(const Preset& preset, std::span<const int> frames) {
     }
 }
 
-void note_late_events(const Preset& preset, std::span<const int> frames) {
+void warn_of_late_events(const Preset& preset, std::span<const int> frames) {
     const int last = std::max(preset.frames.count, *std::max_element(frames.begin(), frames.end()));
     std::vector<std::string> late;
+    std::vector<std::string> unfinished;
     for (std::size_t k = 0; k < preset.events.size(); ++k) {
         const std::optional<FrameSpan> span = frames_of(preset.events[k], preset.frames);
         if (span && span->first > last) {
             late.push_back(fmt::format("event[{}] at frame {}", k + 1, span->first));
+        } else if (span && span->last > last) {
+            unfinished.push_back(fmt::format("event[{}] at frame {}", k + 1, span->last));
         }
     }
-    if (!late.empty()) {
-        print_stderr("foamtex: note: events of '{}' begin after the last frame, {}: {}",
-                     preset.name,
-                     last,
-                     fmt::join(late, ", "));
-    }
+    const auto warn = [&](std::string_view verb, const std::vector<std::string>& events) {
+        if (!events.empty()) {
+            print_stderr("foamtex: warning: events of '{}' {} after the last frame, {}: {}",
+                         preset.name,
+                         verb,
+                         last,
+                         fmt::join(events, ", "));
+        }
+    };
+    warn("begin", late);
+    warn("end", unfinished);
 }
 
 void warn_of_missing_bubbles(const Preset& preset, const RunOutcome& outcome) {
@@ -122,6 +149,42 @@ void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced) {
             files.count,
             files.count == 1 ? "image" : "images",
             name_of(*files.set));
+    }
+}
+
+void warn_of_clipped(const BakeSummary& summary, const Preset& preset) {
+    for (const WrittenNumbers& numbers : summary.numbers) {
+        if (numbers.extent.clipped > 0.0) {
+            print_stderr(
+                "foamtex: warning: {}: in a file, up to {:.3g} % of the samples are outside of "
+                "{:g} to {:g} and were clipped; before clipping, the numbers of all files were "
+                "from {:.3g} to {:.3g}; {}",
+                numbers.image.name(),
+                100.0 * numbers.extent.clipped,
+                numbers.range[0],
+                numbers.range[1],
+                numbers.extent.smallest,
+                numbers.extent.largest,
+                advice_on_range(numbers.image, preset.maps));
+        }
+    }
+}
+
+void report_earlier_sheets(const Flipbook& flipbook) {
+    const auto& [unlisted, replaced] = flipbook.earlier;
+    const std::string description = flipbook.files.back().string();
+    if (!replaced.empty()) {
+        print_stderr(
+            "foamtex: warning: the sheets {} of another bake were replaced; to keep the sheets of "
+            "two bakes, write them to different folders",
+            fmt::join(replaced, ", "));
+    }
+    if (!unlisted.empty()) {
+        print_stderr(
+            "foamtex: note: '{}' no longer lists {}: these sheets have another layout or other "
+            "frames, or were made from another bake",
+            description,
+            fmt::join(unlisted, ", "));
     }
 }
 

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "texgen/animation/simulate_frames.h"
+#include "texgen/bake/bake.h"
 #include "texgen/cache/cache_files.h"
 #include "texgen/cli/exit_code.h"
 #include "texgen/manifest/manifest.h"
 #include "texgen/preset/preset.h"
+#include "texgen/sheet/flipbook.h"
 #include "texgen/stats/files.h"
 
 #include <cstdint>
@@ -31,10 +33,10 @@ void note_other_version(const CacheInfo& cache, const std::filesystem::path& fol
 /// (closes_loop). Precondition: `frames` is not empty.
 void note_open_loop(const Preset& preset, std::span<const int> frames);
 
-/// Prints a note on stderr if events of the preset never happen. Such events begin both after the
-/// last frame of the preset and after the last of the given frames. Precondition: `frames` is not
-/// empty.
-void note_late_events(const Preset& preset, std::span<const int> frames);
+/// Prints a warning on stderr if events of the preset never happen, and one if events do not come
+/// to their end. Such events begin, or end, both after the last frame of the preset and after the
+/// last of the given frames. Precondition: `frames` is not empty.
+void warn_of_late_events(const Preset& preset, std::span<const int> frames);
 
 /// Prints a warning on stderr for each event of the preset whose bubbles did not all exist, or
 /// could not all be created.
@@ -47,6 +49,15 @@ void warn_of_full_disk(std::uint64_t size, const std::filesystem::path& folder);
 /// Prints a warning on stderr for each element of `replaced`, that is, for each earlier bake whose
 /// images this bake replaces. The warning says how to keep the images of both bakes.
 void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced);
+
+/// Prints a warning on stderr for each image of a bake that has clipped samples. The warning says
+/// which keys set the range.
+void warn_of_clipped(const BakeSummary& summary, const Preset& preset);
+
+/// Prints on stderr which images of an earlier flipbook the new one has replaced, although they
+/// were made from another bake, and which ones the JSON file does not list any more. Prints nothing
+/// if there are none.
+void report_earlier_sheets(const Flipbook& flipbook);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the
 /// run failed.

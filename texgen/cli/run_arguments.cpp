@@ -123,7 +123,7 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 
 Value list_value(const std::string& words) {
     Value::List list;
-    for (const std::string& word : CLI::detail::split(words, ',')) {
+    for (const std::string& word : split_words(words)) {
         list.push_back({word});
     }
     return {std::move(list)};

@@ -97,7 +97,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
     });
     if (verbosity != Verbosity::Quiet) {
         warn_of_missing_bubbles(preset, outcome);
-        note_late_events(preset, options.frames);
+        warn_of_late_events(preset, options.frames);
     }
     if (arguments.json) {
         Json report = json_report(outcome);

@@ -78,7 +78,7 @@ ExitCode run_stats(const StatsArguments& arguments) {
     const StatisticsFiles statistics = write_statistics(summary.run, folder_of(arguments, preset));
     if (verbosity != Verbosity::Quiet) {
         warn_of_missing_bubbles(preset, summary.outcome);
-        note_late_events(preset, options.frames);
+        warn_of_late_events(preset, options.frames);
     }
     if (arguments.json) {
         Json report = json_report(summary.outcome);

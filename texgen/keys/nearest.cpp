@@ -31,6 +31,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
+// Returns the only candidate that begins with a word, or an empty view if there is none or another.
+std::string_view completed(std::string_view word, std::span<const std::string_view> candidates) {
+    constexpr std::size_t kShortest = 3;
+    const auto begins = [&](std::string_view candidate) { return candidate.starts_with(word); };
+    const bool is_unique =
+        word.size() >= kShortest && std::ranges::count_if(candidates, begins) == 1;
+    return is_unique ? *std::ranges::find_if(candidates, begins) : std::string_view();
+}
+
 }  // namespace
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
@@ -44,7 +53,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
             best_distance = distance;
         }
     }
-    return best;
+    return best.empty() ? completed(word, candidates) : best;
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {

@@ -11,7 +11,9 @@ namespace foam::texgen {
 /// Returns the candidate that a misspelled word most likely stands for: the candidate with the
 /// smallest Levenshtein distance to the word. Returns an empty view if no candidate is similar. A
 /// candidate is similar if its distance is at most n / 2 and at most the larger of 2 and n / 3.
-/// Here n is the length of the word in bytes.
+/// Here n is the length of the word in bytes. If none is similar, a candidate that begins with the
+/// word is returned, provided that the word has at least three bytes and no other candidate begins
+/// with it.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// Returns the end of an error message that suggests the nearest candidate, such as

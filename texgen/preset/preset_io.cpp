@@ -28,6 +28,14 @@ namespace {
 constexpr int kLargestAspect = 16;  // longer side of an image divided by the shorter side
 constexpr std::string_view kEventTable = "event";
 
+// Returns the table that a misspelled table most likely stands for (nearest). In an array of
+// tables, the key is such as "evnt[1]".
+std::string_view nearest_table(std::string_view key) {
+    std::vector<std::string_view> tables = preset_tables();
+    tables.push_back(kEventTable);
+    return nearest(key.substr(0, key.find('[')), tables);
+}
+
 // Checks the value of one assignment and stores it in the preset.
 void assign_one(Preset& preset, const Assignment& assignment) {
     if (is_event_key(assignment.key)) {
@@ -44,9 +52,8 @@ void assign_one(Preset& preset, const Assignment& assignment) {
                fmt::format("is a table; 'foamtex presets keys {}' lists its keys", assignment.key));
     }
     if (key == nullptr) {
-        reject_unknown(
-            assignment,
-            table ? nearest(assignment.key, preset_tables()) : nearest_key(assignment.key));
+        reject_unknown(assignment,
+                       table ? nearest_table(assignment.key) : nearest_key(assignment.key));
     }
     if (!key->read(assignment.value, preset)) {
         reject_value(assignment, *key);

@@ -57,28 +57,33 @@ bool has_sheet(const Json& images, const char* member, const std::string& text) 
 
 }  // namespace
 
-std::vector<std::string> keep_earlier_sheets(Json& description,
-                                             std::string_view earlier,
-                                             const std::filesystem::path& folder) {
+EarlierSheets keep_earlier_sheets(Json& description,
+                                  std::string_view earlier,
+                                  const std::filesystem::path& folder) {
     const Json listed = parsed_description(earlier);
-    std::vector<std::string> unlisted;
+    EarlierSheets result;
     if (listed.is_null()) {
-        return unlisted;
+        return result;
     }
     const bool same = same_but_for_maps(description, listed);
+    const bool same_bake = text_of(listed, "parameters") == text_of(description, "parameters");
     Json& images = description["images"];
     for (const Json& image : listed["images"]) {
         const std::string name = file_of(image);
-        if (name.empty() || has_sheet(images, "file", name) || !file_exists(folder / name)) {
+        if (name.empty() || !file_exists(folder / name)) {
             continue;
         }
-        if (same && !has_sheet(images, "map", text_of(image, "map"))) {
+        if (has_sheet(images, "file", name)) {
+            if (!same_bake) {
+                result.replaced.push_back(name);
+            }
+        } else if (same && !has_sheet(images, "map", text_of(image, "map"))) {
             images.push_back(image);
         } else {
-            unlisted.push_back(name);
+            result.unlisted.push_back(name);
         }
     }
-    return unlisted;
+    return result;
 }
 
 }  // namespace foam::texgen

@@ -179,7 +179,7 @@ Flipbook write_flipbook(const BakedSet& set,
                                          : flipbook_json(set, frames, flipbook.layout, images);
     if (std::filesystem::exists(flipbook.files.back())) {
         const Bytes earlier = read_file(flipbook.files.back(), kDescriptionInput);
-        flipbook.unlisted = keep_earlier_sheets(description, as_text(earlier), to);
+        flipbook.earlier = keep_earlier_sheets(description, as_text(earlier), to);
     }
     const std::string json = indented(description);
     staged.emplace_back(flipbook.files.back(), std::as_bytes(std::span(json)));

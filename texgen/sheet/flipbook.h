@@ -5,6 +5,7 @@
 #include "texgen/animation/progress.h"
 #include "texgen/manifest/manifest.h"
 #include "texgen/preset/preset.h"
+#include "texgen/sheet/earlier_sheets.h"
 #include "texgen/sheet/layout.h"
 
 #include <filesystem>
@@ -44,8 +45,7 @@ struct FlipbookOptions {
 struct Flipbook {
     std::vector<std::filesystem::path> files;  // one image per map, then the JSON file
     SheetLayout layout;                        // the layout of all images
-    // The names of existing images that the JSON file listed before and does not list any more.
-    std::vector<std::string> unlisted;
+    EarlierSheets earlier;                     // the images that the JSON file listed before
 };
 
 /// Writes a flipbook of a baked set into the folder `to`. The folder is created if needed. Each map

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -76,12 +77,12 @@ TEST(BakeCommand, WritesSceneFiles) {
                     "possible");
 }
 
-TEST(BakeCommand, NotesClippedHeightsOfAPacking) {
+TEST(BakeCommand, WarnsOfClippedHeightsOfAPacking) {
     const Outcome outcome = run_program(
         "bake sea_foam --set foam.bubbles=16 --frames 1 --size 16 --maps albedo "
         "--pack H=height,0,0 --set height.full=0.01");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_TRUE(outcome.err.starts_with("foamtex: H: in a file, up to ")) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("foamtex: warning: H: in a file, up to ")) << outcome.err;
     EXPECT_NE(outcome.err.find("outside of 0 to 1 and were clipped"), std::string::npos);
     EXPECT_NE(outcome.err.find("; raise height.full\n"), std::string::npos) << outcome.err;
 }
@@ -137,7 +138,7 @@ TEST(BakeCommand, NotesFramesThatDoNotLoop) {
 }
 
 // With "auto" no sample is clipped, whichever frames are baked. A fixed range may clip.
-TEST(BakeCommand, NotesClippedSamples) {
+TEST(BakeCommand, WarnsOfClippedSamples) {
     const std::string small =
         "bake sea_foam --maps height --set foam.bubbles=16 --set frames.count=4 --frames 2 "
         "--size 64 --out a.####.png ";
@@ -148,7 +149,8 @@ TEST(BakeCommand, NotesClippedSamples) {
     EXPECT_EQ(run_program(loud + "auto").err, "");
     const Outcome clipped = run_program(loud + "0.001");
     EXPECT_EQ(clipped.code, 0);
-    EXPECT_TRUE(clipped.err.starts_with("foamtex: height: in a file, up to ")) << clipped.err;
+    EXPECT_TRUE(clipped.err.starts_with("foamtex: warning: height: in a file, up to "))
+        << clipped.err;
     EXPECT_TRUE(clipped.err.ends_with("; raise height.full\n")) << clipped.err;
 }
 
@@ -164,9 +166,21 @@ TEST(BakeCommand, NotesEventsThatNeverHappen) {
     };
     const Outcome late = baked("--set frames.count=4");
     EXPECT_EQ(late.code, 0);
-    EXPECT_EQ(late.err,
-              "foamtex: note: events of 'e' begin after the last frame, 4: event[2] at frame 9\n");
+    EXPECT_EQ(
+        late.err,
+        "foamtex: warning: events of 'e' begin after the last frame, 4: event[2] at frame 9\n");
     EXPECT_EQ(baked("--set frames.count=9 --frames 1").err, "");
+}
+
+TEST(BakeCommand, StatisticsThatCannotBeWrittenAreFoundBeforeTheBake) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "sea_foam_stats") << "a file";
+    const Outcome outcome = run_program(
+        "bake sea_foam --set foam.bubbles=16 --frames 1-2 --size 8 --out '####.png' --stats",
+        folder);
+    EXPECT_EQ(outcome.code, 5);
+    EXPECT_NE(outcome.err.find("sea_foam_stats"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.written, (std::vector<std::string>{"sea_foam_stats"}));
 }
 
 TEST(BakeCommand, ABakeWritesItsStatisticsBesideTheImages) {

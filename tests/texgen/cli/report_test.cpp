@@ -57,15 +57,17 @@ TEST(Report, WarnsOfEventsThatFindNoBubble) {
     EXPECT_EQ(before.err.find("warning"), std::string::npos) << before.err;
 }
 
-TEST(Report, NotesEventsAfterTheLastFrame) {
+TEST(Report, WarnsOfEventsAfterTheLastFrame) {
     const TemporaryFolder folder;
     const std::string preset = (folder.path() / "a.toml").string();
     constexpr std::string_view kToml =
         "[foam]\nbubbles = 12\n[loop]\nkind = \"none\"\n[frames]\ncount = 2\n[[event]]\n"
-        "kind = \"collapse\"\nframe = 3\nsides = 6\n";
+        "kind = \"collapse\"\nframe = 3\nsides = 6\n[[event]]\nkind = \"drive\"\nframes = [2, 9]\n"
+        "bubble = 1\nscale = 1.1\n";
     write_file(preset, std::as_bytes(std::span(kToml)));
     const std::string note =
-        "foamtex: note: events of 'a' begin after the last frame, 2: event[1] at frame 3\n";
+        "foamtex: warning: events of 'a' begin after the last frame, 2: event[1] at frame 3\n"
+        "foamtex: warning: events of 'a' end after the last frame, 2: event[2] at frame 9\n";
     for (const std::string command : {"bake", "stats", "preview", "simulate --cache cache"}) {
         const std::string run = command + " --threads 1 --size 16 " + preset;
         EXPECT_EQ(run_program(run, folder).err, note) << command;

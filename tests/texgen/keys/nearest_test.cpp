@@ -33,6 +33,14 @@ TEST(Nearest, AShortWordAllowsOnlyOneEdit) {
     EXPECT_EQ(nearest("nnoe", kShort), "none");
 }
 
+TEST(Nearest, FindsTheOnlyWordThatBeginsAlike) {
+    constexpr std::array<std::string_view, 4> kCommands = {
+        "bake", "flipbook", "presets", "preview"};
+    EXPECT_EQ(nearest("fli", kCommands), "flipbook");
+    EXPECT_EQ(nearest("fl", kCommands), "");
+    EXPECT_EQ(nearest("pre", kCommands), "");
+}
+
 TEST(Nearest, TakesTheCloserOfTwo) {
     constexpr std::array<std::string_view, 2> kClose = {"image.size", "image.maps"};
     EXPECT_EQ(nearest("image.map", kClose), "image.maps");

@@ -18,7 +18,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-class EarlierSheets : public testing::Test {
+class EarlierSheetsTest : public testing::Test {
   protected:
     /// Returns a description of sheets of these maps.
     static Json description(const Names& maps) {
@@ -42,13 +42,13 @@ class EarlierSheets : public testing::Test {
     }
 
     Names keep(Json& flipbook, const std::string& earlier) const {
-        return keep_earlier_sheets(flipbook, earlier, folder_.path());
+        return keep_earlier_sheets(flipbook, earlier, folder_.path()).unlisted;
     }
 
     TemporaryFolder folder_;
 };
 
-TEST_F(EarlierSheets, SheetsOfOtherMapsAreKeptIfTheyExist) {
+TEST_F(EarlierSheetsTest, SheetsOfOtherMapsAreKeptIfTheyExist) {
     write("albedo.png");
     write("height.png");
     Json flipbook = description({"height", "film"});
@@ -56,7 +56,7 @@ TEST_F(EarlierSheets, SheetsOfOtherMapsAreKeptIfTheyExist) {
     EXPECT_EQ(maps_of(flipbook), (Names{"height", "film", "albedo"}));
 }
 
-TEST_F(EarlierSheets, SheetsOfOtherFramesAreReported) {
+TEST_F(EarlierSheetsTest, SheetsOfOtherFramesAreReported) {
     write("albedo.png");
     write("height.png");
     Json flipbook = description({"height"});
@@ -66,7 +66,19 @@ TEST_F(EarlierSheets, SheetsOfOtherFramesAreReported) {
     EXPECT_EQ(maps_of(flipbook), Names{"height"});
 }
 
-TEST_F(EarlierSheets, OtherTextsAreIgnored) {
+TEST_F(EarlierSheetsTest, ReplacedSheetsOfAnotherBakeAreReported) {
+    write("height.png");
+    Json flipbook = description({"height", "film"});
+    Json earlier = description({"height", "film"});
+    const auto replaced = [&] {
+        return keep_earlier_sheets(flipbook, earlier.dump(), folder_.path()).replaced;
+    };
+    EXPECT_EQ(replaced(), Names{});
+    earlier["parameters"] = "0123";
+    EXPECT_EQ(replaced(), Names{"height.png"});
+}
+
+TEST_F(EarlierSheetsTest, OtherTextsAreIgnored) {
     Json flipbook = description({"height"});
     for (const char* const text : {"", "{", "[1]", "{}", R"({"images": [7, {"file": 1}]})"}) {
         EXPECT_EQ(keep(flipbook, text), Names{}) << text;
@@ -74,7 +86,7 @@ TEST_F(EarlierSheets, OtherTextsAreIgnored) {
     EXPECT_EQ(flipbook, description({"height"}));
 }
 
-TEST_F(EarlierSheets, DeeplyNestedTextsAreIgnored) {
+TEST_F(EarlierSheetsTest, DeeplyNestedTextsAreIgnored) {
     constexpr std::size_t kLevels = 500'000;
     const std::string nested = std::string(kLevels, '[') + std::string(kLevels, ']');
     Json flipbook = description({"height"});
@@ -84,7 +96,7 @@ TEST_F(EarlierSheets, DeeplyNestedTextsAreIgnored) {
     EXPECT_EQ(flipbook, description({"height"}));
 }
 
-TEST_F(EarlierSheets, NamesThatAreNoFileNamesAreIgnored) {
+TEST_F(EarlierSheetsTest, NamesThatAreNoFileNamesAreIgnored) {
     std::filesystem::create_directory(folder_.path() / "sheets");
     write("stranger.png");
     Json flipbook = description({"height"});
@@ -92,8 +104,10 @@ TEST_F(EarlierSheets, NamesThatAreNoFileNamesAreIgnored) {
          {std::string("../stranger.png"), std::string("/"), std::string(400, 'a')}) {
         Json earlier = description({"albedo"});
         earlier["images"][0]["file"] = name;
-        EXPECT_EQ(keep_earlier_sheets(flipbook, earlier.dump(), folder_.path() / "sheets"), Names{})
-            << name;
+        const EarlierSheets result =
+            keep_earlier_sheets(flipbook, earlier.dump(), folder_.path() / "sheets");
+        EXPECT_EQ(result.unlisted, Names{}) << name;
+        EXPECT_EQ(result.replaced, Names{}) << name;
     }
     EXPECT_EQ(flipbook, description({"height"}));
 }
