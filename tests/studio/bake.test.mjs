@@ -3,10 +3,10 @@
 // Bakes, saved presets and downloads of the page.
 
 import assert from "node:assert/strict";
-import { readFile, readdir } from "node:fs/promises";
+import { readFile, readdir, stat } from "node:fs/promises";
 import path from "node:path";
 import test from "node:test";
-import { open_studio, run, set_key, with_studio } from "./studio.mjs";
+import { open_studio, run, set_key, wait_for_exact_picture, with_studio } from "./studio.mjs";
 
 async function fill_bake_form(page, folder, side) {
     await page.click("#bake-open");
@@ -74,6 +74,56 @@ test("a bake can be canceled", () =>
         const files = await readdir(path.join(folder, "long")).catch(() => []);
         assert.ok(files.filter((file) => file.endsWith(".png")).length < 48);
         assert.deepEqual(files.filter((file) => file.endsWith(".part")), []);
+    }));
+
+test("a canceled bake is resumed after the page was loaded again", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        const { page, errors } = await open_studio(browser, studio.url);
+        await set_key(page, "foam.bubbles", 50);
+        await fill_bake_form(page, "resumed", 2048);
+        await page.click("#bake-start");
+        const has_frames = () =>
+            document.getElementById("bake-status").textContent.includes("frames") &&
+            parseInt(document.getElementById("bake-numbers").textContent) > 1;
+        await page.waitForFunction(has_frames, null, { timeout: 60_000 });
+        await page.locator("#bake-cancel").click();
+        await page.locator("#bake-status").filter({ hasText: /canceled/i }).waitFor({ timeout: 60_000 });
+        const images = async () => (await readdir(path.join(folder, "resumed"))).filter((file) => file.endsWith(".png")).sort();
+        const kept = await images();
+        assert.ok(kept.length > 0 && kept.length < 48, `${kept.length} images`);
+        const first = path.join(folder, "resumed", kept[0]);
+        const written = (await stat(first)).mtimeMs;
+        await page.reload();
+        await wait_for_exact_picture(page);
+        await fill_bake_form(page, "resumed", 2048);
+        await page.check("#bake-resume");
+        await page.click("#bake-start");
+        await page.locator("#bake-status").filter({ hasText: /complete/i }).waitFor({ timeout: 60_000 });
+        assert.equal((await images()).length, 48);
+        assert.equal((await stat(first)).mtimeMs, written);
+        await run(["verify", path.join(folder, "resumed")]);
+        assert.deepEqual(errors, []);
+    }));
+
+test("a bake goes on while the page is loaded again", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        const { page } = await open_studio(browser, studio.url);
+        await set_key(page, "foam.bubbles", 50);
+        await fill_bake_form(page, "reloaded", 512);
+        await page.click("#bake-start");
+        await page.locator("#bake-progress").waitFor();
+        await page.reload();
+        await wait_for_exact_picture(page);
+        await page.click("#bakes-refresh");
+        const file = path.join(folder, "reloaded", "manifest.json");
+        const is_complete = async () => {
+            const text = await readFile(file, "utf8").catch(() => "{}");
+            return JSON.parse(text).sets?.[0]?.files?.length === 48;
+        };
+        for (const end = Date.now() + 60_000; Date.now() < end && !(await is_complete()); ) {
+            await page.waitForTimeout(200);
+        }
+        await run(["verify", path.join(folder, "reloaded")]);
     }));
 
 test("the page saves presets that the program reads", () =>

@@ -85,6 +85,7 @@ for (const colorScheme of ["dark", "light"]) {
         with_studio(async ({ studio, browser }) => {
             const { page } = await open_studio(browser, studio.url, { colorScheme });
             const axe = await readFile(path.join(package_folder("studio", "axe-core"), "axe.min.js"), "utf8");
+            await page.focus('#form [data-key="foam.bubbles"]'); // shows the help of the key
             for (const opener of [null, "#tab-lit", "#tab-variations", "#bake-open"]) {
                 if (opener) {
                     await page.click(opener);

@@ -32,9 +32,9 @@ async function copied_command(page) {
     return page.evaluate(() => navigator.clipboard.readText());
 }
 
-// Runs a command that bakes the map lit of frame 1 in a folder. Returns the content of its image.
-async function baked_image(command, folder) {
-    const line = `${command} --frames 1 --maps lit --out copied.png -q`.replace("foamtex", `'${program}'`);
+// Runs a command that bakes a map of frame 1 in a folder. Returns the content of its image.
+async function baked_image(command, folder, map) {
+    const line = `${command} --frames 1 --maps ${map} --out copied.png -q`.replace("foamtex", `'${program}'`);
     await shell("sh", ["-c", line], { cwd: folder });
     return readFile(path.join(folder, "copied.png"));
 }
@@ -52,8 +52,29 @@ test("a slider changes the pixels, which equal those of the copied command", () 
         assert.notDeepEqual(after, before);
         const command = await copied_command(page);
         assert.match(command, /foamtex bake sea_foam .*--set foam.bubbles=100/);
-        const baked = await decoded_png(page, await baked_image(command, folder));
+        const baked = await decoded_png(page, await baked_image(command, folder, "lit"));
         assert.deepEqual(after, baked);
+        assert.deepEqual(errors, []);
+    }));
+
+// The page has 8 bits per sample, and the browser rounds the 16 bits of the baked image.
+test("a map with an automatic range has the pixels of a bake as soon as its loop is loaded", () =>
+    with_studio(async ({ folder, studio, browser }) => {
+        const { page, errors } = await open_studio(browser, studio.url);
+        await page.click("#play");
+        await page.click("#first");
+        await set_key(page, "image.size", [side, side]);
+        await set_key(page, "foam.bubbles", 60);
+        await set_key(page, "frames.count", 6);
+        await page.selectOption("#map", "height");
+        await page.waitForFunction(() => window.studio.view.picture?.map === "height");
+        await wait_for_exact_picture(page);
+        const shown = await shown_pixels(page, side, side);
+        const baked = await decoded_png(page, await baked_image(await copied_command(page), folder, "height"));
+        assert.equal(shown.length, baked.length);
+        const largest = shown.reduce((most, sample, k) => Math.max(most, Math.abs(sample - baked[k])), 0);
+        assert.ok(largest <= 1, `a sample differs by ${largest}`);
+        assert.ok(new Set(shown).size > 100, "the picture is uniform");
         assert.deepEqual(errors, []);
     }));
 

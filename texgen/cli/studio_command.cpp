@@ -66,7 +66,8 @@ void open_browser(const std::string& url) {
     }).detach();
 }
 
-void announce(const Studio& studio, const HttpServer& server, bool json) {
+/// Prints the address of the studio on stdout. Returns false if it could not be written.
+bool announce(const Studio& studio, const HttpServer& server, bool json) {
     const std::string url =
         fmt::format("http://localhost:{}/#token={}", server.port(), studio.token());
     if (json) {
@@ -78,13 +79,15 @@ void announce(const Studio& studio, const HttpServer& server, bool json) {
     } else {
         print_stdout("{}\n", url);
     }
-    std::fflush(stdout);
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }
 
 ExitCode run_studio(const StudioArguments& arguments) {
     HttpServer server(arguments.port);
     Studio studio(arguments.folder, server.port());
-    announce(studio, server, arguments.json);
+    if (!announce(studio, server, arguments.json)) {
+        return ExitCode::Success;  // run_program reports that stdout could not be written
+    }
     if (!arguments.json) {
         print_stderr("foamtex: files are saved below '{}'; Ctrl-C ends the studio",
                      studio.folder().path().string());

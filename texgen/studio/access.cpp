@@ -10,12 +10,18 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 namespace foam::texgen {
 
 namespace {
 
 constexpr std::array kHosts = {"127.0.0.1", "localhost", "[::1]"};
+
+// A page may load only files of the studio itself, and pictures that its scripts have made.
+constexpr const char* kContentPolicy =
+    "default-src 'self'; img-src 'self' blob: data:; frame-ancestors 'none'; base-uri 'none'; "
+    "form-action 'none'";
 
 /// Returns 128 random bits as 32 hexadecimal digits.
 std::string random_word() {
@@ -105,6 +111,20 @@ std::optional<HttpResponse> Access::exchange(std::string_view token) {
                      fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/; Max-Age=604800",
                                  cookie_name(port_),
                                  secret_)}}};
+}
+
+HttpResponse with_safety_fields(HttpResponse response) {
+    const std::array<std::pair<const char*, const char*>, 5> fields{{
+        {"Content-Security-Policy", kContentPolicy},
+        {"X-Content-Type-Options", "nosniff"},
+        {"Referrer-Policy", "no-referrer"},
+        {"Cache-Control", "no-store"},
+        {"Cross-Origin-Resource-Policy", "same-origin"},
+    }};
+    for (const auto& [name, value] : fields) {
+        response.headers.emplace_back(name, value);
+    }
+    return response;
 }
 
 HttpResponse error_response(HttpStatus status, const std::string& message, const std::string& key) {

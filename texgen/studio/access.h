@@ -55,6 +55,10 @@ class Access {
     bool token_is_used_ = false;  // protected by the mutex
 };
 
+/// Returns a response with the header fields that every response of the studio has. They restrict
+/// what a page may load and which pages may embed or read the response, and forbid caching.
+HttpResponse with_safety_fields(HttpResponse response);
+
 /// Returns an error response. The message is one line; `key` names the preset key that the error
 /// concerns, or is empty.
 HttpResponse error_response(HttpStatus status,

@@ -24,11 +24,6 @@ namespace {
 // The memory for the states of foams, in bytes.
 constexpr std::size_t kStoreBytes = 1UL << 30;
 
-// A page may load only files of the studio itself, and pictures that its scripts have made.
-constexpr const char* kContentPolicy =
-    "default-src 'self'; img-src 'self' blob: data:; frame-ancestors 'none'; base-uri 'none'; "
-    "form-action 'none'";
-
 std::string_view content_type_of(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kTypes{{
         {".html", "text/html; charset=utf-8"},
@@ -81,16 +76,7 @@ Studio::Studio(const std::filesystem::path& folder, int port)
       last_request_(std::chrono::steady_clock::now()) {}
 
 HttpResponse Studio::handle(const HttpRequest& request) {
-    HttpResponse response = guarded([&] { return answer(request); });
-    const std::array<std::pair<const char*, const char*>, 5> fields{{
-        {"Content-Security-Policy", kContentPolicy},
-        {"X-Content-Type-Options", "nosniff"},
-        {"Referrer-Policy", "no-referrer"},
-        {"Cache-Control", "no-store"},
-        {"Cross-Origin-Resource-Policy", "same-origin"},
-    }};
-    response.headers.insert(response.headers.end(), fields.begin(), fields.end());
-    return response;
+    return with_safety_fields(guarded([&] { return answer(request); }));
 }
 
 HttpResponse Studio::answer(const HttpRequest& request) {

@@ -131,7 +131,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
         is_idle_ = false;
         if (error) {
             if (std::optional<HttpResponse> answer = answer_to(error)) {
-                write(*std::move(answer), Next::Drain);
+                write(with_safety_fields(*std::move(answer)), Next::Drain);
             } else {
                 owner_.remove(this);
             }

@@ -154,15 +154,24 @@ bool Painter::fit_range(const Preset& preset, const PictureRequest& request, Map
     measured.output = {};
     const std::string key = simulation_hash(preset) + request.map +
                             text_hash(to_toml(measured) + file_hashes(measured));
-    {
+    const auto is_known = [&] {
         const std::scoped_lock lock(mutex_);
-        if (const auto found = ranges_.find(key); found != ranges_.end()) {
+        const auto found = ranges_.find(key);
+        if (found != ranges_.end()) {
             range->value = found->second;
-            return true;
         }
+        return found != ranges_.end();
+    };
+    if (is_known()) {
+        return true;
     }
     if (request.quality != PictureQuality::Exact) {
         return false;
+    }
+    // A page requests several exact pictures at once. The first request fits the range for all.
+    const std::scoped_lock fitting(fitting_mutex_);
+    if (is_known()) {
+        return true;
     }
     const FrameSource source = store_.source(preset);
     if (!source) {

@@ -64,7 +64,8 @@ class Painter {
     bool fit_range(const Preset& preset, const PictureRequest& request, MapOptions& options);
 
     FrameStore& store_;
-    std::mutex mutex_;                                                // protects the members below
+    std::mutex fitting_mutex_;  // held while a range is fitted
+    std::mutex mutex_;          // protects the members below
     std::list<std::pair<std::string, std::shared_ptr<Shown>>> kept_;  // the newest is first
     std::map<std::string, double> ranges_;  // fitted ranges, by simulation, map and options
 };

@@ -138,12 +138,12 @@ std::optional<std::string> bake_command(const PageSettings& settings,
     if (settings.events) {
         return std::nullopt;
     }
-    std::string command = "foamtex bake " + shell_word(settings.preset);
+    std::string command = fmt::format("foamtex bake {}", shell_word(settings.preset));
     for (const std::string& set : settings.set) {
-        command += " --set " + shell_word(set);
+        command += fmt::format(" --set {}", shell_word(set));
     }
     for (const std::string& option : options) {
-        command += " " + shell_word(option);
+        command += fmt::format(" {}", shell_word(option));
     }
     return command;
 }
@@ -154,8 +154,11 @@ std::string preset_file(const PageSettings& settings, const PagePreset& loaded) 
     if (!extends || drops_events) {
         return to_toml(loaded.preset);
     }
-    return extending_preset(settings.preset, loaded.assignments) +
-           (settings.events ? "\n" + events_to_toml(loaded.preset) : "");
+    std::string text = extending_preset(settings.preset, loaded.assignments);
+    if (settings.events) {
+        text += fmt::format("\n{}", events_to_toml(loaded.preset));
+    }
+    return text;
 }
 
 Json describe_settings(const PageSettings& settings, const StudioFolder& folder) {

@@ -31,5 +31,19 @@ TEST(StudioCommand, GivesAHintIfNoBrowserOpens) {
         << err;
 }
 
+// A studio that does not end is stopped after 20 seconds, which gives another code.
+TEST(StudioCommand, EndsIfItsAddressCannotBeWritten) {
+    const std::string studio =
+        "timeout 20 '" + foam::test::executable().string() + "' studio --no-browser --json ";
+    for (const char* lost : {">/dev/full", ">&-"}) {
+        const TemporaryFolder folder;
+        const Outcome outcome =
+            run_program("--version > /dev/null; " + studio + lost + " 2>err #", folder);
+        EXPECT_EQ(outcome.code, 5) << lost;
+        EXPECT_EQ(file_content(folder.path() / "err"),
+                  "foamtex: cannot write to standard output\n");
+    }
+}
+
 }  // namespace
 }  // namespace foam::texgen

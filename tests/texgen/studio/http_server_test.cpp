@@ -172,7 +172,9 @@ TEST(HttpServer, RejectsALargeHeader) {
     const RunningServer server(echo);
     const Client client(server.port());
     client.send_text(get("/", "X: " + std::string(9000, 'x') + "\r\n"));
-    EXPECT_NE(client.receive_all().find("431"), std::string::npos);
+    const std::string response = client.receive_all();
+    EXPECT_NE(response.find("431"), std::string::npos);
+    EXPECT_NE(response.find("Content-Security-Policy: default-src 'self';"), std::string::npos);
 }
 
 TEST(HttpServer, RejectsALargeBody) {

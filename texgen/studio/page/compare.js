@@ -11,6 +11,9 @@ export class Compare {
     #studio;
     #split = 0.5;
     #kept = false;
+    #gesture = null; // the keys that the last edit changed, if it was part of a gesture such as a drag
+    #replaced = null; // the picture that was shown at the last edit
+    #changes = 1; // how many edits the picture on the left is behind the current one
 
     constructor(studio) {
         this.#studio = studio;
@@ -44,8 +47,8 @@ export class Compare {
         this.#studio.status.say("The picture is kept for comparison.");
     }
 
-    // Remembers the picture before an edit, unless the user has kept a picture. Of the edits of one gesture, such as
-    // the dragging of a control, only the first one does this.
+    // Remembers the picture before an edit, unless the user has kept a picture. The edits of one gesture, such as the
+    // dragging of a control, count as one.
     #onEdit({opened, keys, live}) {
         const gesture = live ? keys.join() : null;
         if (opened) {
@@ -58,13 +61,26 @@ export class Compare {
         this.#show();
     }
 
-    #gesture = null;
-
+    // Drafts are not remembered, and a picture that was already shown at the last edit is not that of the settings before
+    // this edit. In both cases the picture that is remembered is then behind by one more edit.
     #remember() {
-        const {picture} = this.#studio.view;
-        if (picture?.exact || !this.#studio.view.hasBefore) {
-            this.#studio.view.keepBefore(picture);
+        const {view} = this.#studio;
+        const {picture} = view;
+        const isNew = picture !== null && picture !== this.#replaced && !picture.draft;
+        this.#replaced = picture;
+        if (isNew || !view.hasBefore) {
+            view.keepBefore(picture);
+            this.#changes = 1;
+        } else {
+            this.#changes += 1;
         }
+    }
+
+    get #label() {
+        if (this.#kept) {
+            return "Kept picture";
+        }
+        return this.#changes === 1 ? "Before the last change" : `Before the last ${this.#changes} changes`;
     }
 
     #show() {
@@ -72,7 +88,7 @@ export class Compare {
         const on = ui.get("compare");
         $("compare").setAttribute("aria-pressed", String(on));
         $("compare-bar").hidden = !on;
-        $("compare-left").textContent = this.#kept ? "Kept picture" : "Before the last change";
+        $("compare-left").textContent = this.#label;
         $("split").hidden = !on;
         $("compare-none").hidden = view.hasBefore;
         this.#place();

@@ -10,6 +10,8 @@ import {kindOf, newEvent, rangeOf, toTexts, withRange} from "./event_model.js";
 const kRow = 16; // height of an event on the track, including the gap, in CSS pixels
 const kEdge = 7; // width of the handle at each end of an event, in CSS pixels; dragging a handle changes the length
 
+const kLoopsWithEvents = ["none", "pingpong"]; // the values of loop.kind with which the program allows events
+
 export class EventTrack {
     #studio;
     #selected = null;
@@ -52,17 +54,29 @@ export class EventTrack {
 
     /** Adds an event at the current frame and opens it. */
     add() {
-        const {player, eventKinds, status, baked} = this.#studio;
-        if (player.count < 2 || baked) {
-            status.say(
-                baked
-                    ? "Baked images cannot be edited; open a preset to add events."
-                    : "Events need an animation of at least two frames.",
-            );
+        const {player, eventKinds, status} = this.#studio;
+        const obstacle = this.#obstacle();
+        if (obstacle) {
+            status.say(obstacle);
             return;
         }
         this.#replace([...this.list, newEvent(eventKinds[0], player.frame, player.count)]);
         this.select(this.list.length - 1);
+    }
+
+    // Returns the reason why no event can be added, as a sentence; null if one can be added.
+    #obstacle() {
+        const {player, answer, baked} = this.#studio;
+        if (baked) {
+            return "Baked images cannot be edited; open a preset to add events.";
+        }
+        if (player.count < 2) {
+            return "Events need an animation of at least two frames.";
+        }
+        const loop = answer?.values["loop.kind"];
+        return loop === undefined || kLoopsWithEvents.includes(loop)
+            ? null
+            : `Events need loop.kind = "none" or "pingpong", not "${loop}": this loop is closed by repeating its cycle.`;
     }
 
     /** Replaces an event, or removes it if `event` is null. */

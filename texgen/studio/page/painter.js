@@ -126,7 +126,9 @@ export class Painter {
         this.#full.run(async (signal) => {
             const start = performance.now();
             const rank = width < this.width ? kSmaller : kFull;
-            const picture = await this.#request(order, rank, () => source.picture(frame, width, "full", signal));
+            // The automatic range of a single frame is known at once; a loop gets its range when it is loaded.
+            const quality = this.#player.count > 1 ? "full" : "exact";
+            const picture = await this.#request(order, rank, () => source.picture(frame, width, quality, signal));
             if (picture && width === this.width && source === this.#source) {
                 this.#fullTime = performance.now() - start;
             }
@@ -150,7 +152,7 @@ export class Painter {
             this.#player.put(picture.frame, picture);
         }
         if (this.#player.count > 1 && !this.#player.complete) {
-            this.#player.load((frame, signal) => source.picture(frame, width, "full", signal));
+            this.#player.load((frame, quality, signal) => source.picture(frame, width, quality, signal));
         }
     }
 

@@ -89,9 +89,10 @@ export class Player {
     }
 
     /**
-     * Loads all missing frames, in order from the current one. `request(frame, signal)` returns a
+     * Loads all missing frames, in order from the current one. `request(frame, quality, signal)` returns a
      * picture. Pictures that were drawn before the automatic range of the map was known (`exact` is
-     * false) are loaded again at the end. If the simulation is stopped (status 409), the loading
+     * false) are loaded again at the end, in the quality "exact": all frames are then simulated, and the
+     * range of a bake can be found. If the simulation is stopped (status 409), the loading
      * starts again after `kRetry` milliseconds, at most `attempts` - 1 times.
      */
     async load(request, attempts = kAttempts) {
@@ -100,8 +101,8 @@ export class Player {
         this.#abort = abort;
         let failure = null;
         try {
-            await this.#loadWhere((picture) => !picture, request, abort.signal);
-            await this.#loadWhere((picture) => !picture?.exact, request, abort.signal);
+            await this.#loadWhere((picture) => !picture, "full", request, abort.signal);
+            await this.#loadWhere((picture) => !picture?.exact, "exact", request, abort.signal);
         } catch (error) {
             abort.abort();
             failure = error instanceof ApiError ? error : null;
@@ -120,15 +121,15 @@ export class Player {
         this.changed.emit();
     }
 
-    async #loadWhere(isMissing, request, signal) {
+    async #loadWhere(isMissing, quality, request, signal) {
         const order = Array.from({length: this.count}, (_, index) => ((this.frame - 1 + index) % this.count) + 1);
         const queue = order.filter((frame) => isMissing(this.#frames[frame]));
-        await Promise.all(Array.from({length: kRequests}, () => this.#work(queue, request, signal)));
+        await Promise.all(Array.from({length: kRequests}, () => this.#work(queue, quality, request, signal)));
     }
 
-    async #work(queue, request, signal) {
+    async #work(queue, quality, request, signal) {
         for (let frame = queue.shift(); frame !== undefined; frame = queue.shift()) {
-            const picture = await request(frame, signal);
+            const picture = await request(frame, quality, signal);
             if (signal.aborted) {
                 return;
             }
