@@ -41,9 +41,11 @@ constexpr DefectOptions kLaterDefects{.force = 0.02, .area = 0.05};
 // of the residual. Defect regions are then assumed to limit the progress.
 constexpr double kSlowRatio = 0.1;
 // Newton's method reduces forces, in film tensions, and relative area errors to kNewtonTolerance,
-// or to kNewtonTolerancePerSize times the size of the foam if that is more (newton_tolerance).
+// or to kNewtonTolerancePerSize times the size of the foam if that is more, but at least to the
+// fraction kLargestNewtonTolerance of the tolerance of the equilibrium (newton_tolerance).
 constexpr double kNewtonTolerance = 1e-11;
 constexpr double kNewtonTolerancePerSize = 1e-13;
+constexpr double kLargestNewtonTolerance = 0.1;
 // After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
 // A stall of Newton's method is counted if worst_regions returns any region and defect regions are
@@ -164,10 +166,10 @@ Progress initial_phase(Work& work) {
 }
 
 // Returns the tolerance of Newton's method for forces and areas. Rounding errors of positions are
-// in proportion to the largest coordinate, here in mean bubble diameters. In a torus of 100,000
-// bubbles, this is 316, and errors do not fall below 2e-11. If the tolerance were missed, the
-// method would stall, and the whole foam would be relaxed.
-double newton_tolerance(const Foam& foam) {
+// in proportion to the largest coordinate, here in square roots of the mean area of a bubble. It is
+// 316 in a torus of 100,000 bubbles, whose errors do not fall below 2e-11. With a smaller
+// tolerance, the method would stall, and the whole foam would be relaxed.
+double newton_tolerance(const Foam& foam, double tolerance) {
     double largest = 0.0;
     for (const JunctionId junction : foam.network.junctions()) {
         largest = std::max(largest, foam.positions[junction].cwiseAbs().maxCoeff());
@@ -176,8 +178,9 @@ double newton_tolerance(const Foam& foam) {
     for (const BubbleId bubble : foam.network.bubbles()) {
         area += foam.target_areas[bubble];
     }
-    const double diameter = std::sqrt(area / static_cast<double>(foam.network.bubble_count()));
-    return std::max(kNewtonTolerance, kNewtonTolerancePerSize * largest / diameter);
+    const double unit = std::sqrt(area / static_cast<double>(foam.network.bubble_count()));
+    const double wanted = std::max(kNewtonTolerance, kNewtonTolerancePerSize * largest / unit);
+    return std::max(kNewtonTolerance, std::min(wanted, kLargestNewtonTolerance * tolerance));
 }
 
 NewtonSummary solve_whole(Work& work, Progress& progress) {
@@ -186,7 +189,7 @@ NewtonSummary solve_whole(Work& work, Progress& progress) {
         progress.needs_restart = false;
     }
     const bool stops_if_slow = progress.solves_regions && progress.stops_if_slow;
-    const double tolerance = newton_tolerance(work.foam);
+    const double tolerance = newton_tolerance(work.foam, work.options.tolerance);
     NewtonSummary summary = newton(work.foam,
                                    work.whole,
                                    {.force_tolerance = tolerance,

@@ -54,8 +54,9 @@ void expect_equilibrium(const SeedingOptions& seeding, const TopologyThresholds&
     EXPECT_EQ(errors.films_at_limit, 0);
 }
 
-// Rounding errors of positions are as large here as in a huge foam, and one bubble is small, so that
-// they change its area most. If Newton's method missed its tolerance, the foam would be relaxed.
+// The rounding errors of positions are as large as in a huge foam. One bubble is small, because
+// they change the area of small bubbles most. If Newton's method missed its tolerance, the foam
+// would be relaxed.
 TEST(Equilibrate, AFoamWithLargeCoordinatesIsNotRelaxed) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         Foam foam = test::patch_foam(30, seed);
@@ -69,6 +70,16 @@ TEST(Equilibrate, AFoamWithLargeCoordinatesIsNotRelaxed) {
         EXPECT_TRUE(summary.converged()) << "seed " << seed;
         EXPECT_EQ(summary.sweeps, 0) << "seed " << seed;
     }
+}
+
+// Far from the origin, the tolerance of Newton's method does not exceed that of the equilibrium.
+TEST(Equilibrate, AFoamFarFromTheOriginKeepsTheToleranceOfTheEquilibrium) {
+    Foam foam = test::patch_foam(30, 1);
+    for (const JunctionId junction : foam.network.junctions()) {
+        foam.positions[junction] += Vec2(1e5, 1e5);
+    }
+    foam.target_areas[BubbleId(2)] *= 1.01;
+    EXPECT_TRUE(equilibrate(foam, {.relaxes_first = false}).converged());
 }
 
 TEST(Equilibrate, EquilibratesRawDiagrams) {
