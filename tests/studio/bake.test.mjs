@@ -107,7 +107,7 @@ test("a canceled bake is resumed after the page was loaded again", () =>
 
 test("a bake goes on while the page is loaded again", () =>
     with_studio(async ({ folder, studio, browser }) => {
-        const { page } = await open_studio(browser, studio.url);
+        const { page, errors } = await open_studio(browser, studio.url);
         await set_key(page, "foam.bubbles", 50);
         await fill_bake_form(page, "reloaded", 512);
         await page.click("#bake-start");
@@ -123,7 +123,9 @@ test("a bake goes on while the page is loaded again", () =>
         for (const end = Date.now() + 60_000; Date.now() < end && !(await is_complete()); ) {
             await page.waitForTimeout(200);
         }
+        assert.ok(await is_complete(), "the bake has not ended after a minute");
         await run(["verify", path.join(folder, "reloaded")]);
+        assert.deepEqual(errors, []);
     }));
 
 test("the page saves presets that the program reads", () =>

@@ -15,16 +15,19 @@ async function stop_loop(page) {
     await wait_for_exact_picture(page);
 }
 
-// Returns a hash of the left quarter of the picture's canvas. If a key is given, sets it right afterwards.
-function left_hash(page, key = null, value = null) {
+// Returns a hash of the left quarter of the picture's canvas, and the number of pictures shown so far. If a key is given,
+// sets it right afterwards.
+function left_side(page, key = null, value = null) {
     return page.evaluate(
         ([path, text]) => {
             const canvas = document.getElementById("picture");
+            const version = Number(canvas.dataset.version);
             const { data } = canvas.getContext("2d").getImageData(0, 0, Math.floor(canvas.width / 4), canvas.height);
             if (path) {
                 window.studio.state.set(path, text);
             }
-            return data.reduce((sum, sample) => (sum * 31 + sample) % 4294967291, 0);
+            const hash = data.reduce((sum, sample) => (sum * 31 + sample) % 4294967291, 0);
+            return { hash, version };
         },
         [key, value],
     );
@@ -38,7 +41,7 @@ test("a slider that is dragged changes the picture, and is one edit", () =>
         const slider = page.locator('[data-slider="albedo.film_width"]');
         const value = () => page.locator('#form [data-key="albedo.film_width"]').inputValue();
         const original = await value();
-        const version = await version_of(page);
+        const before = await left_side(page);
         const box = await slider.boundingBox();
         const y = box.y + box.height / 2;
         await page.mouse.move(box.x + 0.2 * box.width, y);
@@ -49,7 +52,8 @@ test("a slider that is dragged changes the picture, and is one edit", () =>
         }
         const held = await value();
         await page.mouse.up();
-        await wait_for_exact_picture(page, version);
+        await wait_for_exact_picture(page, before.version);
+        assert.notEqual((await left_side(page)).hash, before.hash);
         assert.notEqual(held, original);
         assert.equal(await value(), held);
         await page.click("#undo");
@@ -70,13 +74,12 @@ test("the comparison shows the picture before the last change", () =>
         await page.waitForFunction(() => window.studio.view.picture?.map === "height");
         await page.click("#compare");
         await page.press("#split", "Home"); // shows the current picture alone
-        const shown = await version_of(page);
-        const before = await left_hash(page, "relief.width", "0.1");
-        await wait_for_exact_picture(page, shown);
-        assert.notEqual(await left_hash(page), before);
+        const before = await left_side(page, "relief.width", "0.1");
+        await wait_for_exact_picture(page, before.version);
+        assert.notEqual((await left_side(page)).hash, before.hash);
         assert.equal(await page.textContent("#compare-left"), "Before the last change");
         await page.press("#split", "End"); // shows the earlier picture alone
-        assert.equal(await left_hash(page), before);
+        assert.equal((await left_side(page)).hash, before.hash);
         assert.deepEqual(errors, []);
     }));
 

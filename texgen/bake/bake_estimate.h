@@ -28,9 +28,9 @@ struct BakeEstimate {
 /// The number of frames that estimate_bake bakes, unless the bake has fewer.
 inline constexpr std::size_t kEstimatedFrames = 2;
 
-/// The images that estimate_bake draws have sides of at most this number of pixels, so that an
-/// estimate of a bake that is too large for the memory is possible. It is a little more if the
-/// width and the height have too small a common divisor (reduced_image).
+/// The largest width and height of the images that estimate_bake draws, which limits the memory of
+/// an estimate. Images whose width and height have no common divisor are drawn at their full size
+/// (reduced_image).
 inline constexpr int kLargestEstimatedSide = 2048;
 
 /// Bakes the first two frames into a scratch folder, which is removed afterwards. Measures the time

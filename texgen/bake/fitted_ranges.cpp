@@ -29,8 +29,9 @@ namespace {
 constexpr double kMargin =
     1.01;  // factor that allows for peaks between the pixels of the reduced images
 
-// Numbers that are at most this share of the range before the fit are taken for rounding errors.
-// The growth of a foam that does not change is an example. The range is then not changed.
+// If no number of a map exceeds this share of the range before the fit, the numbers are taken for
+// rounding errors, and the range is not changed. An example is the growth of a foam that does not
+// change.
 constexpr double kRounding = 1e-9;
 
 // A map with an automatic range, and how large its numbers have been so far.
@@ -141,12 +142,14 @@ RunOutcome fit_automatic_ranges(Preset& preset,
     if (outcome.status == RunStatus::Complete) {
         for (const MeasuredMap& one : ranges.maps()) {
             AutoReal& range = *range_option_of(*one.map, preset.maps);
-            if (one.largest > kRounding) {
-                range.value = rounded_up(kMargin * one.largest * range.value);
-            }
+            range.value = fitted_range(range.value, one.largest);
         }
     }
     return outcome;
+}
+
+double fitted_range(double range, double largest) {
+    return largest > kRounding ? rounded_up(kMargin * largest * range) : range;
 }
 
 double rounded_up(double number) {

@@ -146,21 +146,28 @@ void FrameStore::forget_old_drafts() {
 }
 
 FrameSource FrameStore::source(const Preset& preset) {
-    const std::scoped_lock lock(mutex_);
+    std::unique_lock lock(mutex_);
     const std::string simulation = simulation_hash(preset);
-    for (const RunPointer& run : runs_) {
-        if (run->simulation == simulation && run->outcome && run->failure.empty() &&
-            run->frames == preset.frames.count) {
-            return [run, preset](const std::vector<int>& numbers,
-                                 NextFrames next_frames,
-                                 const FrameVisitor& on_frame,
-                                 const ProgressCallback&) {
-                assemble(run->kept, preset, numbers, next_frames, on_frame);
-                return *run->outcome;
-            };
-        }
+    const auto found = std::ranges::find_if(runs_, [&](const RunPointer& run) {
+        return run->simulation == simulation && run->frames == preset.frames.count &&
+               run->has_states(run->frames);
+    });
+    if (found == runs_.end()) {
+        return {};
     }
-    return {};
+    // The simulation ends soon after it has computed its last state.
+    const RunPointer run = *found;
+    changed_.wait(lock, [&] { return is_stopped_ || run->is_dropped() || run->is_finished(); });
+    if (!run->outcome || !run->failure.empty()) {
+        return {};
+    }
+    return [run, preset](const std::vector<int>& numbers,
+                         NextFrames next_frames,
+                         const FrameVisitor& on_frame,
+                         const ProgressCallback&) {
+        assemble(run->kept, preset, numbers, next_frames, on_frame);
+        return *run->outcome;
+    };
 }
 
 FrameStore::RunPointer FrameStore::new_run(const Preset& preset,

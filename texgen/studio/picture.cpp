@@ -36,7 +36,6 @@ constexpr std::size_t kLargestKept = 4UL * 1024 * 1024;
 // The number of pictures that are drawn from the same kept data. Each may add to the data, because
 // some of it depends on options, such as the width of films.
 constexpr int kLargestUses = 64;
-constexpr double kMargin = 1.01;  // increases the largest number, as in fit_automatic_ranges
 constexpr std::size_t kLargestRanges = 1000;
 
 /// Changes the range of an image so that it holds all numbers, as fit_automatic_ranges does for all
@@ -45,11 +44,9 @@ void fit_to_picture(NumberPixels& numbers, double value) {
     const NumberExtent extent = extent_of(numbers);
     const double largest =
         std::max(std::abs(extent.smallest), std::abs(extent.largest)) / numbers.high;
-    if (largest > 0.0) {
-        const double factor = rounded_up(kMargin * largest * value) / value;
-        numbers.low *= factor;
-        numbers.high *= factor;
-    }
+    const double factor = fitted_range(value, largest) / value;
+    numbers.low *= factor;
+    numbers.high *= factor;
 }
 
 DistanceNeeds joined(const DistanceNeeds& a, const DistanceNeeds& b) {

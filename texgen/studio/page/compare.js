@@ -41,6 +41,7 @@ export class Compare {
             return;
         }
         this.#kept = true;
+        this.#changes = 0;
         this.#studio.view.keepBefore(picture);
         this.#studio.ui.set("compare", true);
         this.#show();
@@ -54,21 +55,21 @@ export class Compare {
         if (opened) {
             this.#kept = false;
         }
-        if (!this.#kept && (gesture === null ? this.#gesture === null : gesture !== this.#gesture)) {
+        if (gesture === null ? this.#gesture === null : gesture !== this.#gesture) {
             this.#remember();
         }
         this.#gesture = gesture;
         this.#show();
     }
 
-    // Drafts are not remembered, and a picture that was already shown at the last edit is not that of the settings before
-    // this edit. In both cases the picture that is remembered is then behind by one more edit.
+    // If the picture is a draft, or has not changed since the last edit, it does not show the settings before this edit.
+    // The earlier picture is then kept, and is one more change behind.
     #remember() {
         const {view} = this.#studio;
         const {picture} = view;
         const isNew = picture !== null && picture !== this.#replaced && !picture.draft;
         this.#replaced = picture;
-        if (isNew || !view.hasBefore) {
+        if (!this.#kept && (isNew || !view.hasBefore)) {
             view.keepBefore(picture);
             this.#changes = 1;
         } else {

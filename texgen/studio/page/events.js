@@ -76,7 +76,7 @@ export class EventTrack {
         const loop = answer?.values["loop.kind"];
         return loop === undefined || kLoopsWithEvents.includes(loop)
             ? null
-            : `Events need loop.kind = "none" or "pingpong", not "${loop}": this loop is closed by repeating its cycle.`;
+            : `Events need loop.kind = "none" or "pingpong", not "${loop}": this loop must return to its first frame by itself.`;
     }
 
     /** Replaces an event, or removes it if `event` is null. */

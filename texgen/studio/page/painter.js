@@ -126,8 +126,9 @@ export class Painter {
         this.#full.run(async (signal) => {
             const start = performance.now();
             const rank = width < this.width ? kSmaller : kFull;
-            // The automatic range of a single frame is known at once; a loop gets its range when it is loaded.
-            const quality = this.#player.count > 1 ? "full" : "exact";
+            // The server can fit the range of a bake to a single frame at once. The range of a loop needs all frames
+            // (Player.load).
+            const quality = live || this.#player.count > 1 ? "full" : "exact";
             const picture = await this.#request(order, rank, () => source.picture(frame, width, quality, signal));
             if (picture && width === this.width && source === this.#source) {
                 this.#fullTime = performance.now() - start;
