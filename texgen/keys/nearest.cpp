@@ -31,7 +31,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-// Returns the only candidate that begins with a word, or an empty view if there is none or another.
+// Returns the candidate that begins with a word. Returns an empty view if none or several do, or if
+// the word has fewer than three bytes.
 std::string_view completed(std::string_view word, std::span<const std::string_view> candidates) {
     constexpr std::size_t kShortest = 3;
     const auto begins = [&](std::string_view candidate) { return candidate.starts_with(word); };

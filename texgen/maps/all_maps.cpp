@@ -113,14 +113,20 @@ bool uses_key(const Map& map, std::string_view key, const MapOptions& options) {
     if (!uses_table(map, table)) {
         return false;
     }
+    if (key.starts_with("maze.solution_")) {
+        return map.name == kMazeSolutionMap.name;
+    }
     const bool is_shaded = map.name == kLitMap.name || map.name == kEmissionMap.name;
     const bool shows_walls = map.shows_relief && options.relief.films == ReliefFilms::Walls;
     const auto is_drawn = [&](std::string_view name, LitColors colors) {
         return map.name == name || (is_shaded && options.lit.colors == colors);
     };
     if (table == "albedo" && !is_drawn(kAlbedoMap.name, LitColors::Albedo)) {
-        const bool glows = is_shaded && options.lit.glow > 0.0;
-        return key.starts_with("albedo.film_") || (glows && key.starts_with("albedo.shade"));
+        // The glow shows films and the shade beside them, but not the color of the shade.
+        const bool glows =
+            is_shaded && options.lit.glow > 0.0 && options.lit.colors != LitColors::Maze;
+        return key.starts_with("albedo.film_") ||
+               (glows && (key == "albedo.shade" || key == "albedo.shade_width"));
     }
     if (table == "thin_film") {
         return is_drawn(kThinFilmMap.name, LitColors::ThinFilm);

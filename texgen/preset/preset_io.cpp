@@ -28,12 +28,10 @@ namespace {
 constexpr int kLargestAspect = 16;  // longer side of an image divided by the shorter side
 constexpr std::string_view kEventTable = "event";
 
-// Returns the table that a misspelled table most likely stands for (nearest). In an array of
-// tables, the key is such as "evnt[1]".
+// Returns the table that a misspelled table most likely stands for (nearest). The key of a table in
+// an array has a number, such as "evnt[1]".
 std::string_view nearest_table(std::string_view key) {
-    std::vector<std::string_view> tables = preset_tables();
-    tables.push_back(kEventTable);
-    return nearest(key.substr(0, key.find('[')), tables);
+    return nearest(key.substr(0, key.find('[')), preset_tables());
 }
 
 // Checks the value of one assignment and stores it in the preset.

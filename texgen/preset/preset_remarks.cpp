@@ -23,7 +23,8 @@ std::string colors_remark(std::span<const Map* const> drawn,
                           const Preset& preset) {
     constexpr std::string_view kColors = "lit.colors";
     const auto has_colors = [&](const Map* map) {
-        return uses_key(*map, kColors, preset.maps) && uses_table(*map, key.table());
+        return uses_key(*map, kColors, preset.maps) && uses_table(*map, key.table()) &&
+               !key.path.starts_with("maze.solution_");
     };
     if (std::ranges::none_of(drawn, has_colors)) {
         return "";

@@ -19,8 +19,10 @@ std::string unknown_preset(std::string_view name) {
     for (const ShippedPreset& preset : shipped_presets()) {
         names.push_back(preset.name);
     }
-    const std::string_view stem = name.substr(0, name.find('.'));  // "lava" of "lava.tml"
-    const std::string_view meant = nearest(stem, names);
+    std::string_view meant = nearest(name, names);
+    if (meant.empty()) {
+        meant = nearest(name.substr(0, name.find('.')), names);  // "lava" of "lava.tml"
+    }
     return fmt::format("preset '{}': must be a .toml file or a name; {}",
                        name,
                        meant.empty() ? "'foamtex presets' lists all presets"

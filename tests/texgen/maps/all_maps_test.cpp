@@ -78,6 +78,12 @@ MapOptions lit_thin_film() {
     return options;
 }
 
+MapOptions glowing_thin_film() {
+    MapOptions options = wet_and_shaded();
+    options.lit.colors = LitColors::ThinFilm;
+    return options;
+}
+
 MapOptions maze_walls_in_relief(ReliefProfile profile) {
     MapOptions options;
     options.relief.films = ReliefFilms::Walls;
@@ -110,6 +116,9 @@ std::vector<MapCase> all_cases() {
         cases.push_back({map, "grained", grained()});
     }
     cases.push_back({"lit", "thin_film", lit_thin_film()});
+    for (const char* map : {"lit", "emission"}) {
+        cases.push_back({map, "glowing_thin_film", glowing_thin_film()});
+    }
     for (const char* map : {"lit", "height", "normal", "occlusion", "curvature"}) {
         cases.push_back({map, "walls", maze_walls_in_relief(ReliefProfile::Ridge)});
         cases.push_back({map, "wet_walls", maze_walls_in_relief(ReliefProfile::Wet)});

@@ -98,6 +98,11 @@ TEST(EventIo, ErrorNamesLocationKeyValueAndLimits) {
               "such values");
 }
 
+TEST(EventIo, AMisspelledTableSuggestsEvents) {
+    EXPECT_EQ(failure("[[evnt]]\nsides = 6\n"),
+              "a.toml:1: key 'evnt[1]' = {...}: unknown table; did you mean 'event'?");
+}
+
 TEST(EventIo, AnUnknownKeySuggestsTheNearest) {
     EXPECT_EQ(failure("[[event]]\n[[event]]\nfrmaes = [2, 3]\n"),
               "a.toml:3: key 'event[2].frmaes' = [2, 3]: unknown key; did you mean 'frames'?");

@@ -38,6 +38,10 @@ TEST(ShippedPresets, AllLoadByNameAndHaveADescription) {
 TEST(ShippedPresets, AnUnknownNameSuggestsTheNearest) {
     EXPECT_EQ(failure("sea_form"),
               "preset 'sea_form': must be a .toml file or a name; did you mean 'sea_foam'?");
+    EXPECT_EQ(failure("lava.tml"),
+              "preset 'lava.tml': must be a .toml file or a name; did you mean 'lava'?");
+    EXPECT_EQ(failure("sea.foam"),
+              "preset 'sea.foam': must be a .toml file or a name; did you mean 'sea_foam'?");
     EXPECT_EQ(
         failure("marzipan"),
         "preset 'marzipan': must be a .toml file or a name; 'foamtex presets' lists all presets");
