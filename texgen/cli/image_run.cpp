@@ -121,16 +121,24 @@ MemoryNeed memory_of(const ImageRun& run) {
     return memory_to_bake(run.preset, run.options.frames.size(), run.options.threads);
 }
 
-/// Draws the frames and writes the image files and their manifest. `on_frame` may be empty.
+/// Returns true if the command warns of files of other bakes that it replaces. With --watch, every
+/// bake replaces the files of the one before.
+bool warns_of_replaced(const ImageArguments& arguments, const ProgressOptions& progress) {
+    return progress.verbosity != Verbosity::Quiet && !arguments.watch;
+}
+
+/// Draws the frames and writes the image files and their manifest. `has_frame` is true if an
+/// earlier run of the command has written frames. `on_frame` may be empty.
 BakeSummary bake_images(const ImageRun& run,
                         const ImageArguments& arguments,
                         const ProgressOptions& progress,
+                        bool has_frame,
                         const FrameVisitor& on_frame) {
     std::function<void(const std::vector<ReplacedFiles>&)> on_replace;
-    if (progress.verbosity != Verbosity::Quiet && !arguments.watch) {
+    if (warns_of_replaced(arguments, progress)) {
         on_replace = warn_of_replaced_files;
     }
-    bool has_frame = arguments.resume;  // true if a resumed bake would find a frame
+    has_frame = has_frame || arguments.resume;  // true if --resume may find frames
     const auto bake = [&] {
         ProgressReporter reporter(progress);
         const auto on_progress = [&, report = reporter.callback()](const RunProgress& latest) {
@@ -154,14 +162,16 @@ BakeSummary bake_images(const ImageRun& run,
 }
 
 /// Writes the sheets and the scene files that the keys output.sheets and output.scene request.
-OtherFiles write_sheets_and_scenes(const ImageRun& run, const ProgressOptions& progress) {
+OtherFiles write_sheets_and_scenes(const ImageRun& run,
+                                   const ImageArguments& arguments,
+                                   const ProgressOptions& progress) {
     OtherFiles written;
     if (run.preset.output.sheets != SheetKind::None) {
         const Flipbook flipbook = [&] {
             ProgressReporter reporter(progress);
             return write_sheets(run.preset, run.options.frames, reporter.callback());
         }();
-        if (progress.verbosity != Verbosity::Quiet) {
+        if (warns_of_replaced(arguments, progress)) {
             report_earlier_sheets(flipbook);
         }
         written.sheets = flipbook.files;
@@ -194,21 +204,24 @@ void warn_of_resources(std::span<const ImageRun> runs) {
     warn_of_little_memory(largest);
 }
 
-/// Carries out a run. If it is complete, also writes its sheets and scene files. If
-/// `with_statistics` is true, also writes statistics.
+/// Carries out the first or a later run of a command. If it is complete, also writes its sheets and
+/// scene files. The first run also writes the statistics that the command asks for.
 FinishedRun finish(const ImageRun& run,
                    const ImageArguments& arguments,
                    const ProgressOptions& progress,
-                   bool with_statistics) {
+                   bool is_first) {
+    const bool with_statistics = arguments.stats && is_first;
     const Preset& preset = run.preset;
     Recorder recorder(preset, run.options.threads);
-    FinishedRun finished{
-        run,
-        bake_images(
-            run, arguments, progress, with_statistics ? recorder.visitor() : FrameVisitor()),
-        {}};
+    FinishedRun finished{run,
+                         bake_images(run,
+                                     arguments,
+                                     progress,
+                                     !is_first,
+                                     with_statistics ? recorder.visitor() : FrameVisitor()),
+                         {}};
     if (finished.is_complete()) {
-        finished.written = write_sheets_and_scenes(run, progress);
+        finished.written = write_sheets_and_scenes(run, arguments, progress);
     }
     if (with_statistics) {
         finished.written.statistics =
@@ -254,7 +267,7 @@ ExitCode run_images(std::span<const ImageRun> runs,
     std::vector<FinishedRun> finished;
     for (const ImageRun& run : runs) {
         const bool is_first = finished.empty();
-        finished.push_back(finish(run, arguments, progress, arguments.stats && is_first));
+        finished.push_back(finish(run, arguments, progress, is_first));
         if (!is_quiet && is_first) {
             warn_of_missing_bubbles(run.preset, finished.back().summary.outcome);
         }

@@ -89,22 +89,22 @@ void warn_of_late_events(const Preset& preset, std::span<const int> frames) {
     for (std::size_t k = 0; k < preset.events.size(); ++k) {
         const std::optional<FrameSpan> span = frames_of(preset.events[k], preset.frames);
         if (span && span->first > last) {
-            late.push_back(fmt::format("event[{}] at frame {}", k + 1, span->first));
+            late.push_back(fmt::format("event[{}] begins at frame {}", k + 1, span->first));
         } else if (span && span->last > last) {
-            unfinished.push_back(fmt::format("event[{}] at frame {}", k + 1, span->last));
+            unfinished.push_back(fmt::format("event[{}] ends at frame {}", k + 1, span->last));
         }
     }
-    const auto warn = [&](std::string_view verb, const std::vector<std::string>& events) {
+    const auto warn = [&](std::string_view what, const std::vector<std::string>& events) {
         if (!events.empty()) {
-            print_stderr("foamtex: warning: events of '{}' {} after the last frame, {}: {}",
+            print_stderr("foamtex: warning: events of '{}' {} {}: {}; raise frames.count",
                          preset.name,
-                         verb,
+                         what,
                          last,
                          fmt::join(events, ", "));
         }
     };
-    warn("begin", late);
-    warn("end", unfinished);
+    warn("never happen, because they begin after the last frame,", late);
+    warn("are cut off at the last frame,", unfinished);
 }
 
 void warn_of_missing_bubbles(const Preset& preset, const RunOutcome& outcome) {

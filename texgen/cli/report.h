@@ -33,9 +33,9 @@ void note_other_version(const CacheInfo& cache, const std::filesystem::path& fol
 /// (closes_loop). Precondition: `frames` is not empty.
 void note_open_loop(const Preset& preset, std::span<const int> frames);
 
-/// Prints a warning on stderr if events of the preset never happen, and one if events do not come
-/// to their end. Such events begin, or end, both after the last frame of the preset and after the
-/// last of the given frames. Precondition: `frames` is not empty.
+/// Prints a warning on stderr if events of the preset never happen, and one if events are cut off
+/// by the last frame. Such events begin, or end, both after the last frame of the preset and after
+/// the last of the given frames. Precondition: `frames` is not empty.
 void warn_of_late_events(const Preset& preset, std::span<const int> frames);
 
 /// Prints a warning on stderr for each event of the preset whose bubbles did not all exist, or

@@ -91,7 +91,7 @@ void check_sizes(std::span<const Preset> presets, int side) {
 }  // namespace
 
 std::uint64_t estimated_memory(std::span<const Preset> presets, const VariationDrawing& drawing) {
-    std::vector<std::uint64_t> needs;  // of each picture while it is drawn
+    std::vector<std::uint64_t> needs;  // the memory for drawing each picture
     std::uint64_t total = 0;
     for (const Preset& preset : presets) {
         const Preset small = reduced(preset, drawing, "");

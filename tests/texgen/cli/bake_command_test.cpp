@@ -168,7 +168,8 @@ TEST(BakeCommand, NotesEventsThatNeverHappen) {
     EXPECT_EQ(late.code, 0);
     EXPECT_EQ(
         late.err,
-        "foamtex: warning: events of 'e' begin after the last frame, 4: event[2] at frame 9\n");
+        "foamtex: warning: events of 'e' never happen, because they begin after the last frame, "
+        "4: event[2] begins at frame 9; raise frames.count\n");
     EXPECT_EQ(baked("--set frames.count=9 --frames 1").err, "");
 }
 

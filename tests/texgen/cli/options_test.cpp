@@ -35,6 +35,11 @@ TEST(Options, ReadTheirValues) {
     EXPECT_THROW(app.parse("--threads 257"), CLI::ParseError);
 }
 
+TEST(Options, ListsOfWordsMayContainSpaces) {
+    EXPECT_EQ(split_words("albedo, height ,lit"),
+              (std::vector<std::string>{"albedo", "height", "lit"}));
+}
+
 TEST(Options, AllowOnlyWords) {
     CLI::App app;
     std::string shell;

@@ -66,8 +66,10 @@ TEST(Report, WarnsOfEventsAfterTheLastFrame) {
         "bubble = 1\nscale = 1.1\n";
     write_file(preset, std::as_bytes(std::span(kToml)));
     const std::string note =
-        "foamtex: warning: events of 'a' begin after the last frame, 2: event[1] at frame 3\n"
-        "foamtex: warning: events of 'a' end after the last frame, 2: event[2] at frame 9\n";
+        "foamtex: warning: events of 'a' never happen, because they begin after the last frame, 2: "
+        "event[1] begins at frame 3; raise frames.count\n"
+        "foamtex: warning: events of 'a' are cut off at the last frame, 2: event[2] ends at frame "
+        "9; raise frames.count\n";
     for (const std::string command : {"bake", "stats", "preview", "simulate --cache cache"}) {
         const std::string run = command + " --threads 1 --size 16 " + preset;
         EXPECT_EQ(run_program(run, folder).err, note) << command;
