@@ -64,7 +64,7 @@ void extrapolate(const MeasuredFrames& measured,
 }
 
 /// Returns a source of the same frames for images whose width is divided by `reduction`.
-FrameSource reduced(const FrameSource& source, double reduction) {
+FrameSource source_of_reduced(const FrameSource& source, double reduction) {
     return [source, reduction](const std::vector<int>& numbers,
                                NextFrames next_frames,
                                const FrameVisitor& visit,
@@ -90,7 +90,7 @@ double reduce_images(Preset& preset, BakeOptions& options) {
     preset.image.height = image.height;
     preset.maps = image.options;
     if (options.source) {
-        options.source = reduced(options.source, image.reduction);
+        options.source = source_of_reduced(options.source, image.reduction);
     }
     return image.reduction * image.reduction;
 }
@@ -134,8 +134,8 @@ BakeEstimate estimate_bake(const Preset& preset,
                           .outcome = summary.outcome};
     if (summary.outcome.status == RunStatus::Complete) {
         estimate.files = measured.files * frames / some.frames.size();
-        estimate.bytes = static_cast<std::uint64_t>(
-            pixels * static_cast<double>(measured.bytes * frames / some.frames.size()));
+        const std::uint64_t bytes = measured.bytes * frames / some.frames.size();
+        estimate.bytes = static_cast<std::uint64_t>(pixels * static_cast<double>(bytes));
         extrapolate(
             measured, preset, static_cast<double>(frames), thread_count(options.threads), estimate);
     }

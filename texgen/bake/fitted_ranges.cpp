@@ -32,7 +32,7 @@ constexpr double kMargin =
 // If no number of a map exceeds this share of the range before the fit, the numbers are taken for
 // rounding errors, and the range is not changed. An example is the growth of a foam that does not
 // change.
-constexpr double kRounding = 1e-9;
+constexpr double kRoundingShare = 1e-9;
 
 // A map with an automatic range, and how large its numbers have been so far.
 struct MeasuredMap {
@@ -149,7 +149,7 @@ RunOutcome fit_automatic_ranges(Preset& preset,
 }
 
 double fitted_range(double range, double largest) {
-    return largest > kRounding ? rounded_up(kMargin * largest * range) : range;
+    return largest > kRoundingShare ? rounded_up(kMargin * largest * range) : range;
 }
 
 double rounded_up(double number) {

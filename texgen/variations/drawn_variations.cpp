@@ -97,7 +97,8 @@ std::uint64_t estimated_memory(std::span<const Preset> presets, const VariationD
         const Preset small = reduced(preset, drawing, "");
         needs.push_back(estimated_memory(small, 1, 1));
         // The picture is kept, and copied into the sheet.
-        total += 2 * DisplayFrame::kColors * static_cast<std::uint64_t>(small.image.width) *
+        total += std::uint64_t{2} * DisplayFrame::kColors *
+                 static_cast<std::uint64_t>(small.image.width) *
                  static_cast<std::uint64_t>(small.image.height);
     }
     std::ranges::sort(needs, std::greater<>());
