@@ -86,9 +86,7 @@ double reduce_images(Preset& preset, BakeOptions& options) {
     if (image.reduction == 1.0 || FilePattern(preset).is_vector()) {
         return 1.0;
     }
-    preset.image.width = image.width;
-    preset.image.height = image.height;
-    preset.maps = image.options;
+    image.apply_to(preset);
     if (options.source) {
         options.source = source_of_reduced(options.source, image.reduction);
     }

@@ -15,6 +15,12 @@ RasterGrid ReducedImage::grid(std::optional<View> view) const {
     return {width, height, 0, 0, view};
 }
 
+void ReducedImage::apply_to(Preset& preset) const {
+    preset.image.width = width;
+    preset.image.height = height;
+    preset.maps = options;
+}
+
 ReducedImage reduced_image(const Preset& preset, int side) {
     const int width = preset.image.width;
     const int height = preset.image.height;

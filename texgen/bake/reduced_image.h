@@ -21,6 +21,9 @@ struct ReducedImage {
     /// Returns the grid of a frame at the reduced size. `view` is the view of the frame at full
     /// size (SimulatedFrame::view).
     RasterGrid grid(std::optional<View> view) const;
+
+    /// Gives a preset the size and the options of these images.
+    void apply_to(Preset& preset) const;
 };
 
 /// Returns the largest reduced image of a preset whose longer side has at most `side` pixels. If

@@ -102,10 +102,7 @@ HttpResponse loop_download(Preset preset,
                            FrameStore& store) {
     const FrameSource source = store.source(preset);
     if (side) {
-        const ReducedImage reduced = reduced_image(preset, *side);
-        preset.image.width = reduced.width;
-        preset.image.height = reduced.height;
-        preset.maps = reduced.options;
+        reduced_image(preset, *side).apply_to(preset);
     }
     const std::vector<int> frames = frames_to(preset.frames.count);
     ApngMuxer muxer(preset.frames.count, {preset.output.frames_per_second, 1});

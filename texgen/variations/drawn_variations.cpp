@@ -32,10 +32,7 @@ namespace {
 Preset reduced(Preset preset,
                const VariationDrawing& drawing,
                const std::filesystem::path& folder) {
-    const ReducedImage image = reduced_image(preset, drawing.side);
-    preset.image.width = image.width;
-    preset.image.height = image.height;
-    preset.maps = image.options;
+    reduced_image(preset, drawing.side).apply_to(preset);
     preset.image.maps = {drawing.map};
     preset.output = {};
     preset.output.pattern = (folder / "{map}.######.png").string();
