@@ -7,6 +7,7 @@
 #include "texgen/cli/command_line_error.h"
 #include "texgen/cli/failure.h"
 #include "texgen/cli/standard_error.h"
+#include "texgen/cli/standard_output.h"
 #include "texgen/cli/version_text.h"
 #include "texgen/image/memory.h"
 
@@ -55,12 +56,11 @@ ExitCode report_parse(const CLI::App& app, const CLI::ParseError& error) {
     return report_failure(command_line_error(app, error), ExitCode::BadRequest);
 }
 
-/// Flushes stdout. Returns the given exit code, or OutputFailed if output was lost, for example on
-/// a full disk.
+/// Flushes stdout. Returns the given exit code, or OutputFailed if output was lost.
 ExitCode flushed(ExitCode code) {
-    const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-    return arrived ? code
-                   : report_failure("cannot write to standard output", ExitCode::OutputFailed);
+    return flush_stdout()
+               ? code
+               : report_failure("cannot write to standard output", ExitCode::OutputFailed);
 }
 
 /// Returns the name of the command that a command line selects; empty if it selects none.

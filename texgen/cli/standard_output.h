@@ -35,4 +35,9 @@ void print_stdout(fmt::format_string<Arguments...> format, Arguments&&... argume
     write_stdout(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
+/// Flushes stdout. Returns false if output was lost, now or before, for example on a full disk.
+inline bool flush_stdout() {
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
 }  // namespace foam::texgen

@@ -79,7 +79,7 @@ bool announce(const Studio& studio, const HttpServer& server, bool json) {
     } else {
         print_stdout("{}\n", url);
     }
-    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    return flush_stdout();
 }
 
 ExitCode run_studio(const StudioArguments& arguments) {
