@@ -40,9 +40,10 @@ constexpr DefectOptions kLaterDefects{.force = 0.02, .area = 0.05};
 // A step of the whole foam with a new factor is slow if it leaves more than this share of the norm
 // of the residual. Defect regions are then assumed to limit the progress.
 constexpr double kSlowRatio = 0.1;
-// Newton's method reduces forces, in film tensions, and relative area errors to kNewtonTolerance,
-// or to kNewtonTolerancePerSize times the size of the foam if that is more, but at least to the
-// fraction kLargestNewtonTolerance of the tolerance of the equilibrium (newton_tolerance).
+// The tolerance of Newton's method for forces, in film tensions, and for relative area errors. It
+// is kNewtonTolerance in foams of usual size, and kNewtonTolerancePerSize times the size of a
+// larger foam, but at most kLargestNewtonTolerance times the tolerance of the equilibrium
+// (newton_tolerance).
 constexpr double kNewtonTolerance = 1e-11;
 constexpr double kNewtonTolerancePerSize = 1e-13;
 constexpr double kLargestNewtonTolerance = 0.1;
@@ -165,10 +166,11 @@ Progress initial_phase(Work& work) {
     return progress;
 }
 
-// Returns the tolerance of Newton's method for forces and areas. Rounding errors of positions are
-// in proportion to the largest coordinate, here in square roots of the mean area of a bubble. It is
-// 316 in a torus of 100,000 bubbles, whose errors do not fall below 2e-11. With a smaller
-// tolerance, the method would stall, and the whole foam would be relaxed.
+// Returns the tolerance of Newton's method for a foam. `tolerance` is that of the equilibrium.
+// Rounding errors of positions are in proportion to the size of the foam, which is the largest
+// coordinate in square roots of the mean area of a bubble. It is 316 in a torus of 100,000 bubbles,
+// whose errors do not fall below 2e-11. With a smaller tolerance, the method would stall, and the
+// whole foam would be relaxed.
 double newton_tolerance(const Foam& foam, double tolerance) {
     double largest = 0.0;
     for (const JunctionId junction : foam.network.junctions()) {
@@ -179,8 +181,9 @@ double newton_tolerance(const Foam& foam, double tolerance) {
         area += foam.target_areas[bubble];
     }
     const double unit = std::sqrt(area / static_cast<double>(foam.network.bubble_count()));
-    const double wanted = std::max(kNewtonTolerance, kNewtonTolerancePerSize * largest / unit);
-    return std::max(kNewtonTolerance, std::min(wanted, kLargestNewtonTolerance * tolerance));
+    return std::max(
+        kNewtonTolerance,
+        std::min(kNewtonTolerancePerSize * largest / unit, kLargestNewtonTolerance * tolerance));
 }
 
 NewtonSummary solve_whole(Work& work, Progress& progress) {

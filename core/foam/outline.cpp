@@ -10,10 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 namespace foam {
 
@@ -119,23 +121,19 @@ bool is_line_space(char c) {
 // Throws std::invalid_argument unless each point of a WKT polygon has two numbers. Boost.Geometry
 // replaces missing numbers by 0 and ignores further ones. Precondition: Boost.Geometry has read the
 // text as a polygon.
-void check_points(std::string_view text) {
-    int numbers = 0;    // of the present point
-    char before = ' ';  // the last character that is not a space
-    bool in_number = false;
-    for (const char c : text.substr(std::min(text.find('('), text.size()))) {
-        const bool is_space = c == ' ';
-        const bool ends_point = c == ',' || c == ')';
-        if (ends_point && before != ')' && numbers != 2) {
+void check_points(const std::string& text) {
+    std::size_t begin = text.find('(');  // of the text between two brackets or commas
+    while (begin != std::string::npos) {
+        const std::size_t end = text.find_first_of("(),", begin + 1);
+        const bool is_point = end != std::string::npos && text[end] != '(' && text[begin] != ')';
+        std::istringstream words(is_point ? text.substr(begin + 1, end - begin - 1) : "");
+        const auto numbers = std::distance(std::istream_iterator<std::string>(words), {});
+        if (is_point && numbers != 2) {
             throw std::invalid_argument(
-                "each point must have two numbers, such as '6 4', but a "
-                "point has " +
+                "each point must have two numbers, such as '6 4', but a point has " +
                 std::to_string(numbers));
         }
-        const bool is_number = !is_space && !ends_point && c != '(';
-        numbers = ends_point || c == '(' ? 0 : numbers + (is_number && !in_number ? 1 : 0);
-        in_number = is_number;
-        before = is_space ? before : c;
+        begin = end;
     }
 }
 

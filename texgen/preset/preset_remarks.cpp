@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -16,22 +17,22 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns the value of lit.colors as the end of a line about a key without effect, if another
-/// value would give the key an effect; otherwise an empty text.
+/// Returns the value of lit.colors as the end of a line about a key without effect, if one of the
+/// drawn maps would use the key with another value of lit.colors; otherwise an empty text.
 std::string colors_remark(std::span<const Map* const> drawn,
                           const Key<MapOptions>& key,
                           const Preset& preset) {
-    constexpr std::string_view kColors = "lit.colors";
-    const auto has_colors = [&](const Map* map) {
-        return uses_key(*map, kColors, preset.maps) && uses_table(*map, key.table()) &&
-               !key.path.starts_with("maze.solution_");
+    const auto is_used_with = [&](LitColors colors) {
+        MapOptions options = preset.maps;
+        options.lit.colors = colors;
+        return std::ranges::any_of(
+            drawn, [&](const Map* map) { return uses_key(*map, key.path, options); });
     };
-    if (std::ranges::none_of(drawn, has_colors)) {
-        return "";
-    }
-    const Keys<MapOptions> keys = map_keys();
-    const auto colors = std::ranges::find(keys, kColors, &Key<MapOptions>::path);
-    return fmt::format(" with {} = {}", kColors, to_toml(*colors->write(preset.maps)));
+    constexpr std::array kAll = {LitColors::Albedo, LitColors::ThinFilm, LitColors::Maze};
+    return std::ranges::any_of(kAll, is_used_with)
+               ? fmt::format(" with lit.colors = {}",
+                             to_toml(*find_key("lit.colors")->write(preset)))
+               : "";
 }
 
 }  // namespace
