@@ -146,7 +146,7 @@ def main():
         print(total(sources.values()).row(arguments.reader))
     else:
         print("| folder | lines | executed | branches taken |\n|---|---|---|---|")
-        for folder, paths in itertools.groupby(sorted(sources), os.path.dirname):
+        for folder, paths in itertools.groupby(sorted(sources, key=os.path.dirname), os.path.dirname):
             print(total(sources[path] for path in paths).row(folder))
         print(total(sources.values()).row("core and texgen"))
     if arguments.missing:

@@ -15,13 +15,17 @@ async function fill_bake_form(page, folder, side) {
     await page.fill("#bake-height", String(side));
 }
 
+async function start_bake(page, folder, side) {
+    await fill_bake_form(page, folder, side);
+    await page.click("#bake-start");
+}
+
 test("a bake writes a folder that verify accepts", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page, errors } = await open_studio(browser, studio.url);
         await set_key(page, "frames.count", 6);
         await set_key(page, "foam.bubbles", 50);
-        await fill_bake_form(page, "baked", 128);
-        await page.click("#bake-start");
+        await start_bake(page, "baked", 128);
         await page.locator("#bake-status").filter({ hasText: /complete|done|finished/i }).waitFor({ timeout: 60_000 });
         const files = await readdir(path.join(folder, "baked"));
         assert.equal(files.filter((file) => file.endsWith(".png")).length, 6);
@@ -65,8 +69,7 @@ test("each set of a folder can be shown", () =>
 test("a bake can be canceled", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page } = await open_studio(browser, studio.url);
-        await fill_bake_form(page, "long", 4096);
-        await page.click("#bake-start");
+        await start_bake(page, "long", 4096);
         await page.locator("#bake-cancel").click();
         await page.locator("#bake-status").filter({ hasText: /canceled/i }).waitFor({ timeout: 60_000 });
         // Images that are complete stay, and none is half-written.
@@ -80,8 +83,7 @@ test("a canceled bake is resumed after the page was loaded again", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page, errors } = await open_studio(browser, studio.url);
         await set_key(page, "foam.bubbles", 50);
-        await fill_bake_form(page, "resumed", 2048);
-        await page.click("#bake-start");
+        await start_bake(page, "resumed", 2048);
         const has_frames = () =>
             document.getElementById("bake-status").textContent.includes("frames") &&
             parseInt(document.getElementById("bake-numbers").textContent) > 1;
@@ -109,8 +111,7 @@ test("a bake goes on while the page is loaded again", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page, errors } = await open_studio(browser, studio.url);
         await set_key(page, "foam.bubbles", 50);
-        await fill_bake_form(page, "reloaded", 512);
-        await page.click("#bake-start");
+        await start_bake(page, "reloaded", 512);
         await page.locator("#bake-progress").waitFor();
         await page.reload();
         await wait_for_exact_picture(page);

@@ -15,6 +15,7 @@ import {
     run,
     set_key,
     shown_pixels,
+    stop_loop,
     type_key,
     version_of,
     wait_for_exact_picture,
@@ -42,8 +43,7 @@ async function baked_image(command, folder, map) {
 test("a slider changes the pixels, which equal those of the copied command", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page, errors } = await open_studio(browser, studio.url);
-        await page.click("#play");
-        await page.click("#first");
+        await stop_loop(page);
         await set_key(page, "image.size", [side, side]);
         const before = await shown_pixels(page, side, side);
         await set_key(page, "relief.width", 0.2);
@@ -61,8 +61,7 @@ test("a slider changes the pixels, which equal those of the copied command", () 
 test("a map with an automatic range has the pixels of a bake as soon as its loop is loaded", () =>
     with_studio(async ({ folder, studio, browser }) => {
         const { page, errors } = await open_studio(browser, studio.url);
-        await page.click("#play");
-        await page.click("#first");
+        await stop_loop(page);
         await set_key(page, "image.size", [side, side]);
         await set_key(page, "foam.bubbles", 60);
         await set_key(page, "frames.count", 6);

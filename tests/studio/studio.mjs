@@ -114,6 +114,15 @@ export async function wait_for_exact_picture(page, after = 0) {
     );
 }
 
+// Stops the loop at its first frame, and waits until its picture is exact.
+export async function stop_loop(page) {
+    if (await page.evaluate(() => window.studio.player.playing)) {
+        await page.click("#play");
+    }
+    await page.click("#first");
+    await wait_for_exact_picture(page);
+}
+
 // Returns the number of pictures that the page has shown.
 export function version_of(page) {
     return page.evaluate(() => Number(document.getElementById("picture").dataset.version));

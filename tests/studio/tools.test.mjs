@@ -4,16 +4,7 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import { open_studio, set_key, version_of, wait_for_exact_picture, with_studio } from "./studio.mjs";
-
-// Stops the loop at its first frame.
-async function stop_loop(page) {
-    if (await page.evaluate(() => window.studio.player.playing)) {
-        await page.click("#play");
-    }
-    await page.click("#first");
-    await wait_for_exact_picture(page);
-}
+import { open_studio, set_key, stop_loop, version_of, wait_for_exact_picture, with_studio } from "./studio.mjs";
 
 // Returns a hash of the left quarter of the picture's canvas, and the number of pictures shown so far. If a key is given,
 // sets it right afterwards.

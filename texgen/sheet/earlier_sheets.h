@@ -11,8 +11,7 @@
 
 namespace foam::texgen {
 
-/// What happens to images that an earlier flipbook has listed. All names are those of existing
-/// files.
+/// Lists images of an earlier flipbook by the names of their files, all of which exist.
 struct EarlierSheets {
     std::vector<std::string> unlisted;  // neither kept in the list nor replaced by new sheets
     std::vector<std::string> replaced;  // made from another bake, and replaced by new sheets

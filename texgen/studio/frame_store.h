@@ -81,7 +81,8 @@ class FrameStore {
     SimulatedFrame draft(const Preset& preset);
 
     /// Returns a source of the kept frames of a preset, which reports no progress. Returns an empty
-    /// function unless all frames are kept.
+    /// function unless all frames are kept. If they are, but their simulation has not ended yet,
+    /// waits for its end.
     FrameSource source(const Preset& preset);
 
     /// Stops all simulations except drafts. Calls of `frame` that are waiting, and later calls for

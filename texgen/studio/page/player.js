@@ -89,11 +89,11 @@ export class Player {
     }
 
     /**
-     * Loads all missing frames, in order from the current one. `request(frame, quality, signal)` returns a
-     * picture. Pictures that were drawn before the automatic range of the map was known (`exact` is
-     * false) are loaded again at the end, in the quality "exact": all frames are then simulated, and the
-     * range of a bake can be found. If the simulation is stopped (status 409), the loading
-     * starts again after `kRetry` milliseconds, at most `attempts` - 1 times.
+     * Loads all missing frames, in order from the current one. `request(frame, quality, signal)` returns a picture.
+     * Pictures that were drawn before the automatic range of the map was known (`exact` is false) are loaded again at
+     * the end, in the quality "exact": all frames are then simulated, and the range of a bake can be found. If the
+     * simulation is stopped (status 409), the loading starts again after `kRetry` milliseconds, at most `attempts` - 1
+     * times.
      */
     async load(request, attempts = kAttempts) {
         this.#abort?.abort();
