@@ -25,6 +25,15 @@ namespace {
 constexpr int kRows = 8;             // number of rows whose crossings are computed at once
 constexpr double kTwoTo52 = 0x1p52;  // its sum with a smaller positive double is a whole number
 constexpr double kHalfPixel = 0.5 * kSubpixel;
+// The heights of kRows successive rows above the first of them, in subpixels. They are doubles in
+// memory, because with a conversion of row numbers GCC would use half of a 512-bit register.
+constexpr auto kHeights = [] {
+    std::array<double, kRows> heights{};
+    for (int k = 0; k < kRows; ++k) {
+        heights[static_cast<std::size_t>(k)] = k * kSubpixel;
+    }
+    return heights;
+}();
 
 // Returns the first column whose middle is at or to the right of x. x is in subpixels.
 // Precondition: x is a whole number in [0, 2^31).
@@ -133,7 +142,7 @@ void PixelMask::flip_right_of(std::span<const OutlineArc> outline,
                 std::array<std::uint64_t, kRows> crossed{};
 #pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
                 for (std::size_t k = 0; k < kRows; ++k) {
-                    const double at = y + static_cast<int>(k) * static_cast<double>(kSubpixel);
+                    const double at = y + kHeights[k];
                     const double x = low_x + std::floor(crossings.unbounded_x_at(at) + rounding);
                     columns[k] = first_column_from(min_value(max_value(x, 0.0), last_x));
                     crossed[k] = at < beyond ? ~std::uint64_t{0} : 0;

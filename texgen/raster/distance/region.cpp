@@ -24,6 +24,11 @@ double largest_sagitta(const OutlineArc& arc) {
     return arc.cosine > kWideCosine ? 0.5 * length * sine / (1.0 + arc.cosine) : length / sine;
 }
 
+// The negated comparison is also true for NaN, so that the recursion of add_narrow_arcs ends.
+bool is_narrow(const PixelArc& arc) {
+    return !(arc.cosine < DistanceArc::kMinCosine);
+}
+
 }  // namespace
 
 void Boundary::clear() {
@@ -42,8 +47,16 @@ void Boundary::add_arc(const PixelArc& shape, const Vec2& tail) {
     if (is_first) {
         loop_tangent_ = tangent;
     }
-    films_.push_back({tail, shape, !is_first && cross(head_tangent_, tangent) < 0.0});
-    add_narrow_arcs(films_.back(), arcs_);
+    const DistanceArc arc{tail, shape, !is_first && cross(head_tangent_, tangent) < 0.0};
+    if (films_.empty() && is_narrow(shape)) [[likely]] {
+        arcs_.push_back(arc);
+    } else {
+        if (films_.empty()) {
+            films_ = arcs_;
+        }
+        films_.push_back(arc);
+        add_narrow_arcs(arc, arcs_);
+    }
     head_tangent_ = head_tangent(shape);
 }
 
@@ -79,9 +92,8 @@ std::array<PixelArc, 2> halves(const PixelArc& arc) {
             PixelArc{half_chord - sagitta, cosine, sine}};
 }
 
-// The negated comparison is also true for NaN, so that the recursion ends.
 void add_narrow_arcs(const DistanceArc& arc, std::vector<DistanceArc>& arcs) {
-    if (!(arc.shape.cosine < DistanceArc::kMinCosine)) {
+    if (is_narrow(arc.shape)) {
         arcs.push_back(arc);
         return;
     }

@@ -71,14 +71,13 @@ class Boundary {
     /// cut in halves (DistanceArc::kMinCosine).
     std::span<const DistanceArc> arcs() const { return arcs_; }
     /// Returns the exact arcs without halving: one per film, or two for the circle of a lone
-    /// bubble. In the first arc of each loop, DistanceArc::corner is false even if there is a
-    /// corner at its tail; arcs() has the right value.
-    std::span<const DistanceArc> films() const { return films_; }
+    /// bubble. DistanceArc::corner is not set correctly here; arcs() has the right values.
+    std::span<const DistanceArc> films() const { return films_.empty() ? arcs_ : films_; }
     std::span<const OutlineArc> outline() const { return outline_; }
 
   private:
     std::vector<DistanceArc> arcs_;
-    std::vector<DistanceArc> films_;
+    std::vector<DistanceArc> films_;  // empty if no arc was cut in halves; then arcs_ are the films
     std::vector<OutlineArc> outline_;
     std::size_t loop_ = 0;         // index in arcs_ of the first arc of the current loop
     Vec2 loop_tangent_{0.0, 0.0};  // tangent at the start of the current loop

@@ -23,6 +23,11 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::size_t kPerTask = 2048;  // films or bubbles
+// While a film is read, the film that is this many places further on is prefetched. Bubbles and
+// films are sorted by the same squares, so one of the next bubbles needs this film. A processor
+// cannot predict the order in which the films of a square are read. As many unused films follow the
+// last one, so that every prefetched film exists.
+constexpr std::size_t kFilmsAhead = 96;
 
 SubpixelPoint whole(const Vec2& subpixels) {
     return {static_cast<std::int32_t>(subpixels.x()), static_cast<std::int32_t>(subpixels.y())};
@@ -85,8 +90,8 @@ std::vector<TorusRegions::Film> TorusRegions::sorted_films(int threads) {
     for (std::size_t k = 0; k < order.size(); ++k) {
         new_index_[order[k]] = static_cast<std::uint32_t>(k);
     }
-    std::vector<Film> films(order.size());
-    parallel_for(films.size(), kPerTask, threads, [&](std::size_t first, std::size_t last) {
+    std::vector<Film> films(order.size() + kFilmsAhead);
+    parallel_for(order.size(), kPerTask, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const HalfEdgeId forward = forward_side(id_at<FilmId>(k));
             films[new_index_[k]] = {
@@ -134,6 +139,7 @@ void TorusRegions::trace(const Start& start, Region& region) const {
     Side side = start.side;
     do {
         const Film& film = films_[side / 2];
+        __builtin_prefetch(&film + kFilmsAhead);
         const std::size_t end = side % 2;
         const int along = 1 - 2 * static_cast<int>(end);
         const PixelArc shape{along * film.arc.chord, film.arc.cosine, along * film.arc.sine};

@@ -73,8 +73,8 @@ class TorusRegions {
     PixelFrame pixels_;
     std::size_t columns_;                   // number of columns of squares
     std::vector<std::uint32_t> new_index_;  // the position of each film in films_
-    std::vector<Film> films_;
-    Buckets<Start> starts_;  // one bucket per square
+    std::vector<Film> films_;  // followed by unused films (kFilmsAhead in torus_regions.cpp)
+    Buckets<Start> starts_;    // one bucket per square
 };
 
 }  // namespace foam::texgen
