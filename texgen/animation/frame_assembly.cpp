@@ -50,14 +50,14 @@ void carry(const Current& current, double progress, DrawnState& state) {
 }
 
 // Moves two frames toward each other, so that bubbles that are in both are at about the same
-// positions. The frame `out`, which fades out, moves by the fraction `passed` of the distance, the
-// frame `in` by the remaining fraction.
+// positions. The frame that fades out moves by the fraction `passed` of the distance, the frame
+// that fades in by the remaining fraction.
 void move_together(double passed,
-                   std::shared_ptr<const Frame>& out,
-                   std::shared_ptr<const Frame>& in) {
-    auto moved_out = std::make_shared<const Frame>(moved_toward(*out, *in, passed));
-    in = std::make_shared<const Frame>(moved_toward(*in, *out, 1.0 - passed));
-    out = std::move(moved_out);
+                   std::shared_ptr<const Frame>& fading_out,
+                   std::shared_ptr<const Frame>& fading_in) {
+    auto moved_out = std::make_shared<const Frame>(moved_toward(*fading_out, *fading_in, passed));
+    fading_in = std::make_shared<const Frame>(moved_toward(*fading_in, *fading_out, 1.0 - passed));
+    fading_out = std::move(moved_out);
 }
 
 }  // namespace
@@ -114,13 +114,16 @@ std::vector<int> FrameAssembly::states() const {
     return all;
 }
 
-void FrameAssembly::add(const SimulatedFrame& state) {
-    const FrameEffort& effort = state.effort;
+void FrameAssembly::add_effort(const FrameEffort& effort) {
     total_.t1 += effort.t1;
     total_.t2 += effort.t2;
     total_.seconds += effort.seconds;
     unreported_.insert(unreported_.end(), effort.events.begin(), effort.events.end());
     event_count_ += effort.events.size();
+}
+
+void FrameAssembly::add(const SimulatedFrame& state) {
+    add_effort(state.effort);
     const int number = state.frame->number;
     if (uses_.at(number) > 0) {
         keep(state);
@@ -218,10 +221,10 @@ void FrameAssembly::add_cross_fade(const Request& request, SimulatedFrame& frame
 void FrameAssembly::move_next(const ShownStates& shown, SimulatedFrame& frame) const {
     const double passed =
         static_cast<double>(shown.next_fading_in) / (states_before_first_frame(loop_, count_) + 1);
-    std::shared_ptr<const Frame> in = kept_.at(shown.next_fading_in).frame;
-    move_together(passed, frame.next, in);
+    std::shared_ptr<const Frame> fading_in = kept_.at(shown.next_fading_in).frame;
+    move_together(passed, frame.next, fading_in);
     if (shown.is_cross_fade()) {
-        frame.fading_in.next = std::move(in);
+        frame.fading_in.next = std::move(fading_in);
     }
 }
 

@@ -22,11 +22,12 @@ namespace foam::texgen {
 enum class NextFrames { Omitted, Included };
 
 /// Assembles the frames of an animation from the states of a simulation. Emits each frame, that is,
-/// passes it to the visitor, as soon as all states that it needs exist. The frames are emitted in
-/// increasing order, except in a pingpong. There, the second half shows states of the first half,
-/// so that its frames are emitted among the frames of the first half. States are released when no
-/// further frame needs them. If `loop.current` is above 0, frames show the foam as this current
-/// displaces it (current.h).
+/// passes it to the visitor, as soon as all states that it needs exist. The frames are usually
+/// emitted in increasing order. In a pingpong (LOOPS.md), the second half shows states of the first
+/// half, so that its frames are emitted among the frames of the first half. In a pingpong or a
+/// flow, a frame after the first period is emitted together with the frame of the first period that
+/// shows the same state. States are released when no further frame needs them. If `loop.current` is
+/// above 0, frames show the foam as this current displaces it (current.h).
 class FrameAssembly {
   public:
     /// Prepares the frames with the given numbers. `on_frame` is called for each of them.
@@ -42,9 +43,13 @@ class FrameAssembly {
 
     /// Adds a state and emits the frames that are complete with it. Precondition: states are added
     /// in the order of states(), and the effort of each state covers the steps since the state
-    /// added before it. The effort consists of T1s, T2s, computing time and events. For the first
-    /// state, it covers all steps since the start of the simulation.
+    /// before it, which was added or skipped. The effort consists of T1s, T2s, computing time and
+    /// events. For the first state, it covers all steps since the start of the simulation.
     void add(const SimulatedFrame& state);
+
+    /// Adds the effort of a state that no frame needs. Precondition: as in add(), where such a
+    /// state is called skipped.
+    void add_effort(const FrameEffort& effort);
 
   private:
     struct Request {
@@ -66,7 +71,7 @@ class FrameAssembly {
 
     bool includes_next_;
     LoopOptions loop_;
-    int count_;                               // frames of the loop
+    int count_;                               // number of frames of the loop
     int first_state_;                         // the state that frame 1 shows
     std::shared_ptr<const FrameOne> first_;   // frame 1, after its state was added
     std::shared_ptr<const Current> current_;  // null if there is none

@@ -15,8 +15,8 @@
 
 namespace foam::texgen {
 
-/// The exception for the content of a file if this content ends too early or is malformed. The
-/// message gives the reason, but no file name.
+/// The exception for content of a file that ends too early, is malformed, or is not of the expected
+/// kind. The message gives the reason, but no file name.
 class BadContent : public std::runtime_error {
     using runtime_error::runtime_error;
 };

@@ -77,37 +77,51 @@ SimulatedFrame Cache::state(int number) const {
     return found;
 }
 
-FrameSource Cache::frames_of(const Preset& preset) const {
-    return frames_from_states(
-        preset, [this](int number) { return state(number); }, info_.closing_error);
+FrameSource Cache::frames_of(const Preset& preset, SkippedEfforts skipped) const {
+    const auto skipped_effort = [this, skipped](int number) -> std::optional<FrameEffort> {
+        const bool is_counted =
+            skipped == SkippedEfforts::Counted && is_file(state_path(folder_, number));
+        return is_counted ? std::optional(state(number).effort) : std::nullopt;
+    };
+    return frames_from_states(preset,
+                              {[this](int number) { return state(number); }, skipped_effort},
+                              info_.closing_error);
 }
 
 FrameSource frames_from_states(const Preset& preset,
-                               std::function<SimulatedFrame(int)> state,
+                               StoredStates stored,
                                std::optional<double> closing_error) {
-    return [preset, state = std::move(state), closing_error](const std::vector<int>& numbers,
-                                                             NextFrames next_frames,
-                                                             const FrameVisitor& on_frame,
-                                                             const ProgressCallback& on_progress) {
-        std::optional<View> view;
-        FrameAssembly assembly(preset, numbers, next_frames, on_frame);
-        RunProgress progress{.phase = Phase::States,
-                             .total = static_cast<int>(assembly.states().size())};
-        for (const int number : assembly.states()) {
-            if (on_progress && progress.done > 0) {
-                on_progress(progress);
+    return
+        [preset, stored = std::move(stored), closing_error](const std::vector<int>& numbers,
+                                                            NextFrames next_frames,
+                                                            const FrameVisitor& on_frame,
+                                                            const ProgressCallback& on_progress) {
+            std::optional<View> view;
+            FrameAssembly assembly(preset, numbers, next_frames, on_frame);
+            RunProgress progress{.phase = Phase::States,
+                                 .total = static_cast<int>(assembly.states().size())};
+            int next = 1;  // number of the first state that was neither added nor skipped
+            for (const int number : assembly.states()) {
+                if (on_progress && progress.done > 0) {
+                    on_progress(progress);
+                }
+                for (; next < number; ++next) {
+                    if (const auto effort = stored.skipped_effort(next)) {
+                        assembly.add_effort(*effort);
+                    }
+                }
+                SimulatedFrame state = stored.state(number);
+                if (preset.shape.kind == FoamKind::Patch && number == 1) {
+                    view = camera_view(*state.frame, preset.image, preset.camera);
+                }
+                state.view = view;
+                state.closing_error = closing_error;
+                assembly.add(state);
+                ++progress.done;
+                next = number + 1;
             }
-            SimulatedFrame read = state(number);
-            if (preset.shape.kind == FoamKind::Patch && number == 1) {
-                view = camera_view(*read.frame, preset.image, preset.camera);
-            }
-            read.view = view;
-            read.closing_error = closing_error;
-            assembly.add(read);
-            ++progress.done;
-        }
-        return RunOutcome{RunStatus::Complete, 0, closing_error};
-    };
+            return RunOutcome{RunStatus::Complete, 0, closing_error};
+        };
 }
 
 }  // namespace foam::texgen

@@ -14,12 +14,28 @@
 
 namespace foam::texgen {
 
-/// Returns a source of frames whose states come from a function, such as Cache::state. The function
-/// receives the number of a state and is called in increasing order of these numbers. The source
-/// sets the members `view` and `closing_error` of the states, and reports the phase States.
+/// The states of a simulation that were stored, such as those of a Cache. Both functions are called
+/// in increasing order of the numbers of states.
+struct StoredStates {
+    /// Returns the state with the given number.
+    std::function<SimulatedFrame(int number)> state;
+    /// Returns the effort of a state that no frame needs, so that the effort of the next frame
+    /// includes it. Returns nullopt if there is no such state, or if efforts do not matter.
+    std::function<std::optional<FrameEffort>(int number)> skipped_effort;
+};
+
+/// Returns a source of frames whose states were stored. The source sets the members `view` and
+/// `closing_error` of the states, and reports the phase States.
 FrameSource frames_from_states(const Preset& preset,
-                               std::function<SimulatedFrame(int)> state,
+                               StoredStates stored,
                                std::optional<double> closing_error);
+
+/// Decides whether the effort of a frame includes the efforts of the states between the previous
+/// frame and this frame.
+enum class SkippedEfforts {
+    Ignored,
+    Counted,  // each of these states is read, for the sake of its effort alone
+};
 
 /// A read-only view of a cache: a folder with the states of a simulation, one file per state.
 /// Frames can be drawn from the states on any machine. Several programs may read the folder at
@@ -37,11 +53,12 @@ class Cache {
     SimulatedFrame state(int number) const;
 
     /// Returns a source of frames. The frames equal, to the last bit, the frames of a simulation of
-    /// the preset by the version of foamtex that wrote the cache. The source throws InputError if a
-    /// state that the frames need is missing or damaged. The source keeps a reference to the cache.
-    /// Precondition: the preset differs from the preset of the cache only in keys that do not
-    /// influence the states (check_same_simulation).
-    FrameSource frames_of(const Preset& preset) const;
+    /// the preset by the version of foamtex that wrote the cache, except for FrameEffort if skipped
+    /// efforts are ignored. The source throws InputError if a state that it reads is missing or
+    /// damaged. The source keeps a reference to the cache. Precondition: the preset differs from
+    /// the preset of the cache only in keys that do not influence the states
+    /// (check_same_simulation).
+    FrameSource frames_of(const Preset& preset, SkippedEfforts skipped) const;
 
   private:
     std::vector<double> first_pressures() const;

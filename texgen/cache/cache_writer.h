@@ -13,7 +13,8 @@ namespace foam::texgen {
 
 /// Writes each state to a cache as soon as the state has been simulated. The folder and cache.json
 /// are created only when the first state is written. A simulation that fails before its first state
-/// therefore leaves no cache, except for the file of the loop that it has searched.
+/// therefore leaves no cache. It may only leave loop.json (README.md), which this class does not
+/// write.
 class CacheWriter {
   public:
     /// `frames` are the frames that can be drawn once all states have been written.

@@ -48,15 +48,15 @@ Fault fault_of_domain(const Frame& frame) {
     return std::nullopt;
 }
 
-bool is_near_cell(const Vec2& point, const Domain& domain) {
-    return std::abs(point.x()) <= 2.0 * domain.width && std::abs(point.y()) <= 2.0 * domain.height;
+bool is_near_torus(const Vec2& point, const Domain& torus) {
+    return std::abs(point.x()) <= 2.0 * torus.width && std::abs(point.y()) <= 2.0 * torus.height;
 }
 
 Fault fault_of_positions(const Frame& frame) {
     for (const JunctionId junction : frame.network.junctions()) {
         const Vec2& position = frame.positions[junction];
         if (!is_plausible_point(position) ||
-            (!frame.domain.is_plane() && !is_near_cell(position, frame.domain))) {
+            (!frame.domain.is_plane() && !is_near_torus(position, frame.domain))) {
             return fmt::format("junction {} has an impossible position, ({}, {})",
                                index_of(junction),
                                position.x(),

@@ -171,9 +171,9 @@ class FrameReader {
             // Each call of set_tail makes its half-edge the outgoing() of the junction. The three
             // half-edges are visited in reverse order, so that the one that was read first remains
             // outgoing().
-            for (const std::size_t one : {2U, 1U, 0U}) {
-                network().set_tail(leaving[one], id_at<JunctionId>(k));
-                network().set_next(twin(leaving[one]), leaving[(one + 1) % 3]);
+            for (const std::size_t i : {2U, 1U, 0U}) {
+                network().set_tail(leaving[i], id_at<JunctionId>(k));
+                network().set_next(twin(leaving[i]), leaving[(i + 1) % 3]);
             }
         }
         for (const FilmId film : network().films()) {
@@ -266,8 +266,8 @@ class FrameReader {
                 foam_.half_angles[film] = reader_.take<double>();
             }
         }
-        constexpr std::size_t kLoneBubble = sizeof(std::uint32_t) + 3 * sizeof(double);
-        const std::size_t lone = reader_.take_count(kLoneBubble);
+        constexpr std::size_t kLoneBubbleBytes = sizeof(std::uint32_t) + 3 * sizeof(double);
+        const std::size_t lone = reader_.take_count(kLoneBubbleBytes);
         for (std::size_t k = 0; k < lone; ++k) {
             const auto identity = reader_.take<std::uint32_t>();
             const Vec2 center = read_point(reader_);

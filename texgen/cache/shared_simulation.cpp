@@ -34,7 +34,6 @@ RunOutcome SharedSimulation::simulate(FrameAssembly& assembly,
         writer.emplace(preset_, frames_, folder_->path());
     });
     const std::vector<int> needed = assembly.states();
-    int previous = 0;
     efforts_.clear();
     const auto add = [&](const SimulatedFrame& state) {
         if (writer) {
@@ -43,10 +42,9 @@ RunOutcome SharedSimulation::simulate(FrameAssembly& assembly,
         const int number = state.frame->number;
         efforts_[number] = state.effort;
         if (std::ranges::binary_search(needed, number)) {
-            SimulatedFrame added = state;
-            added.effort = effort_between(previous, number);
-            assembly.add(added);
-            previous = number;
+            assembly.add(state);
+        } else {
+            assembly.add_effort(state.effort);
         }
     };
     const std::vector<int> states =
@@ -54,28 +52,15 @@ RunOutcome SharedSimulation::simulate(FrameAssembly& assembly,
     return simulate_states(preset_, threads_, states, add, on_progress);
 }
 
-// Returns the effort of simulating from the state `previous` to the state `number`.
-FrameEffort SharedSimulation::effort_between(int previous, int number) const {
-    FrameEffort sum = efforts_.at(number);
-    std::vector<TopologyEvent> events;
-    for (auto at = efforts_.upper_bound(previous); at->first < number; ++at) {
-        const FrameEffort& effort = at->second;
-        sum.t1 += effort.t1;
-        sum.t2 += effort.t2;
-        sum.seconds += effort.seconds;
-        events.insert(events.end(), effort.events.begin(), effort.events.end());
-    }
-    sum.events.insert(sum.events.begin(), events.begin(), events.end());
-    return sum;
-}
-
 FrameSource SharedSimulation::stored_frames(const Preset& drawn) const {
-    const auto state = [this, previous = 0](int number) mutable {
-        SimulatedFrame stored = cache_->state(number);
-        stored.effort = effort_between(std::exchange(previous, number), number);
-        return stored;
+    const auto skipped_effort = [this](int number) -> std::optional<FrameEffort> {
+        const auto entry = efforts_.find(number);
+        return entry != efforts_.end() ? std::optional(entry->second) : std::nullopt;
     };
-    return frames_from_states(drawn, state, outcome_->closing_error);
+    return frames_from_states(
+        drawn,
+        {[this](int number) { return cache_->state(number); }, skipped_effort},
+        outcome_->closing_error);
 }
 
 FrameSource SharedSimulation::source(const Preset& drawn) {

@@ -36,7 +36,6 @@ class SharedSimulation {
 
   private:
     RunOutcome simulate(FrameAssembly& assembly, const ProgressCallback& on_progress);
-    FrameEffort effort_between(int previous, int number) const;
     FrameSource stored_frames(const Preset& drawn) const;
 
     Preset preset_;

@@ -29,8 +29,8 @@ void check(const BakeOptions& options) {
     }
 }
 
-// Returns the memory of the start of a boil in a cache. If the file cannot be read, the start is
-// searched again.
+// Returns a LoopMemory that keeps the start of a boil in the file loop.json of a cache, or an empty
+// LoopMemory for other loops. If the file cannot be read, the start is searched again.
 LoopMemory loop_memory(const Preset& preset, const std::filesystem::path& folder) {
     if (preset.loop.kind != LoopKind::Boil) {
         return {};
@@ -64,8 +64,11 @@ void store_ranges(const Preset& preset,
             return;
         }
         const Cache cache(folder);
-        fit_automatic_ranges(
-            fitted, cache.frames_of(preset), options.frames, options.threads, on_progress);
+        fit_automatic_ranges(fitted,
+                             cache.frames_of(preset, SkippedEfforts::Ignored),
+                             options.frames,
+                             options.threads,
+                             on_progress);
         stored.save(fitted);
     } catch (const std::invalid_argument&) {
         return;

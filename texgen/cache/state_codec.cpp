@@ -101,8 +101,8 @@ TopologyEventKind read_event_kind(ByteReader& reader) {
 // Reads the events of the record of the frame `record_frame`. They must belong to the
 // kRecordedFrames frames that end with this frame.
 std::vector<RecordedEvent> read_events(std::int64_t record_frame, ByteReader& reader) {
-    constexpr std::size_t kEvent = 1 + sizeof(std::int32_t) + 2 * sizeof(double);
-    std::vector<RecordedEvent> events(reader.take_count(kEvent));
+    constexpr std::size_t kEventBytes = 1 + sizeof(std::int32_t) + 2 * sizeof(double);
+    std::vector<RecordedEvent> events(reader.take_count(kEventBytes));
     for (RecordedEvent& event : events) {
         event.kind = read_event_kind(reader);
         event.frame = reader.take_integer(record_frame - kRecordedFrames + 1, record_frame);
@@ -128,9 +128,9 @@ std::vector<double> read_numbers(ByteReader& reader) {
 void write_averages(const RecentAverages& averages,
                     const std::vector<BubbleIdentity>& bubbles,
                     ByteWriter& writer) {
-    const bool known = !averages.bubbles.empty();
-    writer.put(static_cast<std::uint8_t>(known));
-    if (!known) {
+    const bool has_averages = !averages.bubbles.empty();
+    writer.put(static_cast<std::uint8_t>(has_averages));
+    if (!has_averages) {
         return;
     }
     writer.put(averages.mean_area);
@@ -163,13 +163,14 @@ void write_record(const FoamRecord& record,
                   const std::vector<double>& first_pressures,
                   ByteWriter& writer) {
     const std::vector<BubbleIdentity> bubbles = identities_of(frame);
-    const bool known = !record.first_pressures.empty() && record.first_pressures == first_pressures;
+    const bool left_out =
+        !record.first_pressures.empty() && record.first_pressures == first_pressures;
     writer.put(std::int32_t{record.frame});
     write_by_identity(record.births, bubbles, writer);
     write_by_identity(record.changes, bubbles, writer);
     write_events(record.events, writer);
-    writer.put(static_cast<std::uint8_t>(known));
-    if (!known) {
+    writer.put(static_cast<std::uint8_t>(left_out));
+    if (!left_out) {
         write_numbers(record.first_pressures, writer);
     }
     write_averages(record.averages, bubbles, writer);
@@ -184,11 +185,11 @@ FoamRecord read_record(const Frame& frame,
     record.births = read_by_identity(bubbles, reader);
     record.changes = read_by_identity(bubbles, reader);
     record.events = read_events(record.frame, reader);
-    const bool known = reader.take<std::uint8_t>() != 0;
-    if (known && first_pressures.empty()) {
+    const bool left_out = reader.take<std::uint8_t>() != 0;
+    if (left_out && first_pressures.empty()) {
         throw BadContent("'pressures.foam' is missing in the cache");
     }
-    record.first_pressures = known ? first_pressures : read_numbers(reader);
+    record.first_pressures = left_out ? first_pressures : read_numbers(reader);
     record.averages = read_averages(bubbles, reader);
     return record;
 }
@@ -208,8 +209,8 @@ void write_topology_events(const std::vector<TopologyEvent>& events, ByteWriter&
 }
 
 std::vector<TopologyEvent> read_topology_events(ByteReader& reader) {
-    constexpr std::size_t kEvent = 1 + 3 * sizeof(double) + sizeof(std::uint32_t);
-    std::vector<TopologyEvent> events(reader.take_count(kEvent));
+    constexpr std::size_t kEventBytes = 1 + 3 * sizeof(double) + sizeof(std::uint32_t);
+    std::vector<TopologyEvent> events(reader.take_count(kEventBytes));
     for (TopologyEvent& event : events) {
         event.kind = read_event_kind(reader);
         event.time = take_number(reader, "the time of an event");

@@ -14,7 +14,7 @@ namespace foam::texgen {
 /// earlier frames that maps need (FoamRecord). The view and the closing error are not encoded;
 /// Cache::frames_of sets them. If FoamRecord::first_pressures, the pressures at the end of the
 /// warm-up, equal the argument `first_pressures` and are not empty, they are left out. The values
-/// per bubble of the record are left out for bubbles that have vanished, because no map needs them.
+/// that the record has for bubbles that have vanished are also left out, because no map needs them.
 Bytes pack_state(const SimulatedFrame& state, const std::vector<double>& first_pressures);
 
 /// Decodes a state. Maps drawn from the decoded state have the same bits as maps drawn from the

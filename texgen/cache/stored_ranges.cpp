@@ -23,8 +23,8 @@ namespace {
 constexpr const char* kRangeFormat = "foamtex-range";
 constexpr int kRangeVersion = 1;
 
-// Returns the range of a map that a file stores. The file may come from an untrusted source, so the
-// range must be one that the key of the range allows.
+// Returns the range that a file stores for a map. The file may come from an untrusted source, so
+// the key of the range must allow this range; otherwise throws InputError.
 double range_in(const std::filesystem::path& file, const Map& map) {
     const JsonDocument document = JsonDocument::read(file);
     document.check_format("a range", kRangeFormat, kRangeVersion);
@@ -38,8 +38,8 @@ double range_in(const std::filesystem::path& file, const Map& map) {
     return full.number();
 }
 
-// Returns a hash of everything that influences the range of a map of a preset that is fitted to
-// the given frames.
+// Returns a hash of everything that influences the range of a map if this range is fitted to the
+// given frames of a preset.
 std::string hash_of(const Preset& preset, const Map& map, const std::vector<int>& frames) {
     return text_hash(fmt::format("{}\n{}x{}\n{}",
                                  drawing_hash(preset, map),

@@ -14,10 +14,10 @@ namespace foam::texgen {
 /// The files of a cache that store automatic ranges of maps (fit_automatic_ranges). The ranges of a
 /// preset are thus fitted once, and not by every program that draws frames of the cache. There is
 /// one file per map. Its name contains a hash of everything that influences the range:
-/// - the simulation
+/// - the simulation (simulation_hash)
 /// - the frames to which the range is fitted
 /// - the size of the images
-/// - the keys that the map uses
+/// - the keys in the tables that the map uses, and the keys of the camera
 class StoredRanges {
   public:
     /// `preset` has automatic ranges that are not yet fitted, `frames` are the frames to which they
@@ -30,8 +30,9 @@ class StoredRanges {
     /// nothing if one of them is not stored, or if its file is damaged.
     bool load(Preset& preset) const;
 
-    /// Stores the automatic ranges of the preset, which have been fitted. Does nothing if the files
-    /// cannot be written: a cache may be on a disk that is full or cannot be written.
+    /// Stores the automatic ranges of the preset, which have been fitted. If a file cannot be
+    /// written, the remaining files are left out, without an error: a cache may be on a disk that
+    /// is full or read-only.
     void save(const Preset& preset) const;
 
   private:

@@ -68,13 +68,15 @@ ExitCode run_render(const RenderArguments& arguments) {
     note_keys_without_maps(arguments.run, presets.front());
     const std::vector<int> frames =
         arguments.run.frames ? frames_of(arguments.run, presets.front()) : info.frames;
+    const SkippedEfforts skipped =
+        arguments.images.stats ? SkippedEfforts::Counted : SkippedEfforts::Ignored;
     std::vector<ImageRun> runs;
     runs.reserve(presets.size());
     for (const Preset& preset : presets) {
         runs.push_back({preset,
                         {.frames = frames,
                          .threads = arguments.run.threads,
-                         .source = cache.frames_of(preset),
+                         .source = cache.frames_of(preset, skipped),
                          .sequence = info.frames,
                          .cache = arguments.run.preset}});
     }

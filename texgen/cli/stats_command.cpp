@@ -59,7 +59,7 @@ ExitCode run_stats(const StatsArguments& arguments) {
     BakeOptions options{.frames = frames_of(arguments.run, preset),
                         .threads = arguments.run.threads};
     if (cache) {
-        options.source = cache->frames_of(preset);
+        options.source = cache->frames_of(preset, SkippedEfforts::Counted);
         options.frames = arguments.run.frames ? options.frames : cache->info().frames;
     }
     check_writable(folder_of(arguments, preset));

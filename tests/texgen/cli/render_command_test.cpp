@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -108,6 +109,18 @@ TEST_F(RenderCommand, ACacheHasStatistics) {
     ASSERT_EQ(cached.code, 0) << cached.err;
     EXPECT_FALSE(content("a/sides.csv").empty());
     EXPECT_EQ(content("a/sides.csv"), content("b/sides.csv"));
+}
+
+// T1s, T2s and events between the requested frames count, although no frame needs their states.
+TEST_F(RenderCommand, StatisticsOfACacheCountTheEventsOfSkippedStates) {
+    const std::string foam = "coarsening --size 64 --set foam.bubbles=100 --set frames.count=8 ";
+    ASSERT_EQ(run("simulate " + foam + "--cache foam8").code, 0);
+    ASSERT_EQ(run("stats " + foam + "--frames 2,7 --out a -q").code, 0);
+    ASSERT_EQ(run("stats foam8 --frames 2,7 --out b -q").code, 0);
+    EXPECT_GT(std::ranges::count(content("a/events.csv"), '\n'), 1);
+    EXPECT_EQ(content("a/events.csv"), content("b/events.csv"));
+    ASSERT_EQ(run("render foam8 --frames 2,7 --stats --out 'c/{map}.####.png' -q").code, 0);
+    EXPECT_EQ(content("a/events.csv"), content("c/coarsening_stats/events.csv"));
 }
 
 // The ranges are fitted by `simulate`, and again by the first `render` of another surface.
