@@ -39,9 +39,10 @@ using foam::require;
 using foam::require_from;
 using foam::require_threads;
 
-// The largest strain of one call, and the largest displacement of a push along x and y, in radii.
-// A larger strain would take too many substeps, and a larger displacement too many small steps.
+// The largest strain of one call. A larger strain would take too many substeps.
 constexpr double kMaxStrain = 100.0;
+// The largest displacement of a push along x and along y, in radii of the push. A larger
+// displacement would take too many small steps.
 constexpr double kMaxPush = 1000.0;
 constexpr int kMaxBubbles = 10'000'000;
 constexpr int kMaxLloydIterations = 1000;
@@ -239,9 +240,9 @@ Equilibrium Foam::step(double time,
     return foam::with_public_errors([&] {
         // A copy advances, because an exception of `poll` must not change the foam.
         foam::Foam next = state_->foam;
-        const foam::StepSummary made = foam::step(next, time, change, options);
+        const foam::StepSummary summary = foam::step(next, time, change, options);
         state_->foam = std::move(next);
-        return result_of(made.equilibrium);
+        return result_of(summary.equilibrium);
     });
 }
 

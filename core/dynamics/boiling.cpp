@@ -19,8 +19,8 @@
 // of these T1s are not undone. Therefore boiling bubbles are chosen far from each other, by
 // farthest-point sampling (T. F. Gonzalez, Clustering to minimize the maximum intercluster
 // distance, Theoretical Computer Science 38, 1985). Where neighbors keep changing from cycle to
-// cycle, Cycle::calm makes the boiling bubbles nearby grow less large. Stratified sampling spreads
-// the births over the cycle.
+// cycle, Cycle::calm makes the boiling bubbles nearby grow to smaller areas. Stratified sampling
+// spreads the births over the cycle.
 
 namespace foam {
 

@@ -32,11 +32,11 @@ constexpr double kMinFraction = 0.1;
 // bubble's three junctions (paper section 3).
 void move_to_mean(Foam& foam, BubbleId bubble) {
     const HalfEdgeId first = foam.network.first(bubble);
-    Vec2 at = Vec2::Zero();
+    Vec2 corner = Vec2::Zero();  // relative to the tail of `first`
     Vec2 sum = Vec2::Zero();
     for (const HalfEdgeId h : foam.network.around(bubble)) {
-        sum += at;
-        at += chord(foam, h);
+        sum += corner;
+        corner += chord(foam, h);
     }
     const JunctionId junction = foam.network.tail(first);
     place_junction(foam, junction, foam.positions[junction] + sum / 3.0);
@@ -85,8 +85,8 @@ FilmId film_of_raft_of_two(const Network& network, BubbleId bubble) {
 }
 
 // Removes a bubble of a raft of two by tearing `film`, the film between the two bubbles. As in
-// every T2, the neighbors of the removed bubble get equal shares of its gas. Here the other bubble
-// and the ghost get one half each.
+// every T2, each bubble across a side of the removed bubble gets an equal share of its gas. Here
+// the other bubble and the ghost get one half each.
 void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const bool is_left = foam.network.left(h) == bubble;

@@ -23,11 +23,11 @@ bool is_due_to_vanish(const Foam& foam, BubbleId bubble, const TopologyThreshold
 
 /// Makes a bubble vanish. First its shortest films flip, until it has three or two sides and can
 /// vanish by a T2 (can_vanish). A bubble of three sides becomes one junction at the mean of its
-/// three junctions. The neighbors that it has before the T2 get equal shares of its gas. In a raft
-/// of two bubbles, the other bubble becomes a lone bubble and gets half of the gas; the ghost gets
-/// the other half. Returns false if the flips do not make the bubble able to vanish, for example
-/// among the last bubbles of a torus. The bubble then keeps its gas, and the flips are not undone.
-/// Adds the T1s and T2s to `counts`.
+/// three junctions. The gas of the bubble is divided equally among its sides before the T2, and
+/// each share goes to the bubble across the side. In a raft of two bubbles, the other bubble
+/// becomes a lone bubble and gets half of the gas; the ghost gets the other half. Returns false if
+/// the flips do not make the bubble able to vanish, for example among the last bubbles of a torus.
+/// The bubble then keeps its gas, and the flips are not undone. Adds the T1s and T2s to `counts`.
 bool collapse(Foam& foam, BubbleId bubble, TopologyCounts& counts);
 
 /// Removes the lone bubbles for which `vanishes(bubble)` returns true, and records a T2 of each.

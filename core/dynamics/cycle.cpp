@@ -125,7 +125,7 @@ void Cycle::calm(const Foam& foam) {
     const std::map<BubbleIdentity, Vec2> present = centers(foam);
     std::set<BoilingBubble*> near_unrest;
     for (const BubbleIdentity bubble : restless) {
-        near_unrest.insert(nearest_reducible(foam.domain, present, present.at(bubble)));
+        near_unrest.insert(nearest_with_reducible_rise(foam.domain, present, present.at(bubble)));
     }
     near_unrest.erase(nullptr);
     for (BoilingBubble* bubble : near_unrest) {
@@ -234,11 +234,10 @@ void Cycle::record_ends(const Foam& foam, std::size_t first_event, const Vec2& t
 }
 
 // Returns the boiling bubble nearest to a point among those whose area rise can still be reduced,
-// or nullptr if there is none. The position of an absent bubble is the position where it vanished
-// last.
-BoilingBubble* Cycle::nearest_reducible(const Domain& domain,
-                                        const std::map<BubbleIdentity, Vec2>& centers,
-                                        const Vec2& point) {
+// or nullptr if there is none. An absent bubble counts as being where it last vanished.
+BoilingBubble* Cycle::nearest_with_reducible_rise(const Domain& domain,
+                                                  const std::map<BubbleIdentity, Vec2>& centers,
+                                                  const Vec2& point) {
     BoilingBubble* nearest = nullptr;
     double smallest = std::numeric_limits<double>::infinity();
     for (BoilingBubble& bubble : drive_.boiling) {

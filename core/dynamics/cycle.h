@@ -13,15 +13,17 @@ namespace foam {
 
 /// A periodic sequence of foams, for looping animations. The equilibrium of a foam follows from its
 /// topology, its target areas and its domain. In a Cycle, the target areas and the domain change
-/// periodically. The first cycles cause T1s and T2s. After these, the foam returns to the same
-/// state at the end of each cycle. If bubbles boil, some regions may not return to the same state;
-/// `calm` weakens the periodic change there. No gas diffuses. After each step, a torus as a whole,
-/// or each raft of a patch, is moved back to its position at the start.
+/// periodically. In the first cycles, T1s and T2s may keep the foam from returning to its state at
+/// the start of the cycle. After some cycles, the foam is in the same state at the end of each
+/// cycle. Bubbles may also boil, that is, vanish and be born again in every cycle (boiling.h). Some
+/// regions may then not return to the same state; `calm` weakens the periodic change there. No gas
+/// diffuses. After each step, a torus as a whole, or each raft of a patch, is moved back to the
+/// place where it was when the Cycle was constructed.
 class Cycle {
   public:
     /// Starts a cycle with a random drive (random_drive). If the drive changes target areas, the
     /// foam is not at position 0 of the cycle until step_to has been called with the position 0.
-    /// Each step moves the foam back to the position that it has when the Cycle is constructed.
+    /// Positions of a cycle are numbers of steps (step_to).
     Cycle(const Foam& foam, const CycleOptions& options);
 
     /// Starts a cycle with the given drive, for example the drive of an earlier Cycle. Of the
@@ -59,9 +61,9 @@ class Cycle {
                           const TopologyThresholds& thresholds) const;
     Vec2 restore_positions(Foam& foam) const;
     void record_ends(const Foam& foam, std::size_t first_event, const Vec2& translation);
-    BoilingBubble* nearest_reducible(const Domain& domain,
-                                     const std::map<BubbleIdentity, Vec2>& centers,
-                                     const Vec2& point);
+    BoilingBubble* nearest_with_reducible_rise(const Domain& domain,
+                                               const std::map<BubbleIdentity, Vec2>& centers,
+                                               const Vec2& point);
 
     CycleOptions options_;
     double shear_;  // shear of the domain at the start

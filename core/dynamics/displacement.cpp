@@ -32,11 +32,11 @@ double length_of(const Foam& foam, FilmId film) {
 
 void move_junctions(Foam& foam, const Displacement& step) {
     for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 at = foam.positions[junction];
-        const double u = foam.domain.nearest_copy(at - step.center).norm() / step.radius;
+        const Vec2 position = foam.positions[junction];
+        const double u = foam.domain.nearest_copy(position - step.center).norm() / step.radius;
         if (u < 1.0) {
             const double weight = (1.0 - u * u) * (1.0 - u * u);
-            place_junction(foam, junction, at + weight * step.by);
+            place_junction(foam, junction, position + weight * step.by);
         }
     }
 }

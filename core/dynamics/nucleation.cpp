@@ -121,15 +121,15 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam,
     std::set<BubbleId> around;
     std::array<Vec2, 3> corners;
     std::array<FilmArc, 3> arcs;
-    std::array<double, 3> cut{};
+    std::array<double, 3> cut_fractions{};
     const double side = triangle_side(area);
     const auto [a, b, c] = foam.network.leaving(junction);
     const std::array<HalfEdgeId, 3> spokes{a, c, b};  // counter-clockwise
     for (std::size_t k = 0; k < 3; ++k) {
         around.insert(foam.network.left(spokes[k]));
         arcs[k] = film_arc(foam, spokes[k]);
-        cut[k] = fraction_of(arcs[k], side / std::numbers::sqrt3);
-        corners[k] = foam.positions[junction] + point_at(arcs[k], cut[k]);
+        cut_fractions[k] = fraction_of(arcs[k], side / std::numbers::sqrt3);
+        corners[k] = foam.positions[junction] + point_at(arcs[k], cut_fractions[k]);
     }
     if (!take_gas(foam, around, area)) {
         return std::nullopt;
@@ -142,7 +142,7 @@ std::optional<BubbleId> nucleate_at_junction(Foam& foam,
     const std::vector<HalfEdgeId> loop = foam.network.around(bubble);
     for (std::size_t k = 0; k < 3; ++k) {
         place_junction(foam, foam.network.tail(loop[k]), corners[k]);
-        cut_film(foam, spokes[k], arcs[k].half_angle, 1.0 - cut[k]);
+        cut_film(foam, spokes[k], arcs[k].half_angle, 1.0 - cut_fractions[k]);
     }
     fit_films_around(foam, bubble);
     return bubble;
@@ -156,7 +156,8 @@ std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area) {
     }
     const FilmArc arc = film_arc(foam, h);
     const double chord_length = lens_chord(area);
-    const double half = std::min(0.5 * chord_length / arc_length(arc), kLargestFilmFraction);
+    const double half_fraction =
+        std::min(0.5 * chord_length / arc_length(arc), kLargestFilmFraction);
     const Vec2 tail = foam.positions[foam.network.tail(h)];
     const double pressure =
         mean_pressure(foam, beside) + std::numbers::sqrt3 * foam.film_tension / chord_length;
@@ -164,10 +165,10 @@ std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area) {
     complete(foam, area, pressure, foam.next_identity++);
     record_birth(foam, bubble, tail + point_at(arc, 0.5), beside);
     const HalfEdgeId first = foam.network.first(bubble);
-    place_junction(foam, foam.network.head(first), tail + point_at(arc, 0.5 - half));
-    place_junction(foam, foam.network.tail(first), tail + point_at(arc, 0.5 + half));
-    cut_film(foam, h, arc.half_angle, 0.5 - half);
-    cut_film(foam, foam.network.previous(twin(first)), arc.half_angle, 0.5 - half);
+    place_junction(foam, foam.network.head(first), tail + point_at(arc, 0.5 - half_fraction));
+    place_junction(foam, foam.network.tail(first), tail + point_at(arc, 0.5 + half_fraction));
+    cut_film(foam, h, arc.half_angle, 0.5 - half_fraction);
+    cut_film(foam, foam.network.previous(twin(first)), arc.half_angle, 0.5 - half_fraction);
     fit_films_around(foam, bubble);
     return bubble;
 }

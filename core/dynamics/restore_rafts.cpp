@@ -35,7 +35,7 @@ Vec2 mean_of_arc(const FilmArc& arc) {
 }
 
 struct Center {
-    Vec2 at{0.0, 0.0};
+    Vec2 position{0.0, 0.0};
     double weight = 0.0;  // length of the films of the bubble
 };
 
@@ -44,10 +44,10 @@ Center center_of(const Foam& patch, BubbleId bubble) {
     for (const HalfEdgeId h : patch.network.around(bubble)) {
         const FilmArc arc = film_arc(patch, h);
         const double length = arc_length(arc);
-        center.at += length * (patch.positions[patch.network.tail(h)] + mean_of_arc(arc));
+        center.position += length * (patch.positions[patch.network.tail(h)] + mean_of_arc(arc));
         center.weight += length;
     }
-    center.at /= center.weight;
+    center.position /= center.weight;
     return center;
 }
 
@@ -96,7 +96,7 @@ RigidMotion motion_back(const Foam& patch,
         if (earlier != before.end()) {
             const Center now = center_of(patch, bubble);
             pairs.emplace_back(now, earlier->second);
-            motion.from += now.weight * now.at;
+            motion.from += now.weight * now.position;
             motion.to += now.weight * earlier->second;
             weight += now.weight;
         }
@@ -109,8 +109,8 @@ RigidMotion motion_back(const Foam& patch,
     double dot_sum = 0.0;
     double cross_sum = 0.0;
     for (const auto& [now, earlier] : pairs) {
-        dot_sum += now.weight * (now.at - motion.from).dot(earlier - motion.to);
-        cross_sum += now.weight * cross(now.at - motion.from, earlier - motion.to);
+        dot_sum += now.weight * (now.position - motion.from).dot(earlier - motion.to);
+        cross_sum += now.weight * cross(now.position - motion.from, earlier - motion.to);
     }
     const double angle = ieee::atan2(cross_sum, dot_sum);
     const auto [sine, cosine] = ieee::sincos(angle);
@@ -138,7 +138,7 @@ void move_raft(Foam& patch, const Raft& raft, const RigidMotion& motion, std::ve
 std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch) {
     std::map<BubbleIdentity, Vec2> centers;
     for (const BubbleId bubble : patch.network.bubbles()) {
-        centers[patch.identities[bubble]] = center_of(patch, bubble).at;
+        centers[patch.identities[bubble]] = center_of(patch, bubble).position;
     }
     for (const LoneBubble& bubble : patch.lone_bubbles) {
         centers[bubble.identity] = bubble.center;

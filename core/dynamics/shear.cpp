@@ -9,8 +9,8 @@ namespace foam {
 void shear(Foam& foam, double strain) {
     foam.domain.shear += strain * foam.domain.height;
     for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 at = foam.positions[junction];
-        place_junction(foam, junction, {at.x() + strain * at.y(), at.y()});
+        const Vec2 position = foam.positions[junction];
+        place_junction(foam, junction, {position.x() + strain * position.y(), position.y()});
     }
     reduce_lattice(foam);
 }

@@ -29,9 +29,9 @@ namespace {
 // A bubble whose target area is at most this fraction of the mean may lose all its area by
 // diffusion in one substep.
 constexpr double kVanishingFraction = 0.25;
-// A driven bubble may lose all its target area in one substep if this area is at most
-// kVanishingAreas T2 areas. With larger jumps, boiling loops (cycle.h) have twice as many T1s and
-// take longer to close.
+// A driven bubble may lose all its target area in one substep if this area is at most this number
+// times the T2 area. With a larger number, boiling loops (cycle.h) have twice as many T1s and take
+// longer to close.
 constexpr double kVanishingAreas = 4.0;
 // The imposed change of areas never limits a substep to less than this fraction of the step. This
 // bounds the number of substeps if the change is impossible, for example if every bubble of a
@@ -201,10 +201,12 @@ double safe_fraction(const Foam& foam,
                      double left,
                      const StepOptions& options) {
     const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
-    const double areas =
+    const double area_limit =
         left * max_fraction_of_change(foam, change, options.largest_loss, vanishing);
-    const double strained = change.strain == 0.0 ? left : kLargestStrain / std::abs(change.strain);
-    const double fraction = std::min({left, strained, std::max(areas, kMinSubstepFraction)});
+    const double strain_limit =
+        change.strain == 0.0 ? left : kLargestStrain / std::abs(change.strain);
+    const double fraction =
+        std::min({left, strain_limit, std::max(area_limit, kMinSubstepFraction)});
     return time > 0.0 ? std::min(fraction, safe_time(foam, options) / time) : fraction;
 }
 

@@ -20,13 +20,13 @@
 namespace foam {
 
 // The equilibration is made in rounds. A round begins with Newton's method (E3) for the whole foam.
-// The response to its result follows: T1s if films collapse or are too short, or relaxation (E4) of
-// the worst regions or of the whole foam if the method has stalled. The worst regions surround the
-// defects whose force or area error is at least a fifth of the largest (worst_regions). At the end
-// of the round, the defect regions are solved. After a T1, most of the residual is in the defect
-// regions. Newton's method takes several damped steps there, while one step is enough elsewhere.
-// The defect regions are therefore solved on their own, while everything else stays fixed.
-// README.md shows the algorithm. NOTES.md has the measurements behind the constants.
+// The response to its result follows: T1s if films need them, or relaxation (E4) of the worst
+// regions or of the whole foam if the method has stalled. The worst regions surround the defects
+// whose force or area error is at least a fifth of the largest (worst_regions). At the end of the
+// round, the defect regions are solved. After a T1, most of the residual is in the defect regions.
+// Newton's method takes several damped steps there, while one step is enough elsewhere. The defect
+// regions are therefore solved on their own, while everything else stays fixed. README.md shows the
+// algorithm. NOTES.md has the measurements behind the constants.
 
 namespace {
 
@@ -40,13 +40,13 @@ constexpr DefectOptions kLaterDefects{.force = 0.02, .area = 0.05};
 // A step of the whole foam with a new factor is slow if it leaves more than this share of the norm
 // of the residual. Defect regions are then assumed to limit the progress.
 constexpr double kSlowRatio = 0.1;
-// The tolerance of Newton's method for forces, in film tensions, and for relative area errors. It
-// is kNewtonTolerance in foams of usual size, and kNewtonTolerancePerSize times the size of a
-// larger foam, but at most kLargestNewtonTolerance times the tolerance of the equilibrium
-// (newton_tolerance).
+// The tolerance of Newton's method for forces, in film tensions, and for relative area errors
+// (newton_tolerance). It is kNewtonTolerance in foams of usual size. In a larger foam, it is
+// kNewtonTolerancePerSize times the size of the foam, but at most kLargestToleranceRatio times the
+// tolerance of the equilibrium. It is never below kNewtonTolerance.
 constexpr double kNewtonTolerance = 1e-11;
 constexpr double kNewtonTolerancePerSize = 1e-13;
-constexpr double kLargestNewtonTolerance = 0.1;
+constexpr double kLargestToleranceRatio = 0.1;
 // After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
 // A stall of Newton's method is counted if worst_regions returns any region and defect regions are
@@ -61,8 +61,8 @@ struct Work {
     Work(Foam& the_foam, const EquilibriumOptions& the_options)
         : foam(the_foam),
           options(the_options),
-          kept(the_options.system ? the_options.system : std::make_shared<NewtonSystem>()),
-          whole(*kept),
+          system(the_options.system ? the_options.system : std::make_shared<NewtonSystem>()),
+          whole(*system),
           local(the_foam) {}
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;
@@ -75,8 +75,8 @@ struct Work {
     Foam& foam;
     const EquilibriumOptions& options;
     bool has_converged = false;
-    std::shared_ptr<NewtonSystem> kept;
-    NewtonSystem& whole;  // system of all unknowns of the foam
+    std::shared_ptr<NewtonSystem> system;
+    NewtonSystem& whole;  // *system: the system of all unknowns of the foam
     RegionBuffers local;  // for the defect regions and for all relaxations
 };
 
@@ -101,10 +101,10 @@ void count_t1(int t1, Progress& progress) {
     progress.needs_restart = progress.needs_restart || t1 > 0;
 }
 
-// Returns the number of sweeps of the next relaxation of the whole foam, and counts this relaxation
-// in `progress`. The number cycles through `sweeps`, a quarter, a sixteenth and a sixty-fourth of
-// `sweeps`, rounded down, but is at least one. It varies so that repeated relaxations do not lead
-// Newton's method back to the same state, in which it would stall again.
+// Returns the number of sweeps of the first pass of the next relaxation of the whole foam, and
+// counts this relaxation in `progress`. The number cycles through `sweeps`, a quarter, a sixteenth
+// and a sixty-fourth of `sweeps`, rounded down, but is at least one. It varies so that repeated
+// relaxations do not lead Newton's method back to the same state, in which it would stall again.
 int next_sweeps(int sweeps, Progress& progress) {
     const int quarterings = progress.global_relaxations++ % 4;
     return std::max(1, sweeps >> (2 * quarterings));
@@ -166,11 +166,11 @@ Progress initial_phase(Work& work) {
     return progress;
 }
 
-// Returns the tolerance of Newton's method for a foam. `tolerance` is that of the equilibrium.
-// Rounding errors of positions are in proportion to the size of the foam, which is the largest
-// coordinate in square roots of the mean area of a bubble. It is 316 in a torus of 100,000 bubbles,
-// whose errors do not fall below 2e-11. With a smaller tolerance, the method would stall, and the
-// whole foam would be relaxed.
+// Returns the tolerance of Newton's method for a foam. `tolerance` is the tolerance of the
+// equilibrium. Rounding errors of positions are in proportion to the size of the foam, which is the
+// largest coordinate in square roots of the mean area of a bubble. This size is 316 for a torus of
+// 100,000 bubbles, whose errors do not fall below 2e-11. With a smaller tolerance, the method would
+// stall, and the whole foam would be relaxed.
 double newton_tolerance(const Foam& foam, double tolerance) {
     double largest = 0.0;
     for (const JunctionId junction : foam.network.junctions()) {
@@ -183,7 +183,7 @@ double newton_tolerance(const Foam& foam, double tolerance) {
     const double unit = std::sqrt(area / static_cast<double>(foam.network.bubble_count()));
     return std::max(
         kNewtonTolerance,
-        std::min(kNewtonTolerancePerSize * largest / unit, kLargestNewtonTolerance * tolerance));
+        std::min(kNewtonTolerancePerSize * largest / unit, kLargestToleranceRatio * tolerance));
 }
 
 NewtonSummary solve_whole(Work& work, Progress& progress) {
@@ -221,8 +221,8 @@ void respond(Work& work, const NewtonSummary& newton_summary, Progress& progress
                     apply_rule(short_films(work.foam, work.options.thresholds)) == 0;
             }
             break;
-        case NewtonStatus::FilmsCollapse:
-            apply_rule(newton_summary.collapsing);
+        case NewtonStatus::FilmsNeedT1:
+            apply_rule(newton_summary.films_for_t1);
             break;
         case NewtonStatus::Slow:
             break;

@@ -20,10 +20,10 @@ using FourBubbles = std::array<BubbleId, 4>;
 using OnT1Rule = std::function<void(FilmId, const FourBubbles&, bool)>;
 
 /// Applies the T1 rule (core/foam/t1_rule.h) to the short films of a part of the foam. A film is
-/// short if its chord is shorter than the T1 distance of the thresholds. Both ends of the film must
-/// be in the part. Calls `on_t1_rule` after each application. Erases dead ids from the junctions,
-/// films and bubbles of the part, but updates neither the rank tables nor the `outer_films` of the
-/// part. Returns the number of changes of the network.
+/// short if its chord is shorter than the T1 distance of the thresholds. Skips every film with an
+/// end outside of the part. Calls `on_t1_rule` after each application. Erases dead ids from the
+/// junctions, films and bubbles of the part, but updates neither the rank tables nor the
+/// `outer_films` of the part. Returns the number of changes of the network.
 int flip_short_films(Foam& foam,
                      Unknowns& part,
                      const TopologyThresholds& thresholds,

@@ -71,17 +71,19 @@ OuterFilmMatrix outer_film_matrix(const Vec2& d, double delta, const BulgeEnergy
 
 // Adds one block of a film's matrix to `values`. The block has the rows of the first node of the
 // pair and the columns of the second node. `values` points to the first value of the block in the
-// Hessian. `stride` is FilmSlots::strides[b] for the second node b. `is_own` is true if the two
-// nodes of the pair are the same node of the Hessian. This is so if a = b. On a small torus, it is
-// also so if a film ends at the junction at which it begins, or has the same bubble on both sides.
-// If `is_own` is true, the block is on the diagonal of the Hessian, and only its lower triangle is
-// added.
+// Hessian. `stride` is FilmSlots::strides[b] for the second node b. `is_on_diagonal` is true if the
+// two nodes of the pair are the same node of the Hessian. This is so if a = b. On a small torus, it
+// is also so if a film ends at the junction at which it begins, or has the same bubble on both
+// sides. The block is then on the diagonal of the Hessian, and only its lower triangle is added.
 template <class Matrix>
-void add_block(
-    double* values, int stride, const Matrix& film, std::array<std::size_t, 2> pair, bool is_own) {
+void add_block(double* values,
+               int stride,
+               const Matrix& film,
+               std::array<std::size_t, 2> pair,
+               bool is_on_diagonal) {
     const auto [a, b] = pair;
     for (int column = 0; column < kFilmRows[b]; ++column) {
-        for (int row = is_own ? column : 0; row < kFilmRows[a]; ++row) {
+        for (int row = is_on_diagonal ? column : 0; row < kFilmRows[a]; ++row) {
             values[row] += film(kFirstFilmRow[a] + row, kFirstFilmRow[b] + column);
         }
         values += stride;
@@ -99,8 +101,9 @@ void append_rows(int begin, int end, std::vector<int>& rows) {
 // The block pattern of the matrix. It lists the later nodes of each node: the nodes of a larger
 // index to which a film couples it. Each later node is listed once, in increasing order.
 struct Hessian::NodePattern {
-    std::vector<int> begins;  // start of each node's range in `later`; the last element is the end
-    std::vector<int> later;
+    // Start of each node's range in `later_nodes`; the last element is the end of the last range.
+    std::vector<int> begins;
+    std::vector<int> later_nodes;
 
     NodePattern(std::size_t node_count, std::span<const FilmNodes> films) {
         std::vector<int> bounds(node_count + 1, 0);
@@ -116,10 +119,11 @@ struct Hessian::NodePattern {
         keep_each_once(all, bounds);
     }
 
-    std::span<const int> of(int node) const {
+    std::span<const int> later_nodes_of(int node) const {
         const auto k = static_cast<std::size_t>(node);
-        return std::span(later).subspan(static_cast<std::size_t>(begins[k]),
-                                        static_cast<std::size_t>(begins[k + 1] - begins[k]));
+        return std::span(later_nodes)
+            .subspan(static_cast<std::size_t>(begins[k]),
+                     static_cast<std::size_t>(begins[k + 1] - begins[k]));
     }
 
   private:
@@ -143,15 +147,15 @@ struct Hessian::NodePattern {
     }
 
     void keep_each_once(std::vector<int>& all, const std::vector<int>& bounds) {
-        later.reserve(all.size());
+        later_nodes.reserve(all.size());
         begins.reserve(bounds.size());
         begins.push_back(0);
         for (std::size_t node = 0; node + 1 < bounds.size(); ++node) {
             const auto begin = all.begin() + bounds[node];
             const auto end = all.begin() + bounds[node + 1];
             std::sort(begin, end);
-            later.insert(later.end(), begin, std::unique(begin, end));
-            begins.push_back(static_cast<int>(later.size()));
+            later_nodes.insert(later_nodes.end(), begin, std::unique(begin, end));
+            begins.push_back(static_cast<int>(later_nodes.size()));
         }
     }
 };
@@ -197,8 +201,8 @@ void Hessian::fill_pattern(const NodePattern& pattern) {
         const int end = first_row_of(node) + rows_of(node);
         for (int column = first_row_of(node); column < end; ++column) {
             append_rows(column, end, rows);
-            for (const int later : pattern.of(node)) {
-                append_rows(first_row_of(later), first_row_of(later) + rows_of(later), rows);
+            for (const int other : pattern.later_nodes_of(node)) {
+                append_rows(first_row_of(other), first_row_of(other) + rows_of(other), rows);
             }
             *++ends = static_cast<int>(rows.size());
         }
@@ -227,13 +231,13 @@ Hessian::FilmSlots Hessian::slots_of(const NodePattern& pattern, const FilmNodes
     return slots;
 }
 
-// Returns the number of entries in the node's first column above the rows of the node `later`.
-int Hessian::rows_before(const NodePattern& pattern, int node, int later) const {
-    if (node == later) {
+// Returns the number of entries in the first column of `node` above the rows of `later_node`.
+int Hessian::rows_before(const NodePattern& pattern, int node, int later_node) const {
+    if (node == later_node) {
         return 0;
     }
     int rows = rows_of(node);
-    for (const int* other = pattern.of(node).data(); *other != later; ++other) {
+    for (const int* other = pattern.later_nodes_of(node).data(); *other != later_node; ++other) {
         rows += rows_of(*other);
     }
     return rows;
@@ -248,8 +252,8 @@ void Hessian::add_film(const FilmSlots& slots, const Eigen::Matrix<double, Rows,
             if (block < 0) {
                 continue;
             }
-            const bool is_own = block == slots.blocks[(kMaxNodes + 1) * b];
-            add_block(matrix_.valuePtr() + block, slots.strides[b], film, {a, b}, is_own);
+            const bool is_on_diagonal = block == slots.blocks[(kMaxNodes + 1) * b];
+            add_block(matrix_.valuePtr() + block, slots.strides[b], film, {a, b}, is_on_diagonal);
         }
     }
 }

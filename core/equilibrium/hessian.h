@@ -56,7 +56,7 @@ class Hessian {
     FilmNodes nodes_of(const Network& network, FilmId film) const;
     void fill_pattern(const NodePattern& pattern);
     FilmSlots slots_of(const NodePattern& pattern, const FilmNodes& nodes) const;
-    int rows_before(const NodePattern& pattern, int node, int later) const;
+    int rows_before(const NodePattern& pattern, int node, int later_node) const;
     template <int Rows>
     void add_film(const FilmSlots& slots, const Eigen::Matrix<double, Rows, Rows>& film);
     void add_outer_film(const FilmSlots& slots, const Foam& foam, FilmId film);

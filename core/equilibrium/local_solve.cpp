@@ -59,8 +59,8 @@ int solve_region(Foam& foam,
         }
         buffers.system.start(foam, unknowns_around(foam.network, region), 1);
         const NewtonSummary summary = newton(foam, buffers.system, options);
-        if (summary.status == NewtonStatus::FilmsCollapse) {
-            t1 += apply_t1_rule(foam, summary.collapsing, thresholds);
+        if (summary.status == NewtonStatus::FilmsNeedT1) {
+            t1 += apply_t1_rule(foam, summary.films_for_t1, thresholds);
         } else if (summary.status == NewtonStatus::Converged || was_relaxed) {
             break;
         } else {

@@ -27,7 +27,7 @@ Vec2 move_of(const Unknowns& unknowns, const Eigen::VectorXd& step, JunctionId j
 // Returns true if three conditions are met:
 // - the whole step would make the film shorter than `length`;
 // - the film can flip or tear;
-// - by the forces before the step, it would stay open after the flip or tear (flipped_pulls_apart).
+// - by the forces before the step, it would stay open after the flip or tear (would_stay_open).
 bool would_flip_after_step(const Foam& foam,
                            const Unknowns& unknowns,
                            const Eigen::VectorXd& step,
@@ -36,8 +36,7 @@ bool would_flip_after_step(const Foam& foam,
     const HalfEdgeId h = forward_side(film);
     const Vec2 after = chord(foam, h) + move_of(unknowns, step, foam.network.head(h)) -
                        move_of(unknowns, step, foam.network.tail(h));
-    return after.norm() < length && can_change(foam.network, film) &&
-           flipped_pulls_apart(foam, film);
+    return after.norm() < length && can_change(foam.network, film) && would_stay_open(foam, film);
 }
 
 // Returns the films that have collapsed, and the films below their T1 distance for which
@@ -198,10 +197,10 @@ std::vector<FilmId> collapsing_films(const Foam& foam,
     });
 }
 
-std::vector<FilmId> closing_films(const Foam& foam,
-                                  const Unknowns& unknowns,
-                                  const Eigen::VectorXd& step,
-                                  const TopologyThresholds& thresholds) {
+std::vector<FilmId> films_staying_short(const Foam& foam,
+                                        const Unknowns& unknowns,
+                                        const Eigen::VectorXd& step,
+                                        const TopologyThresholds& thresholds) {
     return films_for_t1(foam, unknowns, thresholds, [&](FilmId film, double) {
         return would_flip_after_step(
             foam, unknowns, step, film, t1_distance_at(foam, film, thresholds));

@@ -70,9 +70,9 @@ std::vector<FilmId> collapsing_films(const Foam& foam,
 ///   beside the torn film would not be pulled together again.
 ///
 /// The length after the step decides because such a step predicts the length in equilibrium well.
-std::vector<FilmId> closing_films(const Foam& foam,
-                                  const Unknowns& unknowns,
-                                  const Eigen::VectorXd& step,
-                                  const TopologyThresholds& thresholds);
+std::vector<FilmId> films_staying_short(const Foam& foam,
+                                        const Unknowns& unknowns,
+                                        const Eigen::VectorXd& step,
+                                        const TopologyThresholds& thresholds);
 
 }  // namespace foam

@@ -82,7 +82,7 @@ std::vector<FilmId> films_for_t1(const Foam& foam,
                                  const ResidualNorms& norms,
                                  const NewtonOptions& options) {
     return options.predicts_t1 && is_near_equilibrium(norms)
-               ? closing_films(foam, unknowns, step, options.thresholds)
+               ? films_staying_short(foam, unknowns, step, options.thresholds)
                : collapsing_films(foam, unknowns, step, options.thresholds);
 }
 
@@ -156,9 +156,9 @@ NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& opti
     while (!end) {
         const bool is_chord_step = system.has_factor();
         const Eigen::VectorXd step = system.step(foam, current.residual);
-        summary.collapsing = films_for_t1(foam, system.unknowns(), step, current.norms, options);
-        if (!summary.collapsing.empty()) {
-            end = NewtonStatus::FilmsCollapse;
+        summary.films_for_t1 = films_for_t1(foam, system.unknowns(), step, current.norms, options);
+        if (!summary.films_for_t1.empty()) {
+            end = NewtonStatus::FilmsNeedT1;
             break;
         }
         const Advance advance = line_search(foam, system, step, options.largest_move, current);

@@ -27,8 +27,8 @@ struct NewtonOptions {
     double slow_ratio = 1.0;
     // Decides which of the films that are shorter than their T1 distance get a T1 before a step is
     // made. If this is true and the foam is near equilibrium, these are the films that would still
-    // be shorter after the step (closing_films). Otherwise, these are only the films that the step
-    // would shorten by more than half (collapsing_films). Collapsed films always get a T1.
+    // be shorter after the step (films_staying_short). Otherwise, these are only the films that the
+    // step would shorten by more than half (collapsing_films). Collapsed films always get a T1.
     bool predicts_t1 = true;
     // If false, the precision of the factor is raised only near equilibrium. Farther away, defects
     // are a likelier cause of a stall than low precision is, and a factor in double precision is
@@ -40,8 +40,8 @@ struct NewtonOptions {
 /// The outcome of a run of Newton's method.
 enum class NewtonStatus {
     Converged,
-    FilmsCollapse,  // films need a T1 before the next step
-    Slow,           // see NewtonOptions::slow_ratio
+    FilmsNeedT1,  // films need a T1 before the next step
+    Slow,         // see NewtonOptions::slow_ratio
     // A step with a new factor does not reduce the residual. The factor is in double precision,
     // unless the foam is far from equilibrium and NewtonOptions::raises_precision_far is false.
     Stalled,
@@ -55,7 +55,7 @@ struct NewtonSummary {
     // The larger of two numbers: the largest force, in film tensions, and the largest area error,
     // relative to the target area.
     double residual = 0.0;
-    std::vector<FilmId> collapsing;  // the films that need a T1, in increasing order
+    std::vector<FilmId> films_for_t1;  // the films that need a T1, in increasing order
 };
 
 /// Runs Newton's method on E3 from the present state of the foam. Everything except the unknowns of

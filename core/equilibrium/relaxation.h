@@ -8,9 +8,9 @@
 
 namespace foam {
 
-/// Options of relaxation (E4), the initial phase for a foam that is far from equilibrium. The half
-/// angle of every film is an unknown of its own, and bubbles are soft: their pressure depends on
-/// their area.
+/// Options of relaxation (E4), the method for a foam that is far from equilibrium. The half angle
+/// of every film is an unknown of its own, and bubbles are soft: their pressure depends on their
+/// area.
 struct RelaxationOptions {
     int sweeps = 60;          // number of sweeps to make
     double stiffness = 10.0;  // resistance of a bubble to a change of its area, in film tensions

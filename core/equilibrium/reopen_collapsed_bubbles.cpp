@@ -46,8 +46,8 @@ bool is_collapsed(const Foam& foam, BubbleId bubble) {
 // its two sides are equal. Each film then has a half angle of 60 degrees and encloses half of the
 // area with its chord.
 double equilibrium_chord(double area) {
-    const double of_unit_chord = 2.0 * segment_area({Vec2(1.0, 0.0), std::numbers::pi / 3.0});
-    return std::sqrt(area / of_unit_chord);
+    const double area_of_unit_chord = 2.0 * segment_area({Vec2(1.0, 0.0), std::numbers::pi / 3.0});
+    return std::sqrt(area / area_of_unit_chord);
 }
 
 void move_along_third_film(Foam& foam, HalfEdgeId h, double largest) {
@@ -66,11 +66,11 @@ void reopen(Foam& foam, BubbleId bubble) {
     const double largest = 0.5 * equilibrium_chord(foam.target_areas[bubble]);
     move_along_third_film(foam, h, largest);
     move_along_third_film(foam, back, largest);
-    const double around = 0.5 * (foam.pressures[foam.network.left(twin(h))] +
-                                 foam.pressures[foam.network.left(twin(back))]);
+    const double pressure_around = 0.5 * (foam.pressures[foam.network.left(twin(h))] +
+                                          foam.pressures[foam.network.left(twin(back))]);
     const double length = chord(foam, h).norm();
     if (length > 0.0) {
-        foam.pressures[bubble] = around + std::numbers::sqrt3 * foam.film_tension / length;
+        foam.pressures[bubble] = pressure_around + std::numbers::sqrt3 * foam.film_tension / length;
     }
 }
 

@@ -14,8 +14,8 @@ namespace foam {
 /// ends apart, the pressure in the bubble must exceed the pressure around it by sqrt(3) T / d. Here
 /// T is the film tension, and d is the distance between the ends. This excess grows without bound
 /// as the distance shrinks. Therefore the ends, which are junctions, are moved apart directly, each
-/// along the one film at this junction that does not bound the bubble. An end moves by a third of
-/// the chord length of this film, but by at most half the distance that the two ends have in
+/// along the one film at this end that does not bound the bubble. An end moves by a third of the
+/// chord length of this film, but by at most half the distance that the two ends have in
 /// equilibrium. The bubble gets the pressure at which its films meet at 120 degrees.
 int reopen_collapsed_bubbles(Foam& foam);
 

@@ -14,13 +14,13 @@
 namespace foam {
 
 // The residual is the gradient of L (E3) instead of the errors of angles and areas (paper eq. 8).
-// Three unit tangents add up to 0 exactly if they meet at 120 degrees, so both have the same
-// solutions. The gradient has the advantage that its derivative is symmetric. It is assembled like
-// the Hessian (hessian.cpp). Each film contributes a term to the rows of its ends and of its two
-// bubbles. An outer film also contributes a term to the row of its half angle. The row of each
-// bubble also contains the target area minus the area of the bubble's polygon. The terms of the
-// films are computed in parallel and added in the order of the films. The bits of the sums
-// therefore do not depend on the number of threads.
+// Three unit tangents add up to 0 exactly if they meet at 120 degrees, so the gradient is zero in
+// the same states as these errors. The advantage of the gradient is its symmetric derivative. It is
+// assembled like the Hessian (hessian.cpp). Each film contributes a term to the rows of its ends
+// and of its two bubbles. An outer film also contributes a term to the row of its half angle. The
+// row of each bubble also contains the target area minus the area of the bubble's polygon. The
+// terms of the films are computed in parallel and added in the order of the films. The bits of the
+// sums therefore do not depend on the number of threads.
 
 namespace {
 
@@ -57,7 +57,7 @@ FilmGradient film_gradient(const Foam& foam, FilmId film) {
         return {polygon_gradient - energy.gradient,
                 polygon_gradient + energy.gradient,
                 energy.segment_area,
-                energy.by_angle};
+                energy.angle_derivative};
     }
     const FilmEnergy energy = film_energy(d, delta, foam.film_tension);
     return {polygon_gradient - energy.gradient,

@@ -11,7 +11,8 @@ namespace foam {
 
 namespace {
 
-// Longer than any file takes to be written, and than clocks of machines that share a folder differ.
+// Writing a file takes less time than this. The clocks of machines that share a folder differ by
+// less than this.
 constexpr std::chrono::hours kLongestWrite{24};
 
 // Returns true for names such as NAME.foamtex-123-4.part (unique_sibling in file_io.cpp).
@@ -24,14 +25,14 @@ bool is_temporary(const std::string& name) {
 
 void remove_abandoned_files(const std::filesystem::path& folder) {
     std::error_code error;
-    const auto oldest = std::filesystem::file_time_type::clock::now() - kLongestWrite;
+    const auto oldest_kept = std::filesystem::file_time_type::clock::now() - kLongestWrite;
     const std::filesystem::path listed = folder.empty() ? "." : folder;
     for (std::filesystem::directory_iterator entry(listed, error), end; !error && entry != end;
          entry.increment(error)) {
         std::error_code ignored;  // another program may remove the file at the same time
         if (is_temporary(entry->path().filename().string()) &&
             std::filesystem::is_regular_file(entry->symlink_status(ignored)) &&
-            entry->last_write_time(ignored) < oldest && !ignored) {
+            entry->last_write_time(ignored) < oldest_kept && !ignored) {
             std::filesystem::remove(entry->path(), ignored);
         }
     }

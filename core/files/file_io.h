@@ -14,14 +14,14 @@
 namespace foam {
 
 /// Reports input that is unreadable or malformed. The message gives the reason. It also names the
-/// file if the function that throws has its path.
+/// file if the function that throws knows the path.
 class InputError : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
 /// Reports output that could not be produced, for example a file that cannot be written or a
 /// program that cannot be started. The message gives the reason. It also names the file, if there
-/// is one and the function that throws has its path.
+/// is one and the function that throws knows the path.
 class OutputError : public std::runtime_error {
     using runtime_error::runtime_error;
 };

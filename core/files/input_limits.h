@@ -13,14 +13,14 @@ namespace foam {
 
 /// A kind of input file.
 struct InputKind {
-    std::string_view name;        // for messages, such as "a preset"
+    std::string_view name;        // for messages, such as "a foam"
     std::uint64_t max_bytes = 0;  // the largest size of a file
 };
 
 inline constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
 inline constexpr InputKind kPresetInput{"a preset, a profile or a file of tolerances", kMebibyte};
-inline constexpr InputKind kJobsInput{"a file of jobs", 64 * kMebibyte};
+inline constexpr InputKind kJobsInput{"a job file", 64 * kMebibyte};
 inline constexpr InputKind kFoamInput{"a foam", 1024 * kMebibyte};
 inline constexpr InputKind kDescriptionInput{
     "a manifest or the description of a cache or a flipbook", 512 * kMebibyte};

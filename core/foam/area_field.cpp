@@ -47,15 +47,15 @@ AreaField AreaField::stretched_over(const Vec2& low, const Vec2& size) const {
 }
 
 double AreaField::at(const Vec2& point) const {
-    const Vec2 at = (point - low_).cwiseQuotient(size_);
+    const Vec2 relative = (point - low_).cwiseQuotient(size_);
     // If `position` is slightly negative, `inside` may be rounded to 1; std::min then selects the
     // last cell.
     const auto cell = [](double position, int cells) {
         const double inside = position - std::floor(position);
         return std::min(static_cast<int>(inside * cells), cells - 1);
     };
-    const auto column = static_cast<std::size_t>(cell(at.x(), grid_->columns));
-    const auto row = static_cast<std::size_t>(cell(at.y(), grid_->rows));
+    const auto column = static_cast<std::size_t>(cell(relative.x(), grid_->columns));
+    const auto row = static_cast<std::size_t>(cell(relative.y(), grid_->rows));
     return grid_->areas[row * static_cast<std::size_t>(grid_->columns) + column];
 }
 

@@ -47,15 +47,15 @@ void add_segment(AreaMoments& sum, const FilmArc& arc, const Vec2& middle) {
 // Returns the moments of a bubble about the tail of its first half-edge.
 AreaMoments moments_of(const Frame& frame, BubbleId bubble) {
     AreaMoments sum;
-    Vec2 at = Vec2::Zero();
+    Vec2 start = Vec2::Zero();
     for (const HalfEdgeId h : frame.network.around(bubble)) {
         const FilmArc arc = frame.arc(h);
-        const Vec2 end = at + arc.chord;
-        add_triangle(sum, at, end);
+        const Vec2 end = start + arc.chord;
+        add_triangle(sum, start, end);
         if (arc.chord != Vec2::Zero()) {
-            add_segment(sum, arc, 0.5 * (at + end));
+            add_segment(sum, arc, 0.5 * (start + end));
         }
-        at = end;
+        start = end;
     }
     return sum;
 }

@@ -32,8 +32,8 @@ class PointSet {
   public:
     explicit PointSet(std::vector<Vec2>& points) : points_(points) {}
 
-    // Returns the index of the point that the given point is merged with. If there is none, adds
-    // the given point and returns its index.
+    // Returns the index of a point of the set that is closer than kSamePoint to the given point. If
+    // no point is that close, adds the given point and returns its index.
     std::uint32_t find_or_add(const Vec2& point) {
         const auto [x, y] = box_of(point);
         for (std::int64_t dx = -1; dx <= 1; ++dx) {
@@ -130,9 +130,10 @@ std::optional<Cell> merged(const Cell& a, const Cell& b) {
         for (std::size_t k = 0; k < own->size(); ++k) {
             const std::uint32_t from = (*own)[k];
             const std::uint32_t to = (*own)[(k + 1) % own->size()];
-            const auto at = std::find(other->begin(), other->end(), to);
+            const auto corner = std::find(other->begin(), other->end(), to);
             const bool is_border =
-                at != other->end() && (at + 1 == other->end() ? other->front() : *(at + 1)) == from;
+                corner != other->end() &&
+                (corner + 1 == other->end() ? other->front() : *(corner + 1)) == from;
             if (!is_border) {
                 next[from] = to;
                 ++sides;
@@ -143,13 +144,14 @@ std::optional<Cell> merged(const Cell& a, const Cell& b) {
         return std::nullopt;
     }
     Cell loop{next.begin()->first};
-    for (std::uint32_t at = next.begin()->second; at != loop.front() && loop.size() <= sides;) {
-        loop.push_back(at);
-        const auto found = next.find(at);
+    for (std::uint32_t point = next.begin()->second;
+         point != loop.front() && loop.size() <= sides;) {
+        loop.push_back(point);
+        const auto found = next.find(point);
         if (found == next.end()) {
             return std::nullopt;
         }
-        at = found->second;
+        point = found->second;
     }
     return loop.size() == sides ? std::optional(loop) : std::nullopt;
 }

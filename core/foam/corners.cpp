@@ -8,10 +8,10 @@ namespace foam {
 
 std::vector<Vec2> corners_of(const Foam& foam, BubbleId bubble) {
     std::vector<Vec2> corners;
-    Vec2 at = foam.positions[foam.network.tail(foam.network.first(bubble))];
+    Vec2 corner = foam.positions[foam.network.tail(foam.network.first(bubble))];
     for (const HalfEdgeId h : foam.network.around(bubble)) {
-        corners.push_back(at);
-        at += chord(foam, h);
+        corners.push_back(corner);
+        corner += chord(foam, h);
     }
     return corners;
 }

@@ -85,9 +85,9 @@ void place_junction(Foam& foam, JunctionId junction, const Vec2& point) {
     }
 }
 
-void translate(Foam& foam, const Vec2& by) {
+void translate(Foam& foam, const Vec2& displacement) {
     for (const JunctionId junction : foam.network.junctions()) {
-        place_junction(foam, junction, foam.positions[junction] + by);
+        place_junction(foam, junction, foam.positions[junction] + displacement);
     }
 }
 

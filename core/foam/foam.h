@@ -37,9 +37,9 @@ struct Foam {
     Indexed<BubbleId, double> target_areas;
     Indexed<BubbleId, BubbleIdentity> identities;
     BubbleIdentity next_identity = 0;  // for the next new bubble
-    // 0 for a film that has flipped and since then has not grown to twice the T1 distance (E7),
-    // otherwise 1. The flag keeps a film from flipping to and fro if it is short both before and
-    // after a flip.
+    // 0 for a film that has flipped and since then has not grown to twice its full T1 distance
+    // (E7), otherwise 1. The flag keeps a film from flipping to and fro if it is short both before
+    // and after a flip.
     Indexed<FilmId, std::uint8_t> t1_armed;
     // The half angles of the outer films of a patch, in radians, in the direction of the forward
     // sides. The magnitude of a half angle is less than pi. The entries of inner films are unused,
@@ -89,10 +89,10 @@ void complete_patch(Foam& foam);
 void place_junction(Foam& foam, JunctionId junction, const Vec2& point);
 
 /// Moves all junctions by the same vector. Lone bubbles are not moved.
-void translate(Foam& foam, const Vec2& by);
+void translate(Foam& foam, const Vec2& displacement);
 
 /// Renumbers the elements of the network, and reorders every vector of the foam that is indexed by
-/// their ids. Removes all dead slots. Precondition: that of Network::renumber.
+/// their ids. Removes all dead slots. Precondition: the same as for Network::renumber.
 void renumber(Foam& foam, const Network::OldIds& order);
 
 /// Removes the dead slots from the network and from every vector of the foam that is indexed by

@@ -59,13 +59,13 @@ struct BubbleOutline {
 
 BubbleOutline outline_of(const Foam& foam, BubbleId bubble) {
     BubbleOutline outline;
-    Vec2 at = Vec2::Zero();
+    Vec2 corner = Vec2::Zero();
     for (const HalfEdgeId h : foam.network.around(bubble)) {
         const FilmArc arc = film_arc(foam, h);
-        outline.corners.push_back(at);
+        outline.corners.push_back(corner);
         outline.arcs.push_back(arc);
-        outline.reach = std::max(outline.reach, at.norm() + arc_length(arc));
-        at += arc.chord;
+        outline.reach = std::max(outline.reach, corner.norm() + arc_length(arc));
+        corner += arc.chord;
     }
     return outline;
 }

@@ -52,13 +52,13 @@ bool is_at_limit(const Foam& foam, HalfEdgeId h) {
 
 double polygon_area(const Foam& foam, BubbleId bubble) {
     double twice = 0.0;
-    Vec2 at = Vec2::Zero();
+    Vec2 corner = Vec2::Zero();
     const HalfEdgeId first = foam.network.first(bubble);
     HalfEdgeId h = first;
     do {
         const Vec2 d = chord(foam, h);
-        twice += cross(at, d);
-        at += d;
+        twice += cross(corner, d);
+        corner += d;
         h = foam.network.next(h);
     } while (h != first);
     return 0.5 * twice;

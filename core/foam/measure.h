@@ -22,9 +22,9 @@ double lone_radius(const LoneBubble& bubble);
 /// Returns the pressure of a lone bubble: the film tension divided by its radius.
 double lone_pressure(const LoneBubble& bubble, double film_tension);
 
-/// Shifts the pressures of a torus, which equilibrium determines only up to a common constant, so
-/// that their mean, weighted by target area, is 0. Does nothing to a patch, where pressures are
-/// relative to the pressure of the ghost.
+/// Adds a constant to all pressures of a torus, so that their mean, weighted by target area, is 0.
+/// Equilibrium determines the pressures of a torus only up to such a constant. Does nothing to a
+/// patch, where pressures are relative to the pressure of the ghost.
 void center_pressures(Foam& foam);
 
 /// Returns the film tension times the total length of all films, including the circles of lone

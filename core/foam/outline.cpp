@@ -27,9 +27,9 @@ using BoostPoint = bg::model::d2::point_xy<double>;
 using Polygon = bg::model::polygon<BoostPoint, false, true>;  // counter-clockwise, closed
 
 constexpr int kCornersOfDisc = 360;
-// Smallest area of an outline in WKT, as a fraction of the square of its size. A row of a million
-// bubbles has an area of a millionth of the square of its length.
-constexpr double kLeastAreaShare = 1e-9;
+// Smallest area of an outline in WKT, as a fraction of the square of its size (size_of). Even for a
+// row of a million bubbles, this fraction is larger: a millionth.
+constexpr double kMinAreaFraction = 1e-9;
 
 Polygon::ring_type ring_of(const std::vector<Vec2>& corners) {
     Polygon::ring_type ring;
@@ -107,7 +107,7 @@ void check_validity(const Polygon& polygon) {
         throw std::invalid_argument("the coordinates are too large");
     }
     const double size = size_of(polygon);
-    if (area / size < kLeastAreaShare * size) {  // not divided by the square, which may overflow
+    if (area / size < kMinAreaFraction * size) {  // not divided by the square, which may overflow
         throw std::invalid_argument(
             "the polygon is too narrow: its area is less than a billionth of the square of its "
             "length");
@@ -122,7 +122,8 @@ bool is_line_space(char c) {
 // replaces missing numbers by 0 and ignores further ones. Precondition: Boost.Geometry has read the
 // text as a polygon.
 void check_points(const std::string& text) {
-    std::size_t begin = text.find('(');  // of the text between two brackets or commas
+    // The text between the brackets or commas at `begin` and `end` may be a point.
+    std::size_t begin = text.find('(');
     while (begin != std::string::npos) {
         const std::size_t end = text.find_first_of("(),", begin + 1);
         const bool is_point = end != std::string::npos && text[end] != '(' && text[begin] != ')';

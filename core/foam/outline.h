@@ -11,7 +11,7 @@
 namespace foam {
 
 /// The region in which a patch is seeded: a polygon with holes, in any units. The outer ring is
-/// counter-clockwise, holes are clockwise; the last corner is joined to the first.
+/// counter-clockwise, holes are clockwise. In each ring, the last corner is joined to the first.
 struct Outline {
     std::vector<Vec2> outer;
     std::vector<std::vector<Vec2>> holes;

@@ -23,8 +23,8 @@
 // and, as an option, moved by Lloyd's algorithm (Lloyd 1982, explained in seeding.cpp). Their
 // Voronoi diagram on the torus is clipped to the part (clipped_cells.h). If a draw gives no valid
 // foam, new sites are drawn. The cells of all parts together are converted to a foam
-// (polygon_mesh.h). A part whose share is rounded to one bubble becomes a lone bubble. The division
-// of an outline into parts is our own.
+// (polygon_mesh.h). A part whose share is rounded to one bubble becomes a lone bubble. Outlines of
+// several parts are not in the paper.
 
 namespace foam {
 
@@ -58,11 +58,11 @@ struct SeededParts {
     std::size_t count() const { return mesh.cells.size() + lone.size(); }
 };
 
-// Appends a mesh, moved by a vector.
-void append(PolygonMesh& mesh, const PolygonMesh& part, const Vec2& by) {
+// Appends the mesh of a part, moved by a vector.
+void append(PolygonMesh& mesh, const PolygonMesh& part, const Vec2& displacement) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (const Vec2& point : part.points) {
-        mesh.points.push_back(point + by);
+        mesh.points.push_back(point + displacement);
     }
     for (PolygonMesh::Cell cell : part.cells) {
         for (std::uint32_t& corner : cell) {
@@ -79,16 +79,16 @@ SeededParts seed_parts(std::span<const PreparedPart> parts,
                        Random& random) {
     SeededParts seeded;
     for (const PreparedPart& part : parts) {
-        const Vec2 by = parts.front().shift - part.shift;
+        const Vec2 displacement = parts.front().shift - part.shift;
         if (part.bubbles > 1) {
             const PartCells cells = draw_part(part, options, random);
-            append(seeded.mesh, cells.mesh, by);
+            append(seeded.mesh, cells.mesh, displacement);
             seeded.field_of_cells.insert(
                 seeded.field_of_cells.end(), cells.field.begin(), cells.field.end());
             continue;
         }
         const Vec2 center = outline_centroid(part.outline);
-        seeded.lone.push_back({0, center + by, outline_area(part.outline)});
+        seeded.lone.push_back({0, center + displacement, outline_area(part.outline)});
         if (part.areas) {
             seeded.field_of_lone.push_back(part.areas->at(center));
         }

@@ -20,9 +20,9 @@ namespace foam {
 Foam seed_patch(const Outline& outline, const PatchOptions& options);
 
 /// Returns a patch that is seeded in an outline of several parts, which do not overlap. Each part
-/// gets bubbles in proportion to its area or, if there is an area field, to the integral of
-/// 1 / field over the part. It becomes a raft of its own. A part with a share of less than one and
-/// a half bubbles becomes a lone bubble. Throws as the function above; also throws
+/// becomes a raft of its own. Its share of the bubbles is proportional to its area or, if there is
+/// an area field, to the integral of 1 / field over the part. A part with a share of less than one
+/// and a half bubbles becomes a lone bubble. Throws as the function above; also throws
 /// std::runtime_error if the share of a part is less than a tenth of a bubble.
 Foam seed_patch(std::span<const Outline> parts, const PatchOptions& options);
 

@@ -29,7 +29,7 @@ namespace {
 constexpr int kMaxPatchDraws = 8;
 // Smallest share of all bubbles that a part of the outline may have, as a number of bubbles. Cells
 // that are smaller than this are slivers, too (kSliverArea in clipped_cells.cpp).
-constexpr double kLeastPart = 0.1;
+constexpr double kMinShare = 0.1;
 
 // At most kMaxPoints + kMaxPointsPerBubble * bubbles random points are drawn for a part with this
 // number of bubbles. If too few of these points are inside the part, it is too narrow.
@@ -44,8 +44,8 @@ Box box_of(const Outline& outline) {
     return bounding_box(std::span(&outline, 1));
 }
 
-Outline moved_and_scaled(Outline outline, const Vec2& by, double scale) {
-    const auto apply = [&](Vec2& corner) { corner = scale * (corner + by); };
+Outline moved_and_scaled(Outline outline, const Vec2& displacement, double scale) {
+    const auto apply = [&](Vec2& corner) { corner = scale * (corner + displacement); };
     std::for_each(outline.outer.begin(), outline.outer.end(), apply);
     for (std::vector<Vec2>& hole : outline.holes) {
         std::for_each(hole.begin(), hole.end(), apply);
@@ -102,13 +102,13 @@ PreparedPart prepare(const Outline& part,
     return prepared;
 }
 
-// Returns the error for a part that is smaller than kLeastPart. `position` is the middle of the
+// Returns the error for a part whose share is below kMinShare. `position` is the middle of the
 // part as a fraction of the size of the outline, from the lower left corner.
 std::runtime_error too_small(const Vec2& position, double share, int bubbles) {
     const auto percent = [](double fraction) {
         return std::to_string(std::lround(100.0 * fraction));
     };
-    const auto enough = static_cast<std::int64_t>(std::ceil(kLeastPart / share * bubbles));
+    const auto enough = static_cast<std::int64_t>(std::ceil(kMinShare / share * bubbles));
     return std::runtime_error(
         "a part of the outline, at " + percent(position.x()) + " % of its width and " +
         percent(position.y()) +
@@ -192,7 +192,7 @@ std::vector<PreparedPart> prepare_parts(std::span<const Outline> parts,
     const std::vector<double> shares = shares_of(parts, options);
     std::vector<PreparedPart> prepared;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-        if (shares[k] < kLeastPart) {
+        if (shares[k] < kMinShare) {
             const Box box = box_of(parts[k]);
             const Vec2 middle = 0.5 * (box.low + box.high) - all.low;
             throw too_small(middle.cwiseQuotient(all.size()), shares[k], options.bubbles);

@@ -15,7 +15,7 @@ namespace foam {
 namespace detail {
 
 /// The largest number of parts into which each side of a triangle is divided.
-inline constexpr int kMostDivisions = 32;
+inline constexpr int kMaxDivisions = 32;
 
 // Calls visit(centroid) for each of the n^2 equal triangles into which a triangle is divided.
 template <class Visit>
@@ -49,7 +49,7 @@ void visit_polygon_samples(std::span<const Vec2> polygon, double spacing, const 
                                          (triangle[2] - triangle[1]).norm(),
                                          (triangle[0] - triangle[2]).norm()});
         const double divisions = std::ceil(longest / spacing);
-        const int n = static_cast<int>(std::clamp(divisions, 1.0, double{detail::kMostDivisions}));
+        const int n = static_cast<int>(std::clamp(divisions, 1.0, double{detail::kMaxDivisions}));
         const double area = 0.5 * cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
         const double weight = area / (static_cast<double>(n) * n);
         detail::visit_parts(triangle, n, [&](const Vec2& point) { visit(point, weight); });

@@ -118,11 +118,11 @@ double area_along(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
 // raft, which runs clockwise.
 double enclosed_area(const Foam& foam, const std::vector<HalfEdgeId>& boundary) {
     double area = 0.0;
-    Vec2 at = Vec2::Zero();
+    Vec2 corner = Vec2::Zero();
     for (const HalfEdgeId h : boundary) {
         const FilmArc arc = film_arc(foam, h);
-        area += 0.5 * cross(at, arc.chord) + segment_area(arc);
-        at += arc.chord;
+        area += 0.5 * cross(corner, arc.chord) + segment_area(arc);
+        corner += arc.chord;
     }
     return area;
 }

@@ -26,10 +26,10 @@ bool is_small_hole(const Foam& foam, FilmId film, double length);
 bool is_overlapping_hole(const Foam& foam, FilmId film);
 
 /// Closes the hole at an outer film. A hole of three films becomes a junction at the mean of its
-/// three junctions. A hole of two films vanishes, and the films at its two junctions become one
-/// film. Records a T1 and returns true. If the hole has more than three films, or if the network
-/// would not be valid afterwards (can_close_hole), changes nothing and returns false. Precondition:
-/// the film is at a hole.
+/// three junctions. A hole of two films vanishes, and the two other films at its junctions become
+/// one film. Records a T1 and returns true. If the hole has more than three films, or if the
+/// network would not be valid afterwards (can_close_hole), changes nothing and returns false.
+/// Precondition: the film is at a hole.
 bool close_hole(Foam& foam, FilmId film);
 
 }  // namespace foam

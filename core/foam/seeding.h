@@ -21,9 +21,9 @@ struct SeedingOptions {
     double area_ratio = 0.0;
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma
     std::uint64_t seed = 1;
-    /// The field of the relative areas of bubbles at every point. It is stretched over the torus.
-    /// PatchOptions::areas is stretched over the bounding box of the outline of the patch. Sites
-    /// are denser where bubbles are small, and Lloyd's algorithm is weighted. Every target area is
+    /// The field of the relative areas of bubbles at every point. It is stretched over the torus
+    /// (PatchOptions::areas: over the bounding box of the outline of the patch). Sites are denser
+    /// where bubbles should be small, and Lloyd's algorithm is weighted. Every target area is
     /// proportional to the value of the field at its cell. If `area_ratio` is not 0, every target
     /// area is also proportional to a factor from 1 to `area_ratio`. If there is no field, the mean
     /// area of bubbles is the same everywhere.

@@ -51,9 +51,9 @@ Indexed<JunctionId, std::uint32_t> positions_on_curve(const Foam& foam) {
     const double scale = side > 0.0 ? ((1U << kLevels) - 1U) / side : 0.0;
     Indexed<JunctionId, std::uint32_t> on_curve(foam.network.junction_slots(), 0);
     for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 at = scale * (foam.positions[junction] - box.low);
-        on_curve[junction] = position_on_curve(static_cast<std::uint32_t>(at.x()),
-                                               static_cast<std::uint32_t>(at.y()));
+        const Vec2 on_grid = scale * (foam.positions[junction] - box.low);
+        on_curve[junction] = position_on_curve(static_cast<std::uint32_t>(on_grid.x()),
+                                               static_cast<std::uint32_t>(on_grid.y()));
     }
     return on_curve;
 }
@@ -63,16 +63,16 @@ Indexed<JunctionId, std::uint32_t> positions_on_curve(const Foam& foam) {
 void sort_along_curve(Foam& foam) {
     const Network& network = foam.network;
     const Indexed<JunctionId, std::uint32_t> on_curve = positions_on_curve(foam);
-    const auto of_junction = [&](JunctionId junction) { return on_curve[junction]; };
-    const auto of_film = [&](FilmId film) { return on_curve[network.tail(forward_side(film))]; };
-    const auto of_bubble = [&](BubbleId bubble) {
+    const auto junction_key = [&](JunctionId junction) { return on_curve[junction]; };
+    const auto film_key = [&](FilmId film) { return on_curve[network.tail(forward_side(film))]; };
+    const auto bubble_key = [&](BubbleId bubble) {
         return on_curve[network.tail(network.first(bubble))];
     };
     Network::OldIds order = network.live_ids();
     const auto without_ghost = std::span(order.bubbles).first(network.bubble_count());
-    std::ranges::stable_sort(order.junctions, {}, of_junction);
-    std::ranges::stable_sort(order.films, {}, of_film);
-    std::ranges::stable_sort(without_ghost, {}, of_bubble);
+    std::ranges::stable_sort(order.junctions, {}, junction_key);
+    std::ranges::stable_sort(order.films, {}, film_key);
+    std::ranges::stable_sort(without_ghost, {}, bubble_key);
     renumber(foam, order);
 }
 

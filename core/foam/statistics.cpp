@@ -145,11 +145,11 @@ std::vector<SidesGrowth> growth_by_sides(const Frame& before, const Frame& after
     const std::map<BubbleIdentity, Neighborhood> earlier = neighborhoods(before);
     std::map<int, SidesGrowth> sums;
     for (const auto& [identity, current] : neighborhoods(after)) {
-        const auto then = earlier.find(identity);
-        if (then != earlier.end() && then->second.neighbors == current.neighbors) {
+        const auto previous = earlier.find(identity);
+        if (previous != earlier.end() && previous->second.neighbors == current.neighbors) {
             SidesGrowth& sum = sums[static_cast<int>(current.neighbors.size())];
             ++sum.bubbles;
-            sum.mean_rate += (current.area - then->second.area) / time;
+            sum.mean_rate += (current.area - previous->second.area) / time;
         }
     }
     std::vector<SidesGrowth> means;

@@ -82,7 +82,7 @@ void place_film(Foam& foam, FilmId film, const Vec2& middle, const Vec2& tail_to
 bool should_flip_or_tear(const Foam& foam, FilmId film, const TopologyThresholds& thresholds) {
     const double length = chord(foam, forward_side(film)).norm();
     return length < thresholds.t1_distance && length < t1_distance_at(foam, film, thresholds) &&
-           can_change(foam.network, film) && flipped_pulls_apart(foam, film);
+           can_change(foam.network, film) && would_stay_open(foam, film);
 }
 
 // Returns true if the neighboring films pull harder across the film than along it. The tension of
@@ -117,7 +117,7 @@ double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds&
     return kCollapsedFraction * scaled_distance(foam, film, thresholds);
 }
 
-bool flipped_pulls_apart(const Foam& foam, FilmId film) {
+bool would_stay_open(const Foam& foam, FilmId film) {
     const Vec2 pull = neighbor_pull(foam, film).flipped;
     const Vec2 d = chord(foam, forward_side(film));
     const double apart = d == Vec2::Zero() ? pull.norm() : pull.dot(turned_left(d).normalized());

@@ -17,7 +17,7 @@ namespace foam {
 /// - A film that can tear (can_tear) tears or does not change. It never flips, because the flipped
 ///   film would have the ghost on both sides. It tears if it is shorter than its T1 distance
 ///   (t1_distance_at) and its neighboring films would pull its two sides apart
-///   (flipped_pulls_apart). It also tears if it has collapsed (collapsed_length) and its
+///   (would_stay_open). It also tears if it has collapsed (collapsed_length) and its
 ///   neighboring films pull hard enough. Their pull across it must exceed their pull along it minus
 ///   the tension of the film.
 /// - If an outer film is at a small hole (is_small_hole with the T1 distance of the thresholds),
@@ -27,7 +27,7 @@ namespace foam {
 ///   film, so callers must apply the rule only to films that they consider short.
 /// - A collapsed film (collapsed_length) is reopened (reopen_film).
 /// - Any other film that is shorter than its T1 distance (t1_distance_at) flips if it can and if it
-///   would stay open afterwards (flipped_pulls_apart).
+///   would stay open afterwards (would_stay_open).
 ///
 /// Returns true if the network changed. In this case, the film may have been removed.
 bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds);
@@ -37,7 +37,7 @@ bool apply_t1_rule(Foam& foam, FilmId film, const TopologyThresholds& thresholds
 int apply_t1_rule(Foam& foam, std::span<const FilmId> films, const TopologyThresholds& thresholds);
 
 /// Returns, by increasing id, the films that are shorter than their T1 distance (t1_distance_at),
-/// can flip or tear, and would stay open afterwards (flipped_pulls_apart).
+/// can flip or tear, and would stay open afterwards (would_stay_open).
 std::vector<FilmId> short_films(const Foam& foam, const TopologyThresholds& thresholds);
 
 /// Returns the T1 distance of the film, the chord length below which the film may flip: the T1
@@ -55,7 +55,7 @@ double collapsed_length(const Foam& foam, FilmId film, const TopologyThresholds&
 /// neighboring films pull outward. The film stays open if the mean of the pulls at both ends, along
 /// the flipped film, exceeds the tension of the flipped film. If the film can tear, the threshold
 /// is 0 instead, because after tearing no film pulls the two sides together.
-bool flipped_pulls_apart(const Foam& foam, FilmId film);
+bool would_stay_open(const Foam& foam, FilmId film);
 
 /// Flips the film (t1.h), records a T1 and disarms the film (Foam::t1_armed). The chord of the
 /// flipped film is the old chord, rotated clockwise by 90 degrees around its midpoint (paper

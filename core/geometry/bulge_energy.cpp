@@ -16,10 +16,10 @@ namespace {
 
 // Returns the derivative of the energy with respect to the chord length. This is the pull of the
 // film along its chord.
-double radial_force(double chord_length,
-                    const ArcShape& shape,
-                    double pressure_difference,
-                    double tension) {
+double pull_along_chord(double chord_length,
+                        const ArcShape& shape,
+                        double pressure_difference,
+                        double tension) {
     return tension * shape.length - 0.5 * pressure_difference * chord_length * shape.segment;
 }
 
@@ -34,8 +34,8 @@ BulgeEnergy bulge_energy(const FilmArc& arc, double pressure_difference, double 
     BulgeEnergy energy;
     energy.segment_area = 0.25 * c * c * shape.segment;
     energy.value = tension * c * shape.length - pressure_difference * energy.segment_area;
-    energy.gradient = radial_force(c, shape, pressure_difference, tension) / c * arc.chord;
-    energy.by_angle =
+    energy.gradient = pull_along_chord(c, shape, pressure_difference, tension) / c * arc.chord;
+    energy.angle_derivative =
         c * shape.bulging * tension * laplace_young_error(arc, pressure_difference, tension);
     return energy;
 }
@@ -55,7 +55,7 @@ BulgeEnergyHessian bulge_energy_hessian(const FilmArc& arc,
     BulgeEnergyHessian hessian;
     hessian.chord_chord =
         -0.5 * pressure_difference * shape.segment * u * u.transpose() +
-        radial_force(c, shape, pressure_difference, tension) / c * n * n.transpose();
+        pull_along_chord(c, shape, pressure_difference, tension) / c * n * n.transpose();
     hessian.chord_pressure = -0.5 * c * shape.segment * u;
     hessian.chord_angle = shape.bulging * (tension * sine - pressure_difference * c) * u;
     hessian.pressure_angle = -0.5 * c * c * shape.bulging;

@@ -17,9 +17,11 @@ namespace foam {
 /// determine alpha.
 struct BulgeEnergy {
     double value = 0.0;
-    double segment_area = 0.0;  // minus the derivative with respect to the pressure difference
-    Vec2 gradient{0.0, 0.0};    // derivative with respect to the chord
-    double by_angle = 0.0;      // derivative with respect to the half angle
+    // Area between the film and its chord (segment_area in film_arc.h). It equals minus the
+    // derivative of `value` with respect to the pressure difference.
+    double segment_area = 0.0;
+    Vec2 gradient{0.0, 0.0};        // derivative of `value` with respect to the chord
+    double angle_derivative = 0.0;  // derivative of `value` with respect to the half angle
 };
 
 /// Second derivatives of BulgeEnergy::value with respect to the chord, the half angle and the

@@ -28,30 +28,30 @@ inline constexpr double kRounder = 0x1.8p52;
     return std::bit_cast<std::uint64_t>(x);
 }
 
-[[gnu::always_inline]] inline double of_bits(std::uint64_t bits) {
+[[gnu::always_inline]] inline double from_bits(std::uint64_t bits) {
     return std::bit_cast<double>(bits);
 }
 
 /// Returns |x|.
 [[gnu::always_inline]] inline double magnitude(double x) {
-    return of_bits(bits_of(x) & ~(std::uint64_t{1} << 63));
+    return from_bits(bits_of(x) & ~(std::uint64_t{1} << 63));
 }
 
 /// Returns |x| with the sign of `sign`.
 [[gnu::always_inline]] inline double with_sign(double x, double sign) {
     constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
-    return of_bits((bits_of(x) & ~kSign) | (bits_of(sign) & kSign));
+    return from_bits((bits_of(x) & ~kSign) | (bits_of(sign) & kSign));
 }
 
 /// Returns a if `first` is 1, or b if it is 0.
 [[gnu::always_inline]] inline double select(std::uint64_t first, double a, double b) {
     const std::uint64_t mask = 0 - first;
-    return of_bits((bits_of(a) & mask) | (bits_of(b) & ~mask));
+    return from_bits((bits_of(a) & mask) | (bits_of(b) & ~mask));
 }
 
 /// Returns 2^exponent. Precondition: the exponent is a whole number from -1022 to 1023.
 [[gnu::always_inline]] inline double power_of_two(double exponent) {
-    return of_bits(bits_of(exponent + (kRounder + 1023.0)) << 52);
+    return from_bits(bits_of(exponent + (kRounder + 1023.0)) << 52);
 }
 
 /// Returns a + b exactly (T. J. Dekker, "A floating-point technique for extending the available

@@ -14,7 +14,7 @@ double pow(double x, double y) {
     const bool is_odd = std::fmod(y, 2.0) == 1.0 || std::fmod(y, 2.0) == -1.0;
     const bool is_whole = std::fmod(y, 1.0) == 0.0;
     const bool is_defined = is_whole || x == 0.0 || std::isinf(x);
-    return is_odd ? -power : is_defined ? power : detail::kNoNumber;
+    return is_odd ? -power : is_defined ? power : detail::kNaN;
 }
 
 }  // namespace foam::ieee

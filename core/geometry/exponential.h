@@ -15,7 +15,7 @@ namespace foam::ieee {
 namespace detail {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
-inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // The number log 2. `high` has only 42 bits, so that its products with the exponents of doubles are
 // exact; `low` is the small remainder.
@@ -36,8 +36,8 @@ inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
                                          0x1.27e4cccdb79e9p-22,
                                          0x1.af4dea2b1bc57p-26,
                                          0x1.1f8b4c1725b48p-29};
-    const double above = x.high < -746.0 ? -746.0 : x.high;
-    const double high = above > 710.0 ? 710.0 : above;
+    const double bounded_below = x.high < -746.0 ? -746.0 : x.high;
+    const double high = bounded_below > 710.0 ? 710.0 : bounded_below;
     const double k = (high * 0x1.71547652b82fep+0 + kRounder) - kRounder;
     const double low = high == x.high ? x.low : 0.0;
     const TwoDoubles r = ordered_sum(high - k * kLog2.high, low - k * kLog2.low);
@@ -66,8 +66,8 @@ inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
     constexpr double kSmallest = std::numeric_limits<double>::min();
     const double normal = x < kSmallest ? x * 0x1p54 : x;
     const std::uint64_t shifted = bits_of(normal) + (kOne - kRootOfHalf);
-    const double m = of_bits((shifted & kMantissa) + kRootOfHalf);
-    const double biased = of_bits((shifted >> 52) | bits_of(0x1p52)) - 0x1p52;
+    const double m = from_bits((shifted & kMantissa) + kRootOfHalf);
+    const double biased = from_bits((shifted >> 52) | bits_of(0x1p52)) - 0x1p52;
     const double k = biased - (x < kSmallest ? 1023.0 + 54.0 : 1023.0);
 
     const TwoDoubles s = quotient({m - 1.0, 0.0}, exact_sum(1.0, m));
@@ -88,7 +88,7 @@ inline constexpr TwoDoubles kLog2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
     const double unbounded = x == 0.0 ? -kInfinity : kInfinity;
     const double finite = scaled.high + scaled.low;
     const double number = x > 0.0 && x < kInfinity ? finite : unbounded;
-    return x >= 0.0 ? number : kNoNumber;
+    return x >= 0.0 ? number : kNaN;
 }
 
 }  // namespace detail
@@ -116,14 +116,15 @@ inline double log10(double x) {
 [[gnu::always_inline]] inline double pow_of_positive(double x, double y) {
     // Exponents beyond these limits give the same results as the limits: 0, 1 or infinity. The
     // limits prevent an overflow.
-    const double above = y < -0x1p100 ? -0x1p100 : y;
-    const double exponent = above > 0x1p100 ? 0x1p100 : above;
+    const double bounded_below = y < -0x1p100 ? -0x1p100 : y;
+    const double exponent = bounded_below > 0x1p100 ? 0x1p100 : bounded_below;
     const double power = detail::exponential(product(detail::logarithm(x), {exponent, 0.0}));
-    const double of_zero = y > 0.0 ? 0.0 : detail::kInfinity;
-    const double of_infinity = y > 0.0 ? detail::kInfinity : 0.0;
-    const double of_x = x == 0.0 ? of_zero : (x == detail::kInfinity ? of_infinity : power);
-    const double of_number = x != x || y != y ? x + y : of_x;
-    return y == 0.0 || x == 1.0 ? 1.0 : of_number;
+    const double power_of_zero = y > 0.0 ? 0.0 : detail::kInfinity;
+    const double power_of_infinity = y > 0.0 ? detail::kInfinity : 0.0;
+    const double power_of_x =
+        x == 0.0 ? power_of_zero : (x == detail::kInfinity ? power_of_infinity : power);
+    const double power_or_nan = x != x || y != y ? x + y : power_of_x;
+    return y == 0.0 || x == 1.0 ? 1.0 : power_or_nan;
 }
 
 /// Returns x^y. The error is the same as for pow_of_positive. For finite x < 0, the result is NaN

@@ -172,9 +172,9 @@ Mat2 tangent_tensor(const FilmArc& arc) {
     if (c == 0.0) {
         return Mat2::Zero();
     }
-    const double along = ieee::cos(arc.half_angle);
-    return 0.5 * (arc_length(arc) - c * along) * Mat2::Identity() +
-           along / c * arc.chord * arc.chord.transpose();
+    const double cosine = ieee::cos(arc.half_angle);
+    return 0.5 * (arc_length(arc) - c * cosine) * Mat2::Identity() +
+           cosine / c * arc.chord * arc.chord.transpose();
 }
 
 SegmentMoments segment_moments(const FilmArc& arc) {

@@ -30,7 +30,7 @@ FilmState film_state(double chord_length, double pressure_difference, double ten
 
 // Returns the derivative of the energy with respect to the chord length at a fixed half angle. This
 // is the pull of the film along its chord. On a Laplace-Young arc this is T cos(alpha).
-double radial_force(const FilmState& state, double pressure_difference, double tension) {
+double pull_along_chord(const FilmState& state, double pressure_difference, double tension) {
     if (!state.at_limit) {
         return tension * std::sqrt((1.0 - state.s) * (1.0 + state.s));
     }
@@ -55,7 +55,7 @@ FilmEnergy film_energy(const Vec2& chord, double pressure_difference, double ten
     energy.segment_area = 0.25 * c * c * segment_shape(state.s);
     const double length = state.s == 0.0 ? c : c * energy.half_angle / state.s;
     energy.value = tension * length - pressure_difference * energy.segment_area;
-    energy.gradient = radial_force(state, pressure_difference, tension) / c * chord;
+    energy.gradient = pull_along_chord(state, pressure_difference, tension) / c * chord;
     energy.at_limit = state.at_limit;
     return energy;
 }
@@ -70,21 +70,21 @@ FilmEnergyHessian film_energy_hessian(const Vec2& chord,
     const FilmState state = film_state(c, pressure_difference, tension);
     const Vec2 u = chord / c;
     const Vec2 n = turned_left(u);
-    const double force = radial_force(state, pressure_difference, tension);
+    const double pull = pull_along_chord(state, pressure_difference, tension);
     FilmEnergyHessian hessian;
-    double radial = 0.0;
+    double along_chord = 0.0;
     if (state.at_limit) {
         const double shape = segment_shape(state.s);
-        radial = -0.5 * pressure_difference * shape;
+        along_chord = -0.5 * pressure_difference * shape;
         hessian.chord_pressure = -0.5 * c * shape * u;
     } else {
         const double tangent = state.s / std::sqrt((1.0 - state.s) * (1.0 + state.s));
-        radial = -0.5 * pressure_difference * tangent;
+        along_chord = -0.5 * pressure_difference * tangent;
         hessian.chord_pressure = -0.5 * c * tangent * u;
         hessian.pressure_pressure =
             -c * c * c / (8.0 * tension) * segment_shape_derivative(state.s);
     }
-    hessian.chord_chord = radial * u * u.transpose() + force / c * n * n.transpose();
+    hessian.chord_chord = along_chord * u * u.transpose() + pull / c * n * n.transpose();
     return hessian;
 }
 

@@ -6,7 +6,8 @@
 
 namespace foam {
 
-/// The contribution of one film to the function L of E3 in core/EQUATIONS.md:
+/// The contribution of one inner film to the function L of E3 in core/EQUATIONS.md (bulge_energy.h
+/// has the contribution of an outer film):
 ///     energy(d, delta) = T length - delta segment_area
 /// Equilibrium is a stationary point of L. T is the film tension, d the chord, and
 /// delta = p_left - p_right the pressure difference. The film is a Laplace-Young arc: the arc that
@@ -14,15 +15,18 @@ namespace foam {
 ///
 /// The half angle of the Laplace-Young arc is limited to 80 degrees. If it would exceed this limit
 /// (|s| > kLargestSine), it is clamped to the limit and `at_limit` is set. The same happens if
-/// there is no such arc (|s| > 1). The gradient is continuous at the limit, because the energy of a
-/// Laplace-Young arc is stationary in the half angle. So even a film that has no Laplace-Young arc
+/// there is no such arc (|s| > 1). Because of the clamp, even a film that has no Laplace-Young arc
 /// exerts finite forces. These forces move the foam away from states in which a film has no such
-/// arc. A foam that has a film at the limit does not count as being in equilibrium.
+/// arc. The gradient is continuous at the limit, because the energy of a Laplace-Young arc is
+/// stationary in the half angle. A foam that has a film at the limit does not count as being in
+/// equilibrium.
 struct FilmEnergy {
     double half_angle = 0.0;  // radians, clamped to the limit
     double value = 0.0;
-    double segment_area = 0.0;  // minus the derivative with respect to the pressure difference
-    Vec2 gradient{0.0, 0.0};    // derivative with respect to the chord
+    // Area between the film and its chord (segment_area in film_arc.h). It equals minus the
+    // derivative of `value` with respect to the pressure difference.
+    double segment_area = 0.0;
+    Vec2 gradient{0.0, 0.0};  // derivative of `value` with respect to the chord
     bool at_limit = false;
 };
 

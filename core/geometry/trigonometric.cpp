@@ -40,7 +40,7 @@ std::uint64_t upper_product(std::uint64_t a, std::uint64_t b) {
 
 // A number of quarter turns modulo 4, as a fixed-point number of 128 bits with two bits before the
 // binary point.
-struct Turns {
+struct QuarterTurns {
     std::uint64_t high;
     std::uint64_t low;
 };
@@ -48,7 +48,7 @@ struct Turns {
 // Returns x * 2/pi modulo 4. The mantissa of x, an integer, is multiplied by 192 bits of 2/pi.
 // Higher bits contribute only multiples of 4, and lower bits contribute too little to matter.
 // Precondition: x is positive and normal.
-Turns quarter_turns(double x) {
+QuarterTurns quarter_turns(double x) {
     const std::uint64_t mantissa = (bits_of(x) & ((std::uint64_t{1} << kMantissaBits) - 1)) |
                                    (std::uint64_t{1} << kMantissaBits);
     const int exponent = static_cast<int>(bits_of(x) >> kMantissaBits) - 1023 - kMantissaBits;
@@ -68,7 +68,7 @@ detail::ReducedAngle detail::reduced_large(double x) {
     if (!(x <= std::numeric_limits<double>::max())) {
         return {{std::numeric_limits<double>::quiet_NaN(), 0.0}, 0};
     }
-    const Turns turns = quarter_turns(x);
+    const QuarterTurns turns = quarter_turns(x);
     // `quarters` is the nearest whole number of quarter turns. `high` and `low` together become
     // `turns` minus `quarters`, as a signed number.
     const std::uint64_t quarters = (turns.high + (std::uint64_t{1} << 61)) >> 62;

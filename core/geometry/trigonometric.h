@@ -82,9 +82,9 @@ ReducedAngle reduced_large(double x);
     const std::uint64_t odd = x.quarters & 1U;
     const std::uint64_t sine_flip = (x.quarters & 2U) << 62;
     const std::uint64_t cosine_flip = ((x.quarters + 1U) & 2U) << 62;
-    const double turned = of_bits(bits_of(select(odd, cosine, sine)) ^ sine_flip);
-    return {of_bits(bits_of(turned) ^ (bits_of(sign) & (std::uint64_t{1} << 63))),
-            of_bits(bits_of(select(odd, sine, cosine)) ^ cosine_flip)};
+    const double turned = from_bits(bits_of(select(odd, cosine, sine)) ^ sine_flip);
+    return {from_bits(bits_of(turned) ^ (bits_of(sign) & (std::uint64_t{1} << 63))),
+            from_bits(bits_of(select(odd, sine, cosine)) ^ cosine_flip)};
 }
 
 // An angle in [0, pi/2], computed from its sine. The angle is pi/2 - 2 (root + rest) if `is_steep`
@@ -116,7 +116,7 @@ struct Arcsine {
     const double z = is_steep ? 0.5 * (1.0 - s) : s * s;
     const double t = is_steep ? std::sqrt(z) : s;
     const double bend = t * z * polynomial(kArcsine, z);
-    const double high = of_bits(bits_of(t) & ~std::uint64_t{0xffffffff});
+    const double high = from_bits(bits_of(t) & ~std::uint64_t{0xffffffff});
     const double sum = t + high;
     const double low = (z - high * high) / (sum == 0.0 ? 1.0 : sum);
     return {is_steep, is_steep ? high : s, is_steep ? low + bend : bend};

@@ -214,7 +214,7 @@ class HeaderReader {
     // Reads a QUANTITY that is declared ENERGY. The energy is the modulus of the quantity times the
     // sum of the values of its methods. For each method that is the length of all edges, adds the
     // product of both moduli (of the method and of the quantity) to the film tension. Rejects every
-    // other method, unless one of the two moduli is 0.
+    // other method and a quantity without methods, unless one of the moduli is 0.
     void read_energy(const std::string& name) {
         double modulus = 1.0;
         std::vector<Method> methods;

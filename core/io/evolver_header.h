@@ -15,9 +15,9 @@ namespace foam::evolver {
 struct Header {
     Domain domain;  // the plane for a free cluster
     Parameters parameters;
-    // The sum of the factors of all energies that the file declares, to be added to the film
-    // tension. Each energy is its factor times the total length of all edges. The factor is the
-    // modulus of the energy times the sum of the moduli of its methods.
+    // The tension that the energies in the file add to the film tension. Each energy is the total
+    // length of all edges times a factor: the modulus of the energy times the sum of the moduli of
+    // its methods. The added tension is the sum of these factors.
     double added_tension = 0.0;
     std::vector<std::string> notes;  // remarks on ignored statements, one line each
 };

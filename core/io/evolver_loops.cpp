@@ -179,11 +179,11 @@ class LoopBuilder {
 
     double polygon_area(const Loop& loop) const {
         double twice = 0.0;
-        Vec2 at = Vec2::Zero();
+        Vec2 corner = Vec2::Zero();
         for (const EdgeSide& side : loop) {
             const Vec2 d = chord(side);
-            twice += cross(at, d);
-            at += d;
+            twice += cross(corner, d);
+            corner += d;
         }
         return 0.5 * twice;
     }

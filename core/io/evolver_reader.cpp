@@ -112,19 +112,20 @@ class FoamBuilder {
     // The side whose first edge has the smaller index() becomes the forward side. Films are ordered
     // by the index() of the first edge of the forward side.
     void add_films() {
-        std::vector<const FilmSide*> begins(2 * mesh_.edges.size(), nullptr);
+        // For each side of an edge, the film side that begins with it.
+        std::vector<const FilmSide*> films(2 * mesh_.edges.size(), nullptr);
         for (const FilmLoop& loop : loops_) {
             for (const FilmSide& film : loop.films) {
-                begins[index(film.first)] = &film;
+                films[index(film.first)] = &film;
             }
         }
-        half_edges_.assign(begins.size(), kNone<HalfEdgeId>);
-        for (std::size_t side = 0; side < begins.size(); ++side) {
-            if (begins[side] != nullptr && half_edges_[side] == kNone<HalfEdgeId>) {
+        half_edges_.assign(films.size(), kNone<HalfEdgeId>);
+        for (std::size_t side = 0; side < films.size(); ++side) {
+            if (films[side] != nullptr && half_edges_[side] == kNone<HalfEdgeId>) {
                 const HalfEdgeId h = forward_side(foam_.network.add_film());
                 half_edges_[side] = h;
-                half_edges_[twin_index(begins[side]->last)] = twin(h);
-                foam_.network.set_offset(h, begins[side]->offset);
+                half_edges_[twin_index(films[side]->last)] = twin(h);
+                foam_.network.set_offset(h, films[side]->offset);
                 foam_.t1_armed.push_back(1);
             }
         }

@@ -11,13 +11,13 @@ namespace {
 // Returns, for each half-edge, its predecessor around the bubble on its left, or kNone if there is
 // no bubble on its left.
 std::vector<HalfEdgeId> predecessors(const Network& network) {
-    std::vector<HalfEdgeId> before(2 * network.film_slots(), kNone<HalfEdgeId>);
+    std::vector<HalfEdgeId> predecessor(2 * network.film_slots(), kNone<HalfEdgeId>);
     for (const BubbleId bubble : network.bubbles()) {
         for (const HalfEdgeId h : network.around(bubble)) {
-            before[index_of(network.next(h))] = h;
+            predecessor[index_of(network.next(h))] = h;
         }
     }
-    return before;
+    return predecessor;
 }
 
 // Makes the ghost the left bubble of every half-edge that has no bubble on its left, and sets the
@@ -42,13 +42,13 @@ std::vector<HalfEdgeId> take_outer_sides(Network& network, BubbleId ghost) {
 // successor is found by circulating around this junction, from bubble to bubble, until a half-edge
 // of the ghost is reached.
 void add_ghost_boundary(Network& network) {
-    const std::vector<HalfEdgeId> before = predecessors(network);
+    const std::vector<HalfEdgeId> predecessor = predecessors(network);
     const BubbleId ghost = network.add_ghost();
     const std::vector<HalfEdgeId> sides = take_outer_sides(network, ghost);
     for (const HalfEdgeId h : sides) {
         HalfEdgeId leaving = twin(h);
         while (network.left(leaving) != ghost) {
-            leaving = twin(before[index_of(leaving)]);
+            leaving = twin(predecessor[index_of(leaving)]);
         }
         network.set_next(h, leaving);
     }

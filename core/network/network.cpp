@@ -91,9 +91,9 @@ void Network::remove(BubbleId bubble) {
     --bubble_count_;
 }
 
-void Network::rebase(JunctionId junction, LatticeOffset by) {
+void Network::rebase(JunctionId junction, LatticeOffset periods) {
     for (const HalfEdgeId h : leaving(junction)) {
-        set_offset(h, offset(h) - by);
+        set_offset(h, offset(h) - periods);
     }
 }
 

@@ -110,10 +110,10 @@ class Network {
     void remove(BubbleId bubble);  // precondition: the bubble is not the ghost
 
     /// Adapts the lattice offsets of the films of a junction to a move of the junction by whole
-    /// periods. Subtracts `by` from the offset of each half-edge that leaves the junction. Changes
-    /// nothing else. The caller must also subtract the translation of `by` from the position of the
-    /// junction; the chords of the films are then unchanged.
-    void rebase(JunctionId junction, LatticeOffset by);
+    /// periods. Subtracts `periods` from the offset of each half-edge that leaves the junction.
+    /// Changes nothing else. The caller must also subtract the translation of `periods` from the
+    /// position of the junction; the chords of the films are then unchanged.
+    void rebase(JunctionId junction, LatticeOffset periods);
 
     /// Returns true if the networks have the same slots, live elements and connections, and if
     /// first() of each bubble and outgoing() of each junction are the same. The lattice offsets may

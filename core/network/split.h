@@ -15,7 +15,7 @@ bool can_split(const Network& network, FilmId film);
 /// The result of a split.
 struct Split {
     std::vector<FilmId> joined;   // outer films, at most two, each the union of two films
-    std::vector<BubbleId> loose;  // bubbles beside the film; they have lost all junctions
+    std::vector<BubbleId> loose;  // bubbles beside the film that have lost all their junctions
 };
 
 /// Removes the film and both its junctions. Each bubble beside the film has an outer film at either

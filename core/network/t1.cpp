@@ -22,14 +22,14 @@ bool ends_meet(const Network& network, const T1Site& site) {
     }
     const HalfEdgeId start = twin(site.before_left);    // leaves v along C
     const HalfEdgeId target = twin(site.before_right);  // leaves w along D
-    const LatticeOffset apart = network.offset(site.film);
-    LatticeOffset at;
+    const LatticeOffset film_offset = network.offset(site.film);
+    LatticeOffset offset_from_start;
     HalfEdgeId h = start;
     do {
-        if (h == target && at == apart) {
+        if (h == target && offset_from_start == film_offset) {
             return true;
         }
-        at = at + network.offset(h);
+        offset_from_start = offset_from_start + network.offset(h);
         h = network.next(h);
     } while (h != start);
     return false;
@@ -47,9 +47,9 @@ bool keeps_two_sides(const Network& network, HalfEdgeId h, int lost) {
 void move_neighboring_films(Network& network, const T1Site& site) {
     const JunctionId v = network.tail(site.film);
     const JunctionId w = network.head(site.film);
-    const LatticeOffset apart = network.offset(site.film);
-    network.set_offset(site.after_left, apart + network.offset(site.after_left));
-    network.set_offset(site.after_right, network.offset(site.after_right) - apart);
+    const LatticeOffset film_offset = network.offset(site.film);
+    network.set_offset(site.after_left, film_offset + network.offset(site.after_left));
+    network.set_offset(site.after_right, network.offset(site.after_right) - film_offset);
     network.set_tail(site.after_left, v);
     network.set_tail(site.after_right, w);
     network.set_tail(site.film, v);

@@ -23,11 +23,12 @@ struct T1Site {
 T1Site t1_site(const Network& network, FilmId film);
 
 /// Returns true if the network stays valid when the film is flipped. The bubbles beside the film
-/// must keep at least two sides, and the film must not be a loop. The bubbles at the two ends of
-/// the film must not be the same copy of one bubble. Otherwise, this bubble would touch itself
-/// across the flipped film. On a torus, they may be two different periodic copies of one bubble. If
-/// the ghost is beside the film, the boundary of the ghost that contains the film must keep at
-/// least two films. A film with the ghost at both ends cannot flip, but may tear (split.h).
+/// must keep at least two sides, and the film must not end at the junction at which it begins. The
+/// bubbles at the two ends of the film must not be the same copy of one bubble, because this bubble
+/// would touch itself across the flipped film. Two different periodic copies of one bubble of a
+/// torus are allowed. If the ghost is beside the film, the boundary of the ghost that contains the
+/// film must keep at least two films. A film with the ghost at both ends cannot flip, but may tear
+/// (split.h).
 bool can_flip(const Network& network, FilmId film);
 
 /// Flips the film, which is a T1: the four bubbles around the film swap neighbors (E7; paper Figure

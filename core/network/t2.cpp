@@ -55,10 +55,10 @@ Vanished vanish_three_sided(Network& network, const std::vector<HalfEdgeId>& loo
                                             outward_half_edge(network, loop[1]),
                                             outward_half_edge(network, loop[2])};
     const std::array<JunctionId, 2> gone{network.tail(loop[1]), network.tail(loop[2])};
-    LatticeOffset at;
+    LatticeOffset offset_from_first;  // from the tail of loop[0] to the tail of loop[i]
     for (std::size_t i = 0; i < 3; ++i) {
-        network.set_offset(outward[i], at + network.offset(outward[i]));
-        at = at + network.offset(loop[i]);
+        network.set_offset(outward[i], offset_from_first + network.offset(outward[i]));
+        offset_from_first = offset_from_first + network.offset(loop[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) {
         const BubbleId neighbor = vanished.neighbors[i];

@@ -66,21 +66,21 @@ Fault junction_fault(const Network& network, JunctionId junction) {
 // film occurs twice at the same offset, the bubble touches itself, which is a fault.
 Fault loop_fault(const Network& network, BubbleId bubble) {
     std::set<std::array<std::size_t, 3>> seen;
-    LatticeOffset at;
+    LatticeOffset h_tail;  // sum of the offsets along the loop up to the tail of h
     HalfEdgeId h = network.first(bubble);
     for (int side = 0; side < network.sides(bubble); ++side) {
-        const LatticeOffset to = at + network.offset(h);
-        if (exceeds_max_periods(to)) {
+        const LatticeOffset h_head = h_tail + network.offset(h);
+        if (exceeds_max_periods(h_head)) {
             return fault("bubble", bubble, "has a boundary that leads too many periods away");
         }
-        const LatticeOffset tail = is_forward(h) ? at : to;
+        const LatticeOffset film_tail = is_forward(h) ? h_tail : h_head;
         if (!seen.insert({index_of(film_of(h)),
-                          static_cast<std::size_t>(tail.i),
-                          static_cast<std::size_t>(tail.j)})
+                          static_cast<std::size_t>(film_tail.i),
+                          static_cast<std::size_t>(film_tail.j)})
                  .second) {
             return fault("bubble", bubble, "touches itself across a film");
         }
-        at = to;
+        h_tail = h_head;
         h = network.next(h);
         if (h == network.first(bubble) && side + 1 < network.sides(bubble)) {
             return fault("bubble", bubble, "has fewer sides than its stored count");
@@ -89,7 +89,7 @@ Fault loop_fault(const Network& network, BubbleId bubble) {
     if (h != network.first(bubble)) {
         return fault("bubble", bubble, "has more sides than its stored count");
     }
-    return at == LatticeOffset{}
+    return h_tail == LatticeOffset{}
                ? std::nullopt
                : fault("bubble",
                        bubble,
@@ -151,7 +151,7 @@ class GhostBoundaries {
                 }
             }
         }
-        return films_ == network_.sides(network_.ghost())
+        return half_edges_ == network_.sides(network_.ghost())
                    ? std::nullopt
                    : fault("bubble", network_.ghost(), "has a wrong stored count of sides");
     }
@@ -171,7 +171,7 @@ class GhostBoundaries {
                 return fault("half-edge", h, "has the ghost bubble on both sides");
             }
             seen_[index_of(h)] = true;
-            ++films_;
+            ++half_edges_;
             h = network_.next(h);
         } while (h != start);
         return network_.next(start) == start
@@ -185,7 +185,7 @@ class GhostBoundaries {
     const Network& network_;
     std::vector<bool> seen_;
     std::size_t count_ = 0;
-    int films_ = 0;  // number of half-edges in all boundaries
+    int half_edges_ = 0;  // number of half-edges in all boundaries
 };
 
 // Marks all junctions that are connected to `start` by films.

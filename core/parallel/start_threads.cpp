@@ -17,9 +17,9 @@ constexpr std::size_t kReserve = std::size_t{1} << 27;
 
 }  // namespace
 
-bool start_up_to(std::size_t count,
-                 std::vector<std::jthread>& threads,
-                 const std::function<std::jthread()>& start) {
+bool start_threads_up_to(std::size_t count,
+                         std::vector<std::jthread>& threads,
+                         const std::function<std::jthread()>& start) {
     if (threads.size() >= count) {
         return true;
     }

@@ -14,8 +14,8 @@ namespace foam {
 /// memory for it. In this case, this function starts no further thread and keeps those that it has
 /// started. 128 MiB of address space are left free for other memory. Returns true if `threads` has
 /// at least `count` elements in the end.
-bool start_up_to(std::size_t count,
-                 std::vector<std::jthread>& threads,
-                 const std::function<std::jthread()>& start);
+bool start_threads_up_to(std::size_t count,
+                         std::vector<std::jthread>& threads,
+                         const std::function<std::jthread()>& start);
 
 }  // namespace foam

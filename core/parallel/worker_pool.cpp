@@ -80,7 +80,7 @@ void WorkerPool::remove(Task& task) {
 // the pool keeps the threads that it has, and never tries again. Precondition: mutex_ is locked.
 void WorkerPool::start_threads(int count) {
     if (!is_full_) {
-        is_full_ = !start_up_to(static_cast<std::size_t>(count), threads_, [this] {
+        is_full_ = !start_threads_up_to(static_cast<std::size_t>(count), threads_, [this] {
             return std::jthread([this] { serve(); });
         });
     }

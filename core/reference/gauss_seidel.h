@@ -37,7 +37,8 @@ struct GaussSeidelOptions {
     TopologyThresholds thresholds{};
 };
 
-/// How the sweeps ended: the errors were below the tolerance, or max_sweeps was reached first.
+/// The reason for which the sweeps ended: the errors were below the tolerance, or max_sweeps was
+/// reached first.
 enum class GaussSeidelStatus { Converged, SweepLimit };
 
 /// The result of `gauss_seidel`.

@@ -59,7 +59,7 @@ void JunctionBlock::load(const Foam& foam, JunctionId junction) {
 }
 
 void JunctionBlock::add_bubble(const Foam& foam, BubbleId bubble) {
-    if (find(bubble) == kFixed && bubble != foam.network.ghost()) {
+    if (find(bubble) == kNoUnknown && bubble != foam.network.ghost()) {
         bubbles_[bubble_count_] = bubble;
         targets_[bubble_count_] = foam.target_areas[bubble];
         pressure_units_[bubble_count_] = 1.0 / std::sqrt(foam.target_areas[bubble]);
@@ -79,17 +79,18 @@ void JunctionBlock::add_outer_films(const Network& network, BubbleId bubble) {
 }
 
 int JunctionBlock::find(BubbleId bubble) const {
-    return find_in(bubbles(), bubble, kFixed);
+    return find_in(bubbles(), bubble, kNoUnknown);
 }
 
 int JunctionBlock::find(FilmId film) const {
-    return find_in(outer_films(), film, kFixed);
+    return find_in(outer_films(), film, kNoUnknown);
 }
 
 FilmArc JunctionBlock::arc_of(const Side& side) {
     return {side.chord,
-            side.outer == kFixed ? laplace_young_half_angle(side.chord.norm(), side.pressure, 1.0)
-                                 : side.half_angle};
+            side.outer == kNoUnknown
+                ? laplace_young_half_angle(side.chord.norm(), side.pressure, 1.0)
+                : side.half_angle};
 }
 
 double JunctionBlock::direction_at_tail(const Side& side) {
@@ -97,8 +98,8 @@ double JunctionBlock::direction_at_tail(const Side& side) {
 }
 
 double JunctionBlock::segment_of(const Side& side) {
-    return side.outer == kFixed ? film_energy(side.chord, side.pressure, 1.0).segment_area
-                                : segment_area(arc_of(side));
+    return side.outer == kNoUnknown ? film_energy(side.chord, side.pressure, 1.0).segment_area
+                                    : segment_area(arc_of(side));
 }
 
 JunctionBlock::Side JunctionBlock::side_of(const Foam& foam, HalfEdgeId h) const {
@@ -106,7 +107,7 @@ JunctionBlock::Side JunctionBlock::side_of(const Foam& foam, HalfEdgeId h) const
     side.chord = chord(foam, h);
     side.pressure = pressure_difference(foam, h) / tension_;
     side.outer = find(film_of(h));
-    if (side.outer != kFixed) {
+    if (side.outer != kNoUnknown) {
         side.half_angle = film_arc(foam, h).half_angle;
         side.forward_sign = is_forward(h) ? 1.0 : -1.0;
     }
@@ -132,7 +133,8 @@ void JunctionBlock::add_sides(const Foam& foam, BubbleId bubble) {
 }
 
 double JunctionBlock::pressure_change_at(const BlockVector& change, int index) const {
-    return index == kFixed ? 0.0 : pressure_units_[static_cast<std::size_t>(index)] * change[index];
+    return index == kNoUnknown ? 0.0
+                               : pressure_units_[static_cast<std::size_t>(index)] * change[index];
 }
 
 double JunctionBlock::pressure_change(const BlockVector& change, std::size_t bubble) const {
@@ -145,7 +147,7 @@ JunctionBlock::Side JunctionBlock::changed(const Side& side, const BlockVector& 
     result.chord += side.chord_weight * move(change);
     result.pressure +=
         pressure_change_at(change, side.left) - pressure_change_at(change, side.right);
-    if (side.outer != kFixed) {
+    if (side.outer != kNoUnknown) {
         result.half_angle +=
             side.forward_sign * half_angle_change(change, static_cast<std::size_t>(side.outer));
     }
@@ -162,7 +164,7 @@ BlockVector JunctionBlock::constraint_errors(const BlockVector& change) const {
         const Side now = changed(side, change);
         const double area = 0.5 * cross(now.start, now.chord) + now.segment;
         errors[side.left] -= area / targets_[static_cast<std::size_t>(side.left)];
-        if (side.outer != kFixed) {
+        if (side.outer != kNoUnknown) {
             errors[static_cast<Index>(bubble_count_) + side.outer] =
                 -side.forward_sign * laplace_young_error(arc_of(now), now.pressure, 1.0);
         }

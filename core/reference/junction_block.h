@@ -92,14 +92,14 @@ class JunctionBlock {
         double start_weight = 0.0;  // 1 if the tail moves with the junction, else 0
         double chord_weight = 0.0;  // 1: only the head moves with the junction; -1: only the tail;
                                     // 0: neither of them, or both
-        int left = kFixed;          // index in bubbles_ of the bubble on the left, or kFixed
-        int right = kFixed;         // index in bubbles_ of the bubble on the right, or kFixed
-        int outer = kFixed;         // index in outer_films_, or kFixed for an inner film
+        int left = kNoUnknown;      // index in bubbles_ of the bubble on the left, or kNoUnknown
+        int right = kNoUnknown;     // index in bubbles_ of the bubble on the right, or kNoUnknown
+        int outer = kNoUnknown;     // index in outer_films_, or kNoUnknown for an inner film
         double forward_sign = 1.0;  // 1 along the film's forward side, -1 against it
     };
-    // Stands for the index of a bubble that is not in the block, and for the index of an inner
-    // film.
-    static constexpr int kFixed = -1;
+    // Takes the place of an index: the bubble is not in the block, or the film is an inner film, so
+    // that the block has no unknown for it.
+    static constexpr int kNoUnknown = -1;
 
     void add_bubble(const Foam& foam, BubbleId bubble);
     void add_outer_films(const Network& network, BubbleId bubble);

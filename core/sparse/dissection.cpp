@@ -140,12 +140,12 @@ class Dissector {
     // Sorts the nodes of `part`: first those of Low, then those of High, then the separator. Resets
     // the zones of all these nodes to Outside. Returns how many nodes were in Low and in High.
     std::pair<std::size_t, std::size_t> sort_by_zone(Nodes part) {
-        const auto in = [this](Zone zone) {
+        const auto is_in = [this](Zone zone) {
             return
                 [this, zone](std::uint32_t node) { return memory_.division.zones[node] == zone; };
         };
-        const auto low_end = std::stable_partition(part.begin(), part.end(), in(Zone::Low));
-        const auto high_end = std::stable_partition(low_end, part.end(), in(Zone::High));
+        const auto low_end = std::stable_partition(part.begin(), part.end(), is_in(Zone::Low));
+        const auto high_end = std::stable_partition(low_end, part.end(), is_in(Zone::High));
         for (const std::uint32_t node : part) {
             memory_.division.zones[node] = Zone::Outside;
         }

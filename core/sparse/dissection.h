@@ -49,9 +49,10 @@ struct Dissection {
 /// sides is a band that closes around the torus, a separator that cuts this band across also
 /// consists of two lines.
 ///
-/// Within a leaf or a separator, the node with the highest index is eliminated first. In a foam,
-/// these are the nodes of outer films and bubbles. (If the junctions of a bubble were eliminated
-/// before its pressure, a pivot of the junctions could be nearly zero.)
+/// Within a leaf or a separator, nodes are eliminated from the highest to the lowest index. The
+/// nodes of a foam are numbered so that its outer films and bubbles have the highest indices. (If
+/// the junctions of a bubble were eliminated before its pressure, a pivot of the junctions could be
+/// nearly zero.)
 ///
 /// The order is valid for any positions, and is the same for any number of threads. `threads` has
 /// the same meaning as in thread_count. Precondition: there is at least one node.

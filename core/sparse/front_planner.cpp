@@ -166,14 +166,14 @@ void link_borders(FrontPlan& plan) {
         plan.write_slots(front, slots);
         for (const Front* child : {&plan.fronts[front.left], &plan.fronts[front.right]}) {
             for (std::size_t k = 0; k < child->border; ++k) {
-                const std::size_t at = child->border_begin + k;
-                plan.border_slots[at] = slots[plan.border_rows[at]];
+                const std::size_t index = child->border_begin + k;
+                plan.border_slots[index] = slots[plan.border_rows[index]];
             }
             // All rows of the child's border are rows of `front`; otherwise, a separator would not
             // separate its two sides. Both lists of rows increase, and so do the slots.
-            [[maybe_unused]] const std::span<const std::uint32_t> of_child =
+            [[maybe_unused]] const std::span<const std::uint32_t> child_slots =
                 plan.slots_of_border(*child);
-            assert(std::is_sorted(of_child.begin(), of_child.end()));
+            assert(std::is_sorted(child_slots.begin(), child_slots.end()));
         }
     }
 }

@@ -41,8 +41,8 @@ class FrontSolve {
         auto own = x.segment(first_row_, pivots_);
         auto change = scratch.head(signed_size(border_.size()));
         for (Index column = 0; column < pivots_; ++column) {
-            const Index later = pivots_ - column - 1;
-            own.tail(later) -= own[column] * top_.col(column).tail(later);
+            const Index later_pivots = pivots_ - column - 1;
+            own.tail(later_pivots) -= own[column] * top_.col(column).tail(later_pivots);
         }
         change.noalias() = below_ * own;
         for (std::size_t k = 0; k < border_.size(); ++k) {
@@ -61,8 +61,8 @@ class FrontSolve {
         }
         own.noalias() -= below_.transpose() * known;
         for (Index column = pivots_ - 1; column >= 0; --column) {
-            const Index later = pivots_ - column - 1;
-            own[column] -= top_.col(column).tail(later).dot(own.tail(later));
+            const Index later_pivots = pivots_ - column - 1;
+            own[column] -= top_.col(column).tail(later_pivots).dot(own.tail(later_pivots));
         }
     }
 
@@ -119,22 +119,22 @@ class Substitution {
             }
             return;
         }
-        forward_both(front, later_rows, first_later_row, threads);
+        forward_subtrees(front, later_rows, first_later_row, threads);
         Solve(plan_, front, factor_).forward(x_, later_rows, first_later_row, scratch);
     }
 
     // Forward substitution in both subtrees of a front, each with a part of the threads.
-    void forward_both(const Front& front,
-                      Vector& later_rows,
-                      std::size_t first_later_row,
-                      std::size_t threads) {
+    void forward_subtrees(const Front& front,
+                          Vector& later_rows,
+                          std::size_t first_later_row,
+                          std::size_t threads) {
         const std::span<const std::uint32_t> changed =
             plan_.rows_of_border(plan_.fronts[front.right]);
         Vector right_contributions(x_.size());
         for (const std::uint32_t row : changed) {
             right_contributions[row] = Real(0);
         }
-        both(threads, [&](bool is_left, std::size_t part) {
+        for_both_subtrees(threads, [&](bool is_left, std::size_t part) {
             if (is_left) {
                 forward(front.left, later_rows, first_later_row, part);
             } else {
@@ -157,7 +157,7 @@ class Substitution {
             return;
         }
         Solve(plan_, front, factor_).backward(x_, scratch);
-        both(threads, [&](bool is_left, std::size_t part) {
+        for_both_subtrees(threads, [&](bool is_left, std::size_t part) {
             backward(is_left ? front.left : front.right, part);
         });
     }
@@ -172,7 +172,7 @@ class Substitution {
     // Calls body(is_left, number of threads) for both subtrees of a front, at the same time if
     // there are several threads. The number of threads may be 0, which means the same as 1.
     template <class Body>
-    static void both(std::size_t threads, const Body& body) {
+    static void for_both_subtrees(std::size_t threads, const Body& body) {
         const std::size_t half = threads / 2;
         parallel_for(2, threads > 1 ? 2 : 1, [&](int which) {
             body(which == 0, which == 0 ? half : threads - half);

@@ -66,7 +66,7 @@ Rims rims_of_all_lines(std::span<const SortedNode> sorted,
     for (std::size_t k = 0; k < size; ++k) {
         const std::uint32_t node = sorted[k].second;
         std::size_t ahead = 0;   // the distance to the farthest neighbor after the node
-        std::size_t behind = 0;  // and before it
+        std::size_t behind = 0;  // the distance to the farthest neighbor before the node
         for (const std::uint32_t neighbor : graph.neighbors_of(node)) {
             const std::size_t other = numbers[neighbor];
             if (other == kNoNumber) {
@@ -86,8 +86,8 @@ Rims rims_of_all_lines(std::span<const SortedNode> sorted,
 }
 
 // Returns the line at which a range of `length` nodes should begin, so that the separator of this
-// range from all other nodes is lightest. The separator is the rim of the range, which is after the
-// first line and before the last line, or the rim of the other nodes.
+// range from all other nodes is lightest. The separator is one of two sets of nodes: the rims
+// inside the range (after its first line and before its last line), or the rims outside of it.
 std::size_t lightest_start(const Rims& rims, std::size_t length) {
     const std::size_t size = rims.before.size();
     std::size_t best = 0;

@@ -13,9 +13,8 @@ namespace foam {
 
 /// A rectangle around the nodes of a part of a graph. On a torus, it may extend beyond the
 /// fundamental cell, and contains a node if it contains one of the node's copies. A few nodes may
-/// be slightly outside. Where the part has been separated from another part, the side of the
-/// rectangle is a straight line at the median coordinate. The separator itself does not follow this
-/// line.
+/// be slightly outside: where the part has been separated from another part, the rectangle ends at
+/// the border of the two halves, which the separator does not follow exactly.
 struct PartBox {
     Vec2 low = Vec2::Zero();
     Vec2 high = Vec2::Zero();

@@ -38,10 +38,10 @@ struct DivisionMemory {
 };
 
 /// Divides parts of a graph by separators of few rows (light separators). First divides a part by
-/// position: into two halves at the median coordinate, with a separator near their border. If this
-/// separator has too many rows (DissectionOptions), divides the part again by the edges of the
-/// graph, without positions. A separator has too many rows, for example, if the positions of
-/// neighbors in the graph are far apart.
+/// position: into two halves, with a separator near their border (halving.h). If this separator has
+/// too many rows (DissectionOptions), divides the part again by the edges of the graph, without
+/// positions. A separator has too many rows, for example, if the positions of neighbors in the
+/// graph are far apart.
 class PartDivider {
   public:
     /// Keeps references to all arguments except the domain. `nodes` are the nodes of the graph.

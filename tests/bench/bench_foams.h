@@ -15,8 +15,8 @@
 
 namespace foam::bench {
 
-/// Returns a raw diagram: the Voronoi diagram of random sites, without Lloyd iterations and not in
-/// equilibrium.
+/// Returns a raw diagram with the seed 1: the Voronoi diagram of random sites, without Lloyd
+/// iterations and not in equilibrium.
 inline Foam raw_foam(int bubbles) {
     return seed_foam({.bubbles = bubbles, .seed = 1});
 }

@@ -31,7 +31,7 @@ const FuzzTarget& target_named(std::string_view name);
 void require(bool holds, std::string_view requirement);
 
 /// Returns read(), or nullopt if it throws an exception of one of the given types. Other exceptions
-/// pass through. Requires that the exception has a message.
+/// pass through. An exception of one of the given types must have a message (require).
 template <class Rejection, class... Others, class Read>
 std::optional<std::invoke_result_t<Read>> unless_rejected(const Read& read) {
     try {

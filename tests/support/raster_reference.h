@@ -23,7 +23,7 @@ struct SampledCoverage {
 
 /// The positions of the samples in a pixel that an edge crosses.
 enum class Samples {
-    // A Fibonacci lattice of 17,711 points. The error at an edge is about 17711^-3/4 = 0.0007.
+    // A Fibonacci lattice of 17,711 points. The error at an edge is about 17711^(-3/4) = 0.0007.
     Lattice,
     // A grid of 64 x 64 points. The error at a horizontal or vertical edge is up to 1/128.
     Grid,

@@ -12,7 +12,8 @@
 namespace foam::test {
 
 /// Returns a frame of the foam after its torus and its junctions were stretched vertically to the
-/// aspect of an image, so that pixels are square. The arcs are recomputed from the pressures.
+/// aspect ratio of an image of `width` x `height` pixels, so that its pixels are square on the
+/// torus. The arcs are recomputed from the pressures.
 Frame fitted_frame(Foam foam, int width, int height);
 
 /// Returns a Voronoi diagram whose films are bent by random pressures from -`pressure` to

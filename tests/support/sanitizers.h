@@ -5,7 +5,8 @@
 namespace foam::test {
 
 /// False if the program surely has no sanitizers, which need memory and address space of their own.
-/// Clang, with which the sanitizers are built, does not define the macros by which GCC tells them.
+/// True for every program that Clang compiles, because Clang does not define GCC's macros for
+/// sanitizers.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__clang__)
 inline constexpr bool kMayHaveSanitizers = true;
 #else

@@ -30,11 +30,11 @@ struct Box {
 // At these extreme points the tangent is parallel to an axis.
 void include_arc(const FilmArc& arc, const Vec2& tail, Box& box) {
     constexpr double kQuarter = 0.5 * std::numbers::pi;
-    const double first = ieee::atan2(arc.chord.y(), arc.chord.x()) - arc.half_angle;
+    const double tail_angle = ieee::atan2(arc.chord.y(), arc.chord.x()) - arc.half_angle;
     box.include(tail);
     box.include(tail + arc.chord);
     for (int k = -4; k <= 4; ++k) {  // tangent angles are between -2 pi and 2 pi
-        const double fraction = (k * kQuarter - first) / (2.0 * arc.half_angle);
+        const double fraction = (k * kQuarter - tail_angle) / (2.0 * arc.half_angle);
         if (fraction > 0.0 && fraction < 1.0) {
             box.include(tail + point_at(arc, fraction));
         }
@@ -56,24 +56,25 @@ Box box_of(const Frame& frame) {
 }
 
 // Returns the view in which the box is centered and as large as possible inside a margin on each
-// side. `margin` is a fraction of the shorter side of the image. `pixels` is the size of the image.
-View fitted_view(const Box& box, const Vec2& pixels, double margin) {
+// side. `margin` is a fraction of the shorter side of the image. `size` is the size of the image in
+// pixels.
+View fitted_view(const Box& box, const Vec2& size, double margin) {
     if (box.is_empty()) {
         return {};
     }
-    const Vec2 inner = pixels - Vec2::Constant(2.0 * margin * pixels.minCoeff());
+    const Vec2 inner = size - Vec2::Constant(2.0 * margin * size.minCoeff());
     return {0.5 * (box.low + box.high), (inner.array() / (box.high - box.low).array()).minCoeff()};
 }
 
-Vec2 pixels_of(const ImageOptions& image) {
+Vec2 size_in_pixels(const ImageOptions& image) {
     return {image.width, image.height};
 }
 
 }  // namespace
 
 View camera_view(const Frame& first, const ImageOptions& image, const CameraOptions& camera) {
-    View view = fitted_view(box_of(first), pixels_of(image), camera.margin);
-    view.center = point_in_view(view, pixels_of(image), camera.center);
+    View view = fitted_view(box_of(first), size_in_pixels(image), camera.margin);
+    view.center = point_in_view(view, size_in_pixels(image), camera.center);
     view.pixels_per_unit *= camera.zoom;
     return view;
 }

@@ -95,15 +95,16 @@ void move(std::span<const VelocityWave> waves, PointGroup& points) {
 // unit of time.
 void replace_by_displacements(std::span<const VelocityWave> waves, std::span<Vec2> points) {
     for (std::size_t begin = 0; begin < points.size(); begin += PointGroup::kSize) {
-        const auto some = points.subspan(begin, std::min(PointGroup::kSize, points.size() - begin));
+        const auto batch =
+            points.subspan(begin, std::min(PointGroup::kSize, points.size() - begin));
         PointGroup group;
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            group.x[k] = some[k].x();
-            group.y[k] = some[k].y();
+        for (std::size_t k = 0; k < batch.size(); ++k) {
+            group.x[k] = batch[k].x();
+            group.y[k] = batch[k].y();
         }
         move(waves, group);
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            some[k] = Vec2(group.x[k], group.y[k]) - some[k];
+        for (std::size_t k = 0; k < batch.size(); ++k) {
+            batch[k] = Vec2(group.x[k], group.y[k]) - batch[k];
         }
     }
 }
@@ -157,18 +158,19 @@ Frame Current::carried(const Frame& frame, double progress) const {
     const Network& network = frame.network;
     const std::vector<VelocityWave> waves =
         waves_at(progress, waves_, directions_, strength_, frame.domain);
-    Indexed<JunctionId, Vec2> of_junctions;
+    // Both lists contain points of the frame until replace_by_displacements has been called.
+    Indexed<JunctionId, Vec2> junction_displacements;
     for (const JunctionId junction : network.junctions()) {
-        of_junctions.push_back(frame.positions[junction]);
+        junction_displacements.push_back(frame.positions[junction]);
     }
-    Indexed<FilmId, Vec2> of_middles;
+    Indexed<FilmId, Vec2> middle_displacements;
     for (const FilmId film : network.films()) {
-        of_middles.push_back(frame.positions[network.tail(forward_side(film))] +
-                             point_at(frame.arcs[film], 0.5));
+        middle_displacements.push_back(frame.positions[network.tail(forward_side(film))] +
+                                       point_at(frame.arcs[film], 0.5));
     }
-    replace_by_displacements(waves, {of_junctions.begin(), of_junctions.end()});
-    replace_by_displacements(waves, {of_middles.begin(), of_middles.end()});
-    return displaced(frame, of_junctions, of_middles);
+    replace_by_displacements(waves, {junction_displacements.begin(), junction_displacements.end()});
+    replace_by_displacements(waves, {middle_displacements.begin(), middle_displacements.end()});
+    return displaced(frame, junction_displacements, middle_displacements);
 }
 
 }  // namespace foam::texgen

@@ -10,22 +10,22 @@ namespace foam::texgen {
 // to the second and from the second point to the third form a path. The half angle equals the angle
 // by which this path turns left at the second point (inscribed angle theorem).
 Frame displaced(Frame frame,
-                const Indexed<JunctionId, Vec2>& of_junctions,
-                const Indexed<FilmId, Vec2>& of_middles) {
+                const Indexed<JunctionId, Vec2>& junction_displacements,
+                const Indexed<FilmId, Vec2>& middle_displacements) {
     Network& network = frame.network;
     for (const FilmId film : network.films()) {
         FilmArc& arc = frame.arcs[film];
-        const Vec2& by_tail = of_junctions[network.tail(forward_side(film))];
-        const Vec2& by_head = of_junctions[network.head(forward_side(film))];
-        const Vec2 first = point_at(arc, 0.5) + of_middles[film] - by_tail;
-        const Vec2 chord = arc.chord + by_head - by_tail;
+        const Vec2& tail_displacement = junction_displacements[network.tail(forward_side(film))];
+        const Vec2& head_displacement = junction_displacements[network.head(forward_side(film))];
+        const Vec2 first = point_at(arc, 0.5) + middle_displacements[film] - tail_displacement;
+        const Vec2 chord = arc.chord + head_displacement - tail_displacement;
         const Vec2 second = chord - first;
         arc = {chord, ieee::atan2(cross(first, second), first.dot(second))};
     }
     for (const JunctionId junction : network.junctions()) {
-        const Vec2 at = frame.positions[junction] + of_junctions[junction];
-        const LatticeOffset cell = frame.domain.cell_of(at);
-        frame.positions[junction] = at - frame.domain.translation(cell);
+        const Vec2 position = frame.positions[junction] + junction_displacements[junction];
+        const LatticeOffset cell = frame.domain.cell_of(position);
+        frame.positions[junction] = position - frame.domain.translation(cell);
         if (cell != LatticeOffset{}) {
             network.rebase(junction, cell);
         }
@@ -35,11 +35,11 @@ Frame displaced(Frame frame,
 
 Vec2 mean_corner(const Frame& frame, BubbleId bubble) {
     const Network& network = frame.network;
-    Vec2 at = frame.positions[network.tail(network.first(bubble))];
+    Vec2 corner = frame.positions[network.tail(network.first(bubble))];
     Vec2 sum = Vec2::Zero();
     for (const HalfEdgeId h : network.around(bubble)) {
-        sum += at;
-        at += frame.arc(h).chord;
+        sum += corner;
+        corner += frame.arc(h).chord;
     }
     return sum / network.sides(bubble);
 }

@@ -51,9 +51,9 @@ std::vector<double> FadeOrder::ranks(const Frame& frame, const Vec2& displacemen
     const double steepness = kLogisticSteepness / std::sqrt(0.5 * kOrderWaves);
     std::vector<double> ranks;
     for (const BubbleId bubble : frame.network.bubbles()) {
-        const Vec2 at = mean_corner(frame, bubble) - displacement;
+        const Vec2 center = mean_corner(frame, bubble) - displacement;
         const double sum =
-            sum_of(waves_, {at.x() / frame.domain.width, at.y() / frame.domain.height});
+            sum_of(waves_, {center.x() / frame.domain.width, center.y() / frame.domain.height});
         ranks.push_back(1.0 / (1.0 + ieee::exp(-steepness * sum)));
     }
     return ranks;

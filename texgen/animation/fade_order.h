@@ -10,9 +10,10 @@
 
 namespace foam::texgen {
 
-/// The order in which the bubbles of a foam appear in a cross-fade. Neighbors appear at about the
-/// same time, and bubbles that are several bubbles apart appear at different times. At any moment,
-/// the bubbles that have appeared therefore form large regions, which grow.
+/// The order in which the bubbles of a foam appear in the cross-fade of a flow (LOOPS.md).
+/// Neighbors appear at about the same time, and bubbles that are several bubbles apart appear at
+/// different times. At any moment, the bubbles that have appeared therefore form large regions,
+/// which grow.
 class FadeOrder {
   public:
     struct Options {
@@ -32,9 +33,9 @@ class FadeOrder {
     /// the frame is on a torus.
     std::vector<double> ranks(const Frame& frame, const Vec2& displacement) const;
 
-    /// Returns how far a bubble of a rank has grown, from 0 to 1. `passed` is the elapsed fraction
-    /// of the cross-fade, from 0 to 1. The result is 0 at the start of the cross-fade and 1 at its
-    /// end.
+    /// Returns how far a bubble with the given rank has grown, from 0 to 1. `passed` is the elapsed
+    /// fraction of the cross-fade, from 0 to 1. The result is 0 at the start of the cross-fade and
+    /// 1 at its end.
     double growth(double rank, double passed) const;
 
   private:

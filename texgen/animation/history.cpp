@@ -86,18 +86,18 @@ void History::average_values(const Foam& foam) {
     const Frame frame = snapshot(foam, 1);
     const FoamValues present = values_to_average(frame);
     std::vector<BubbleValues>& averages = record_.averages.bubbles;
-    const std::size_t known = averages.size();
+    const std::size_t known_count = averages.size();
     averages.resize(foam.next_identity);
     const PerBubble<BubbleIdentity> identities = identities_of(frame);
     for (std::size_t k = 0; k < identities.size(); ++k) {
         BubbleValues& average = averages[identities[k]];
         const bool is_reborn = std::ranges::find(newborn_, identities[k]) != newborn_.end();
-        if (identities[k] >= known || is_reborn) {
+        if (identities[k] >= known_count || is_reborn) {
             average = present.bubbles[k];
         }
         for_each_value(average, present.bubbles[k], approach);
     }
-    if (known == 0) {
+    if (known_count == 0) {
         record_.averages.mean_area = present.mean_area;
     }
     approach(record_.averages.mean_area, present.mean_area);
@@ -111,9 +111,9 @@ void History::close_averages(const FoamRecord& start, int frames) {
     if (smoothing_ == 0.0) {
         return;
     }
-    const double kept = ieee::pow(smoothing_ / (1.0 + smoothing_), frames);
-    const auto close = [kept](double& average, double before) {
-        average = (average - kept * before) / (1.0 - kept);
+    const double kept_fraction = ieee::pow(smoothing_ / (1.0 + smoothing_), frames);
+    const auto close = [kept_fraction](double& average, double before) {
+        average = (average - kept_fraction * before) / (1.0 - kept_fraction);
     };
     std::vector<BubbleValues>& averages = record_.averages.bubbles;
     for (std::size_t k = 0; k < averages.size(); ++k) {

@@ -116,13 +116,13 @@ bool is_start_for(const Preset& preset, const LoopStart& start) {
     return fits;
 }
 
-// Returns how the text of a start begins that was written for the loop_hash of a preset. The hash
-// comes first, so that texts for other presets are not parsed.
+// Returns the first characters of every text that write_loop_start returns for the loop_hash of a
+// preset. The hash comes first, so that texts for other presets are not parsed.
 std::string opening_for(const Preset& preset) {
     return fmt::format("{{\n\"loop\": {{\"hash\":\"{}\"", loop_hash(preset));
 }
 
-// Returns the start that a text describes if the text begins with `opening`.
+// Returns the start that a text describes, or nullopt if the text does not begin with `opening`.
 std::optional<LoopStart> start_in(std::string_view text,
                                   std::string_view opening,
                                   const Preset& preset,
@@ -140,13 +140,13 @@ std::optional<LoopStart> start_in(std::string_view text,
 }  // namespace
 
 std::string loop_hash(const Preset& preset) {
-    Preset closed = preset;
-    const LoopOptions shown_as_simulated;
-    closed.loop.drift = shown_as_simulated.drift;
-    closed.loop.current = shown_as_simulated.current;
-    closed.loop.eddies = shown_as_simulated.eddies;
-    closed.frames.smoothing = 0.0;
-    return simulation_hash(closed);
+    Preset hashed = preset;
+    const LoopOptions defaults;
+    hashed.loop.drift = defaults.drift;
+    hashed.loop.current = defaults.current;
+    hashed.loop.eddies = defaults.eddies;
+    hashed.frames.smoothing = 0.0;
+    return simulation_hash(hashed);
 }
 
 std::string write_loop_start(const LoopStart& start, const std::string& hash) {

@@ -14,8 +14,9 @@
 namespace foam::texgen {
 
 /// A state from which a breathe, shear or boil loop closes in its next cycle. Finding such a state
-/// takes many cycles. For some shipped presets it is stored in presets/loops and in the program,
-/// and for a boil in the cache of its states.
+/// takes many cycles. For some shipped presets, a start is stored in presets/loops and in the
+/// program. If `foamtex simulate` has to search for the start of a boil, it stores the start in the
+/// cache, beside the states.
 struct LoopStart {
     Foam foam;         // at position 0 of the cycle
     CycleDrive drive;  // what each step of the cycle does with each bubble
@@ -37,10 +38,10 @@ std::string write_loop_start(const LoopStart& start, const std::string& hash);
 /// FormatError or InputError if the content is not the result of write_loop_start.
 LoopStart read_loop_start(std::string_view text, const std::string& file);
 
-/// Returns the start of the loop of a preset that write_loop_start has written. Returns nullopt if
-/// `text` was written with another hash than the loop_hash of this preset. `file` is the name of
-/// the file in error messages. Throws the exceptions of read_loop_start. Also throws InputError if
-/// the start is impossible for the preset, for example because its drive names a bubble that the
+/// Reads the start of the loop of a preset from `text`, a result of write_loop_start, which begins
+/// with a hash. Returns nullopt if this hash is not the loop_hash of the preset. `file` is the name
+/// of the file in error messages. Throws the exceptions of read_loop_start. Also throws InputError
+/// if the start is impossible for the preset, for example because its drive names a bubble that the
 /// foam never had.
 std::optional<LoopStart> matching_loop_start(const Preset& preset,
                                              std::string_view text,

@@ -35,8 +35,8 @@ struct RunProgress {
     // complete.
     std::optional<double> measure = {};
     int cycle = 0;  // LoopClosing: number of the cycle, from 1
-    // LoopClosing: the number of cycles after which half of the measured loops with about as many
-    // bubbles had closed; 0 if unknown.
+    // LoopClosing: about how many cycles the loop will take to close (usual_cycles in
+    // simulation_options.h), but not more than LoopOptions::cycles; 0 if unknown.
     int usual_cycles = 0;
     int frame = 0;             // number of the frame that was done last; 0 if there is none
     int bubbles = 0;           // number of bubbles of the foam; 0 if unknown

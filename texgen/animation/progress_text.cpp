@@ -95,9 +95,9 @@ std::string phase_text(const RunProgress& progress) {
 }
 
 std::string progress_bar(const RunProgress& progress, const PhaseTimes& times) {
-    const double share =
+    const double fraction =
         progress.total > 0 ? static_cast<double>(progress.done) / progress.total : 0.0;
-    const int filled = std::clamp(static_cast<int>(kBarWidth * share), 0, kBarWidth);
+    const int filled = std::clamp(static_cast<int>(kBarWidth * fraction), 0, kBarWidth);
     const auto hashes = static_cast<std::size_t>(filled);
     // The text of LoopClosing is long, so the number of bubbles is left out.
     const bool shows_bubbles = progress.bubbles > 0 && progress.phase != Phase::LoopClosing;

@@ -14,8 +14,8 @@ namespace foam::texgen {
 std::string_view name_of(Phase phase);
 
 /// Returns the progress of a phase in its own unit, for example "warm-up 40 of 60" or "frame 3 of
-/// 48". In the phase LoopClosing, an example is "closing the loop: cycle 3 (12/48), error 1e-04".
-/// Of the 48 steps of this cycle, 12 are done, and the closing error is 1e-04.
+/// 48". In the phase LoopClosing, an example is "closing the loop: cycle 3 of about 30 (12/48),
+/// error 1e-04". Of the 48 steps of cycle 3, 12 are done. The closing error of cycle 2 is 1e-04.
 std::string phase_text(const RunProgress& progress);
 
 /// The times of the present phase, in seconds.

@@ -42,17 +42,17 @@ Displacements displacements_of_shared(const Frame& from, const Frame& to) {
         bubbles_in_to.emplace(to.bubbles[bubble].identity, bubble);
     }
     const double mean_area = from.domain.area() / static_cast<double>(from.bubbles.size());
-    const double farthest = 2.0 * std::sqrt(mean_area / std::numbers::pi);
+    const double mean_diameter = 2.0 * std::sqrt(mean_area / std::numbers::pi);
     Displacements displacements(from.bubbles.size());
     for (const BubbleId bubble : from.network.bubbles()) {
         const auto found = bubbles_in_to.find(from.bubbles[bubble].identity);
         if (found == bubbles_in_to.end()) {
             continue;
         }
-        const Vec2 by =
+        const Vec2 displacement =
             from.domain.nearest_copy(mean_corner(to, found->second) - mean_corner(from, bubble));
-        if (by.squaredNorm() <= farthest * farthest) {
-            displacements[index_of(bubble)] = by;
+        if (displacement.squaredNorm() <= mean_diameter * mean_diameter) {
+            displacements[index_of(bubble)] = displacement;
         }
     }
     return displacements;
@@ -63,29 +63,29 @@ Frame moved_toward(const Frame& from, const Frame& to, double fraction) {
         return from;
     }
     // A bubble gets no displacement if it is more than kRounds bubbles away from every bubble that
-    // has one in displacements_of_shared. Of its junctions, only those that it shares with nearer
-    // bubbles move.
+    // has one in displacements_of_shared. Of the junctions of such a bubble, only those move that
+    // belong to a nearer bubble, too.
     constexpr int kRounds = 2;
-    Displacements of_bubbles = displacements_of_shared(from, to);
+    Displacements bubble_displacements = displacements_of_shared(from, to);
     for (int round = 0; round < kRounds; ++round) {
-        of_bubbles = spread_to_neighbors(from, of_bubbles);
+        bubble_displacements = spread_to_neighbors(from, bubble_displacements);
     }
     const Network& network = from.network;
-    Indexed<JunctionId, Vec2> of_junctions;
+    Indexed<JunctionId, Vec2> junction_displacements;
     for (const JunctionId junction : network.junctions()) {
         Vec2 sum = Vec2::Zero();
         for (const HalfEdgeId h : network.leaving(junction)) {
-            sum += of_bubbles[index_of(network.left(h))].value_or(Vec2::Zero());
+            sum += bubble_displacements[index_of(network.left(h))].value_or(Vec2::Zero());
         }
-        of_junctions.push_back(fraction / 3.0 * sum);
+        junction_displacements.push_back(fraction / 3.0 * sum);
     }
-    Indexed<FilmId, Vec2> of_middles;
+    Indexed<FilmId, Vec2> middle_displacements;
     for (const FilmId film : network.films()) {
         const HalfEdgeId side = forward_side(film);
-        of_middles.push_back(0.5 *
-                             (of_junctions[network.tail(side)] + of_junctions[network.head(side)]));
+        middle_displacements.push_back(0.5 * (junction_displacements[network.tail(side)] +
+                                              junction_displacements[network.head(side)]));
     }
-    return displaced(from, of_junctions, of_middles);
+    return displaced(from, junction_displacements, middle_displacements);
 }
 
 }  // namespace foam::texgen

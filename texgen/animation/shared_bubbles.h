@@ -20,8 +20,8 @@ std::vector<std::optional<Vec2>> displacements_of_shared(const Frame& from, cons
 /// by a fraction of the displacement. A bubble that has no displacement moves with its neighbors.
 /// If it is more than two bubbles away from all bubbles that have a displacement, its displacement
 /// counts as 0. A junction moves by the mean displacement of its three bubbles. If two frames are
-/// moved toward each other by fractions that add up to 1, bubbles of the same identity are at about
-/// the same positions.
+/// moved toward each other by fractions that add up to 1, bubbles of the same identity are then at
+/// about the same positions.
 Frame moved_toward(const Frame& from, const Frame& to, double fraction);
 
 }  // namespace foam::texgen

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-// The states that frame n of a loop of N frames shows:
-// - In a pingpong, it is the state n up to frame N/2 + 1, and the state N + 2 - n after it. N is
+// Frame n of a loop of N frames shows one state, or two states in a cross-fade:
+// - In a pingpong, frame n shows the state n if n <= N/2 + 1, otherwise the state N + 2 - n. N is
 //   even. The frames of the loop therefore show the states 1, 2, ..., N/2 + 1, ..., 3, 2.
-// - In a flow with a fade of A frames, it is the state A + n. Each of the last A frames fades into
-//   the state A + n - N. This is one of the A states before the state of frame 1. In frame N, the
-//   last one, the state A has nearly replaced the state A + N. Frame 1 then shows the state after
-//   A.
-// - Otherwise, it is the state n.
+// - In a flow with a fade of A frames, frame n shows the state A + n. Each of the last A frames
+//   fades into the state A + n - N, which is one of the A states before the state of frame 1. In
+//   frame N, the last one, the state A has nearly replaced the state A + N. Frame 1, which follows,
+//   shows the state A + 1.
+// - In all other animations, frame n shows the state n.
 
 namespace foam::texgen {
 

@@ -34,7 +34,7 @@ using Clock = std::chrono::steady_clock;
 
 bool advance(Simulation& simulation, FrameEffort& effort) {
     const Clock::time_point begin = Clock::now();
-    const bool found = simulation.advance();
+    const bool reached = simulation.advance();
     const EquilibriumSummary& equilibrium = simulation.equilibrium();
     effort.t1 += equilibrium.t1;
     effort.t2 += equilibrium.t2;
@@ -43,7 +43,7 @@ bool advance(Simulation& simulation, FrameEffort& effort) {
     effort.seconds += seconds_since(begin);
     effort.events.insert(
         effort.events.end(), simulation.events().begin(), simulation.events().end());
-    return found;
+    return reached;
 }
 
 // Returns the mean stress of the simulated foam. `frame` shows this foam. If the loop has a display

@@ -52,10 +52,11 @@ using FrameSource = std::function<RunOutcome(const std::vector<int>& numbers,
 /// `threads` is the number of threads of the simulation; 0 uses all hardware threads.
 FrameSource simulation_of(const Preset& preset, int threads);
 
-/// Keeps the start of a boil outside of the program, so that it is searched once.
+/// Keeps the start of a boil (LoopStart) between runs of the program, for example in a cache, so
+/// that the search for it runs only once.
 struct LoopMemory {
-    std::string content;  // what `keep` has received in an earlier run; empty if there is none
-    // Receives the text of the start (write_loop_start) after it has been searched. May be empty.
+    std::string content;  // the text that `keep` received in an earlier run; empty if there is none
+    // Receives the start as text (write_loop_start) after the search has found it. May be empty.
     std::function<void(const std::string&)> keep = {};
 };
 

@@ -72,12 +72,12 @@ Simulation::Simulation(const Preset& preset, Foam foam, int threads, ProgressCal
 bool Simulation::advance() {
     ++number_;
     events_.clear();
-    const bool found = reach_frame();
+    const bool reached = reach_frame();
     record_events(number_);
     if (number_ > 1) {
         history_.average_values(foam_);
     }
-    return found;
+    return reached;
 }
 
 bool Simulation::reach_frame() {
@@ -177,9 +177,9 @@ bool Simulation::close_loop() {
     }
     const bool is_searched = loop_.kind == LoopKind::Boil && !is_stored;
     const int needed = is_searched ? 2 : 1;
-    bool found = is_stored || step_cycle(0);
+    bool converged = is_stored || step_cycle(0);
     int closed = 0;
-    for (int cycle = 0; cycle < loop_.cycles && found; ++cycle) {
+    for (int cycle = 0; cycle < loop_.cycles && converged; ++cycle) {
         const Foam start = foam_;
         const FoamRecord record = history_.record();
         history_.renumber(-frames_.count);
@@ -189,15 +189,15 @@ bool Simulation::close_loop() {
             .measure = closing_error_,
             .cycle = cycle + 1,
             .usual_cycles = is_searched ? std::min(usual_cycles(bubble_count()), loop_.cycles) : 0};
-        for (int position = 1; position <= frames_.count && found; ++position) {
+        for (int position = 1; position <= frames_.count && converged; ++position) {
             progress.done = position - 1;
             report(progress);
-            found = step_cycle(position);
+            converged = step_cycle(position);
             record_events(1 + position - frames_.count);
             history_.average_values(foam_);
         }
         closing_error_ = foam::closing_error(start, foam_);
-        if (!found) {
+        if (!converged) {
             return false;
         }
         progress.done = frames_.count;

@@ -21,8 +21,8 @@ namespace foam::texgen {
 /// of shown_states.h: a frame of an animation shows one or two of them.
 class Simulation {
   public:
-    /// A cycle closes if its closing_error is below this number. In a boil, Cycle::repeats must
-    /// return true, too.
+    /// A cycle closes if its closing_error is below this number. In a boil (a loop of the kind
+    /// "boil"), Cycle::repeats must return true, too.
     static constexpr double kClosed = 1e-9;
 
     /// Seeds the foam. `threads` is the number of threads, 0 for all hardware threads; the results
@@ -106,7 +106,7 @@ class Simulation {
     bool close_loop();
     bool step_cycle(int position);
     double loop_progress() const;  // fraction of the loop that precedes the present frame
-    void add_effort(const EquilibriumSummary& before);
+    void add_effort(const EquilibriumSummary& before);     // adds the counts of earlier steps
     bool step_by(double time, const StateChange& change);  // adds its effort to equilibrium_
     void report(RunProgress progress) const;               // adds the number of bubbles
 
@@ -122,7 +122,7 @@ class Simulation {
     Timeline timeline_;
     History history_;
     ProgressCallback on_progress_;
-    std::optional<Cycle> cycle_;  // set by close_loop, or at the start from a LoopStart
+    std::optional<Cycle> cycle_;  // set by close_loop or by the constructor from a LoopStart
     std::optional<double> closing_error_;
     std::optional<View> view_;
     int number_ = 0;

@@ -11,9 +11,9 @@ namespace foam::texgen {
 /// Returns the options of the cycles of a breathe, shear or boil loop.
 CycleOptions cycle_options_of(const Preset& preset);
 
-/// Returns the number of cycles after which half of the boils with so many bubbles had closed when
-/// tests/bench/boil_table measured them (NOTES.md of this folder). For more than 2,000 bubbles,
-/// returns the number for 2,000.
+/// Returns about how many cycles a boil takes to close: the median that tests/bench/boil_table has
+/// measured (NOTES.md of this folder). The table has a few numbers of bubbles. The result is the
+/// median of the smallest one that is at least `bubbles`, or of 2,000 if all are smaller.
 int usual_cycles(int bubbles);
 
 /// Returns the options of the time steps of a preset, with a new linear system, which the steps

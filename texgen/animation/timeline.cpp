@@ -12,9 +12,8 @@ namespace foam::texgen {
 namespace {
 
 // Returns the seed for the random numbers of the event with the given index, counted from 0. The
-// seeds of the events differ from each other and from the seed of the foam. In a loop of
-// the kind "flow", the creation of new bubbles (`renew`) uses the index after that of the last
-// event.
+// seeds of the events differ from each other and from the seed of the foam. In a loop of the kind
+// "flow", the creation of new bubbles (`renew`) uses the number of events as its index.
 std::uint64_t seed_of(const Preset& preset, std::size_t event) {
     return (preset.seeding.seed ^ 0x9e3779b97f4a7c15U) + 0xd1b54a32d192ed03U * (event + 1);
 }

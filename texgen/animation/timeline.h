@@ -54,8 +54,7 @@ class Timeline {
     // The renewal of a flow: new bubbles appear at random points of the torus until there are as
     // many bubbles as at the first call of renew. The initial gas of a new bubble comes from its
     // neighbors. The gas for its growth comes from all bubbles that have no schedule
-    // (DrivenSchedules). In both cases, bubbles lose gas in proportion to their target
-    // areas.
+    // (DrivenSchedules). In both cases, bubbles lose gas in proportion to their target areas.
     struct Renewal {
         std::size_t bubbles = 0;  // number of bubbles to maintain; 0 before the first call of renew
         int growth = 1;           // number of frames in which a new bubble grows to the mean area

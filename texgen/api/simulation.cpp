@@ -37,14 +37,14 @@ struct Stopped {};
 }  // namespace
 
 struct Simulation::Stream {
-    Stream(Preset of, std::vector<int> numbers, int threads)
-        : preset(std::move(of)),
+    Stream(Preset simulated, std::vector<int> numbers, int threads)
+        : preset(std::move(simulated)),
           thread([this, numbers = std::move(numbers), threads] { run(numbers, threads); }) {}
 
     ~Stream() {
         {
             const std::scoped_lock lock(mutex);
-            stops = true;
+            stop_requested = true;
         }
         changed.notify_all();
         thread.join();
@@ -83,8 +83,8 @@ struct Simulation::Stream {
         Frame frame(std::make_shared<const Frame::State>(shown, preset));
         {
             std::unique_lock lock(mutex);
-            changed.wait(lock, [&] { return stops || frames.size() < kQueuedFrames; });
-            if (stops) {
+            changed.wait(lock, [&] { return stop_requested || frames.size() < kQueuedFrames; });
+            if (stop_requested) {
                 throw Stopped();
             }
             frames.push_back(std::move(frame));
@@ -94,7 +94,7 @@ struct Simulation::Stream {
 
     void throw_if_stopped() {
         const std::scoped_lock lock(mutex);
-        if (stops) {
+        if (stop_requested) {
             throw Stopped();
         }
     }
@@ -124,11 +124,11 @@ struct Simulation::Stream {
     Preset preset;
     std::mutex mutex;
     std::condition_variable changed;
-    std::deque<Frame> frames;  // simulated, and not yet taken
-    bool has_ended = false;    // true after the last frame, or after an error
-    bool stops = false;        // true if the caller needs no more frames
-    std::exception_ptr error;  // why the simulation has ended early
-    std::thread thread;        // last, because it uses the other members
+    std::deque<Frame> frames;     // simulated, and not yet taken
+    bool has_ended = false;       // true after the last frame, or after an error
+    bool stop_requested = false;  // true if the caller needs no more frames
+    std::exception_ptr error;     // why the simulation has ended early
+    std::thread thread;           // last, because it uses the other members
 };
 
 Simulation::Simulation(const Preset& preset, const std::string& frames, int threads)

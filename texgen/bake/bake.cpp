@@ -90,7 +90,7 @@ class FrameWriter {
             return files_.write_vectors(shown);
         }
         const RasterGrid grid{preset_.image.width, preset_.image.height, 0, 0, shown.view};
-        DrawableFrame drawable(shown, grid, files_.distance(), 1);
+        DrawableFrame drawable(shown, grid, files_.needed_distance(), 1);
         return files_.write(drawable.layers());
     }
 

@@ -34,8 +34,8 @@ struct BakeOptions {
 };
 
 /// A map or packing that is drawn for every frame, with the range that its codes represent and the
-/// extent of its numbers. The extent is the smallest and the largest number in all files that a
-/// bake has written. It is measured before the numbers are rounded to codes (integer samples).
+/// extent of its numbers. The extent is joined from all files that a bake has written. It is
+/// measured before the numbers are rounded to codes (integer samples).
 struct WrittenNumbers {
     DrawnImage image;
     std::array<double, 2> range{};  // the numbers that the smallest and the largest code represent
@@ -84,8 +84,8 @@ struct BakeCallbacks {
 /// - The format of the files cannot store the primaries or a packing of the preset.
 /// - The manifest would become too large (check_measurements).
 ///
-/// Also throws as check_vector_files and check_file_words do. Throws OutputError if the images of
-/// the first frame cannot be written into their folders.
+/// Also throws as check_vector_files and check_file_words do. Throws OutputError if the files of
+/// the first frame in `options.frames` cannot be written into their folders.
 void check_bake(const Preset& preset, const BakeOptions& options);
 
 /// Takes the frames from their source, draws them, and writes all maps of each frame. Creates

@@ -23,9 +23,10 @@ namespace {
 
 /// The times and the files of the frames that were baked.
 struct MeasuredFrames {
-    std::vector<double> begins;  // when the frames were simulated, in seconds since the beginning
-    double drawing = 0.0;        // seconds of drawing and writing, of all frames together
-    std::uint64_t bytes = 0;     // of all files
+    // For each frame, the time at which it was simulated, in seconds since the start of the bake.
+    std::vector<double> begins;
+    double drawing = 0.0;     // seconds of drawing and writing, of all frames together
+    std::uint64_t bytes = 0;  // of all files
     std::size_t files = 0;
 };
 
@@ -56,6 +57,8 @@ void extrapolate(const MeasuredFrames& measured,
     const double drawing = measured.drawing / count / threads;
     const double share = share_of_fitting(preset);
     const double simulated = share > 0.0 ? std::max<double>(frames, preset.frames.count) : frames;
+    // The seconds of drawing, or of fitting ranges, while frames are simulated; and the seconds of
+    // drawing after the last frame is simulated.
     const double meanwhile = share > 0.0 ? simulated * share * drawing : frames * drawing;
     const double afterwards = share > 0.0 ? frames * drawing : drawing;
     estimate.simulating = preparation + (simulated - 1.0) * step;
@@ -79,8 +82,8 @@ FrameSource source_of_reduced(const FrameSource& source, double reduction) {
     };
 }
 
-/// Reduces the images of a bake to sides of at most kLargestEstimatedSide pixels. Returns the
-/// number of pixels of an image divided by that of the reduced image.
+/// Reduces the images of a bake to sides of at most kLargestEstimatedSide pixels, if possible.
+/// Returns the number of pixels of an image divided by the number of pixels of the reduced image.
 double reduce_images(Preset& preset, BakeOptions& options) {
     const ReducedImage image = reduced_image(preset, kLargestEstimatedSide);
     if (image.reduction == 1.0 || FilePattern(preset).is_vector()) {
@@ -100,28 +103,28 @@ BakeEstimate estimate_bake(const Preset& preset,
                            const ProgressCallback& on_progress) {
     check_bake(preset, options);
     const ScratchFolder scratch;
-    Preset first = preset;
+    Preset measured_preset = preset;
     const std::string suffix = std::filesystem::path(preset.output.pattern).extension().string();
     // If the bake stores all maps of a frame as layers of one file, so does the bake of the first
     // kEstimatedFrames frames below.
     const bool is_layered = FilePattern(preset).stores_all_maps_in_one_file();
     const std::string name = (is_layered ? "######" : "{map}.######") + suffix;
-    first.output.pattern = (scratch.path() / name).string();
-    BakeOptions some = options;
-    some.frames.resize(std::min(options.frames.size(), kEstimatedFrames));
-    const double pixels = reduce_images(first, some);
+    measured_preset.output.pattern = (scratch.path() / name).string();
+    BakeOptions measured_options = options;
+    measured_options.frames.resize(std::min(options.frames.size(), kEstimatedFrames));
+    const double pixel_ratio = reduce_images(measured_preset, measured_options);
 
     MeasuredFrames measured;
     const auto begin = std::chrono::steady_clock::now();
     const BakeSummary summary =
-        bake(first,
-             some,
+        bake(measured_preset,
+             measured_options,
              {.on_progress = on_progress,
               .on_frame =
                   [&](const SimulatedFrame&) { measured.begins.push_back(seconds_since(begin)); },
               .on_baked =
                   [&](const BakedFrame& baked) {
-                      measured.drawing += pixels * baked.seconds;
+                      measured.drawing += pixel_ratio * baked.seconds;
                       measured.files += baked.files.size();
                       for (const WrittenFile& file : baked.files) {
                           measured.bytes += file.bytes;
@@ -131,9 +134,10 @@ BakeEstimate estimate_bake(const Preset& preset,
     BakeEstimate estimate{.memory = estimated_memory(preset, frames, options.threads),
                           .outcome = summary.outcome};
     if (summary.outcome.status == RunStatus::Complete) {
-        estimate.files = measured.files * frames / some.frames.size();
-        const std::uint64_t bytes = measured.bytes * frames / some.frames.size();
-        estimate.bytes = static_cast<std::uint64_t>(pixels * static_cast<double>(bytes));
+        const std::size_t measured_frames = measured_options.frames.size();
+        estimate.files = measured.files * frames / measured_frames;
+        const std::uint64_t bytes = measured.bytes * frames / measured_frames;
+        estimate.bytes = static_cast<std::uint64_t>(pixel_ratio * static_cast<double>(bytes));
         extrapolate(
             measured, preset, static_cast<double>(frames), thread_count(options.threads), estimate);
     }

@@ -29,7 +29,7 @@ struct BakeEstimate {
 inline constexpr std::size_t kEstimatedFrames = 2;
 
 /// The largest width and height of the images that estimate_bake draws, which limits the memory of
-/// an estimate. Images whose width and height have no common divisor are drawn at their full size
+/// an estimate. Images whose width and height have too small a common divisor are drawn larger
 /// (reduced_image).
 inline constexpr int kLargestEstimatedSide = 2048;
 
@@ -37,8 +37,8 @@ inline constexpr int kLargestEstimatedSide = 2048;
 /// before the first frame, the time from frame to frame, the time of drawing and writing, and the
 /// size of the files. Extrapolates to all frames, on the assumption that all threads share the
 /// drawing and writing equally. Images larger than kLargestEstimatedSide are drawn at a reduced
-/// size; the time of drawing and the size of the files are then taken to be in proportion to the
-/// number of pixels, which is usually too much for the files. `on_progress` receives the phases of
+/// size. Their time of drawing and the size of their files are then multiplied by the ratio of the
+/// numbers of pixels, which usually overestimates the size. `on_progress` receives the phases of
 /// the bake of the first frames. Throws the exceptions of check_bake and bake, and OutputError if
 /// the scratch folder cannot be created.
 BakeEstimate estimate_bake(const Preset& preset,

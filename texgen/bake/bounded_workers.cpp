@@ -15,7 +15,7 @@
 namespace foam::texgen {
 
 BoundedWorkers::BoundedWorkers(int threads) {
-    start_up_to(static_cast<std::size_t>(std::max(threads, 0)), threads_, [this] {
+    start_threads_up_to(static_cast<std::size_t>(std::max(threads, 0)), threads_, [this] {
         return std::jthread([this] { work(); });
     });
 }

@@ -18,8 +18,9 @@
 // A bake holds the foam and the solver's matrices, and one frame per thread that draws. The memory
 // of a frame is in proportion to its pixels. If each map has a file of its own, the maps are drawn
 // one after the other. The map that needs the most memory then determines the peak. If all maps
-// share a file, the images of all maps are in memory at the same time. The grains of colors and of
-// the relief (maps/grain.h) are kept until all maps of the frame are drawn.
+// share a file, the images of all maps are in memory at the same time. The fine random structures
+// of colors and of the relief (Grain in maps/grain.h) are kept until all maps of the frame are
+// drawn.
 
 namespace foam::texgen {
 
@@ -28,7 +29,7 @@ namespace {
 // The peak memory of drawing, encoding and writing one frame of a map, in bytes per pixel.
 struct MeasuredMemory {
     std::string_view map;
-    double png;  // if the file is a PNG
+    double png;  // if the file is a PNG, or has another format that stores codes
     double exr;  // if the file is an EXR
 };
 
@@ -64,17 +65,17 @@ constexpr double kCrossFade = 1.8;
 // A packing keeps the images of its maps, as 4 bytes per sample, until it is drawn.
 constexpr double kPackedSample = 4.0;
 
-double map_bytes_per_pixel(std::string_view map, bool is_png) {
+double map_bytes_per_pixel(std::string_view map, bool stores_codes) {
     const auto* const found = std::ranges::find(kMeasured, map, &MeasuredMemory::map);
     const MeasuredMemory& memory = found != kMeasured.end() ? *found : kOther;
-    return is_png ? memory.png : memory.exr;
+    return stores_codes ? memory.png : memory.exr;
 }
 
-double bytes_per_pixel(const DrawnImage& image, bool is_png) {
+double bytes_per_pixel(const DrawnImage& image, bool stores_codes) {
     double largest = 0.0;
     double kept = 0.0;
     for (const Map* const map : image.sources()) {
-        largest = std::max(largest, map_bytes_per_pixel(map->name, is_png));
+        largest = std::max(largest, map_bytes_per_pixel(map->name, stores_codes));
         kept += image.map() == nullptr ? kPackedSample * channel_count(*map) : 0.0;
     }
     return largest + kept;
@@ -110,22 +111,22 @@ double array_bytes_per_pixel(const MapTraits& traits, const ImageOptions& size) 
 
 // Returns the memory, in bytes per pixel of a frame, that the sheet of an image takes while it is
 // composed and written.
-double sheet_bytes_per_pixel(const MapTraits& traits, const Preset& preset, bool is_png) {
+double sheet_bytes_per_pixel(const MapTraits& traits, const Preset& preset, bool stores_codes) {
     const SheetKind sheets = preset.output.sheets;
     if (sheets == SheetKind::Dds || sheets == SheetKind::Ktx2) {
         return copies_of_sheet(sheets) * array_bytes_per_pixel(traits, preset.image);
     }
-    const double bytes = is_png ? traits.png_bits / 8.0 : 4.0;
+    const double bytes = stores_codes ? traits.png_bits / 8.0 : 4.0;
     return copies_of_sheet(sheets) * channel_count(traits) * bytes;
 }
 
-// Returns the memory, in bytes, of the largest sheet that a bake joins its frames to at the end
-// (output.sheets). The sheets are made one after the other. `pixels` is the number of pixels of all
-// frames together.
-double sheet_memory(const Preset& preset, double pixels, bool is_png) {
+// Returns the memory, in bytes, of the largest sheet of a bake (output.sheets). At its end, the
+// bake joins its frames into the sheets of all images, one sheet after the other. `pixels` is the
+// number of pixels of all frames together.
+double sheet_memory(const Preset& preset, double pixels, bool stores_codes) {
     double largest = 0.0;
     for (const DrawnImage& image : drawn_images(preset)) {
-        largest = std::max(largest, sheet_bytes_per_pixel(image.traits(), preset, is_png));
+        largest = std::max(largest, sheet_bytes_per_pixel(image.traits(), preset, stores_codes));
     }
     return preset.output.sheets == SheetKind::None ? 0.0 : pixels * largest;
 }
@@ -171,11 +172,11 @@ std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int thr
         return estimated_foam_memory(preset) +
                static_cast<std::uint64_t>(static_cast<double>(drawn) * vector_memory(preset));
     }
-    const bool is_png = pattern.format().samples == FormatSamples::Codes;
+    const bool stores_codes = pattern.format().samples == FormatSamples::Codes;
     double largest = 0.0;
     double shared = 0.0;
     for (const DrawnImage& image : drawn_images(preset)) {
-        largest = std::max(largest, bytes_per_pixel(image, is_png));
+        largest = std::max(largest, bytes_per_pixel(image, stores_codes));
         shared += channel_count(image.traits()) * bytes_per_layer_sample(preset.output.exr_numbers);
     }
     const double per_pixel = (preset.loop.is_cross_faded() ? kCrossFade : 1.0) *
@@ -184,11 +185,12 @@ std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int thr
     const double pixels = static_cast<double>(preset.image.width) * preset.image.height;
     const auto drawn =
         static_cast<double>(std::min(frames, static_cast<std::size_t>(thread_count(threads))));
-    // The memory of drawing is not returned to the system before the sheets are made.
+    // The memory of drawing is added to the memory of the sheets, because it is not returned to the
+    // system before the sheets are made.
     return estimated_foam_memory(preset) +
            static_cast<std::uint64_t>(
                drawn * pixels * per_pixel +
-               sheet_memory(preset, static_cast<double>(frames) * pixels, is_png));
+               sheet_memory(preset, static_cast<double>(frames) * pixels, stores_codes));
 }
 
 }  // namespace foam::texgen

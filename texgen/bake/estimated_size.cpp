@@ -61,14 +61,16 @@ constexpr MeasuredSize kFlat{"", 0.15, 0.35};
 // The number of pixels of all mip levels of an image, divided by the number of its own pixels.
 constexpr double kMipLevels = 4.0 / 3.0;
 
-// Returns the size that the file of a map has without compression, in bytes per pixel. Each channel
-// of an EXR counts as a float of 4 bytes.
+// Returns the size that the file of a map has without compression, in bytes per pixel.
+// `stores_codes` is true for formats with integer samples, such as PNG. In other formats, such as
+// EXR, each channel counts as a float of 4 bytes.
 double raw_bytes_per_pixel(const MapTraits& map, bool stores_codes) {
     return channel_count(map) * (stores_codes ? map.png_bits / 8.0 : 4.0);
 }
 
-// Returns the bytes per pixel of a texture for graphics hardware. If output.mip_levels is true, the
-// bytes of all mip levels are included.
+// Returns the bytes per pixel of a texture for graphics hardware (DDS or KTX2; no other formats
+// have ImageFormat::is_lossy). If output.mip_levels is true, the bytes of all mip levels are
+// included.
 double texture_bytes_per_pixel(const MapTraits& map, const Preset& preset) {
     const OutputOptions& output = preset.output;
     const bool is_compressed = output.block_compression == BlockCompression::Auto &&

@@ -93,8 +93,8 @@ class RangeMeter {
 
 }  // namespace
 
-// These are the maps that are stored as codes and, in every format, the maps in packings, because a
-// packing stores codes or fractions of a range.
+// A map needs its range if it is stored as codes. In every format, a map in a packing also needs
+// it, because a packing stores codes or fractions of a range.
 std::vector<const Map*> maps_with_automatic_ranges(const Preset& preset) {
     const FilePattern pattern(preset);
     std::vector<const Map*> maps;

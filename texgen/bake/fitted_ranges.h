@@ -44,9 +44,9 @@ RunOutcome fit_automatic_ranges(Preset& preset,
                                 int threads,
                                 const ProgressCallback& on_progress = {});
 
-/// Returns the range of a map that fits its numbers. `range` is the present range, and `largest`
-/// the largest absolute value of the numbers as a fraction of it. If `largest` is so small that the
-/// numbers are rounding errors, returns the present range.
+/// Returns the range of a map that fits its numbers. `range` is the present range, and `largest` is
+/// the largest absolute value of the numbers, divided by the present range. If `largest` is so
+/// small that the numbers are rounding errors, returns the present range.
 double fitted_range(double range, double largest);
 
 /// Returns the smallest product of a preferred number (see above) and a power of 10 that is not

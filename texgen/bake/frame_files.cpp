@@ -135,7 +135,7 @@ std::vector<WrittenFile> FrameFiles::write(ShownLayers& shown) const {
     return written;
 }
 
-DistanceNeeds FrameFiles::distance() const {
+DistanceNeeds FrameFiles::needed_distance() const {
     return distance_needs(map_names_, preset_.maps);
 }
 
@@ -224,10 +224,10 @@ ImageMetadata FrameFiles::metadata_of(std::span<const DrawnImage> images) const 
     if (metadata.text.empty()) {
         return metadata;
     }
-    const bool codes = pattern_.format().samples == FormatSamples::Codes;
+    const bool stores_codes = pattern_.format().samples == FormatSamples::Codes;
     for (const DrawnImage& image : images) {
         const MapTraits& traits = image.traits();
-        if (codes) {
+        if (stores_codes) {
             metadata.text.emplace_back("Map", traits.name);
             metadata.text.emplace_back("Unit", traits.unit);
             if (image.map() != nullptr && range_option_of(*image.map(), preset_.maps) != nullptr) {
@@ -238,7 +238,8 @@ ImageMetadata FrameFiles::metadata_of(std::span<const DrawnImage> images) const 
         }
         const std::string note = image.note(preset_.maps);
         if (!note.empty()) {
-            metadata.text.emplace_back(codes ? "Note" : fmt::format("Note {}", traits.name), note);
+            metadata.text.emplace_back(stores_codes ? "Note" : fmt::format("Note {}", traits.name),
+                                       note);
         }
     }
     return metadata;

@@ -19,8 +19,8 @@
 
 namespace foam::texgen {
 
-/// Returns true if the images of a domain tile: it is a torus whose shear is a multiple of its
-/// width, up to rounding errors.
+/// Returns true if a foam in the domain gives images that tile. This is the case if the domain is a
+/// torus whose shear is a multiple of its width, up to rounding errors.
 bool tiles(const Domain& domain);
 
 /// Writes the files of a bake. Thread-safe: all functions may be called from several threads
@@ -50,7 +50,7 @@ class FrameFiles {
     std::vector<WrittenFile> write(ShownLayers& shown) const;
 
     /// Returns which optional images of the distance field (DistanceField) the maps need.
-    DistanceNeeds distance() const;
+    DistanceNeeds needed_distance() const;
 
     /// Returns true if drawing the maps of a frame also needs the frame after it.
     bool needs_next() const;

@@ -20,10 +20,10 @@ namespace foam::texgen {
 /// - events: the T1s, T2s and births of FrameEffort::events, as objects.
 /// - shear_modulus: a number, or null if the frame has none (core/dynamics/shear_modulus.h).
 ///
-/// Bubbles and the shear modulus are those of the frame as it is shown; events are those of the
-/// simulation. A drift, a current, a cross-fade and a shear loop displace the shown foam, so that
-/// its positions do not match the positions of the events. Except for a drift, they also disturb
-/// its equilibrium, so that it seldom has a shear modulus.
+/// Bubbles and the shear modulus are measured in the frame as it is shown; events are recorded
+/// during the simulation. A drift, a current, a cross-fade and a shear loop displace the shown
+/// foam, so that its positions do not match the positions of the events. Except for a drift, they
+/// also disturb its equilibrium, so that it seldom has a shear modulus.
 ///
 /// Lengths are in foam units. A number that is not finite becomes null.
 std::string measurements_json(const SimulatedFrame& shown,

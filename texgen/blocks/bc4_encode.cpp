@@ -30,11 +30,12 @@ constexpr float kLargestTexel = 255.0F;
 template <class Simd>
 using Values = Array<typename Simd::Floats, kBlockTexels>;
 
-// The endpoints of several blocks and the sum of the squared errors.
+// The endpoints of several blocks, and the sums of the squared errors.
 template <class Simd>
 struct ChannelFit {
     using Floats = typename Simd::Floats;
 
+    // Takes over the other fit in the lanes in which the other fit has a smaller error.
     FOAM_INLINE void improve(const ChannelFit& other) {
         const auto is_better = Simd::less(other.error, error);
         low = Simd::select(is_better, other.low, low);
@@ -54,19 +55,20 @@ FOAM_INLINE typename Simd::Ints in_order(const ChannelFit<Simd>& fit) {
     return Simd::less(fit.low, kSteps == 7 ? fit.high : fit.high + typename Simd::Floats(0.5F));
 }
 
-// The sums over the texels from which least squares finds the endpoints.
+// Sums over texels. Least squares computes the endpoints from them. The weight of a texel is the
+// index of its nearest value, from 0 to kSteps.
 template <class Simd>
 struct ChannelSums {
-    typename Simd::Floats count;
-    typename Simd::Floats weights;
-    typename Simd::Floats squares;
-    typename Simd::Floats values;
-    typename Simd::Floats products;
+    typename Simd::Floats count;     // number of texels
+    typename Simd::Floats weights;   // sum of the weights
+    typename Simd::Floats squares;   // sum of the squares of the weights
+    typename Simd::Floats values;    // sum of the texels
+    typename Simd::Floats products;  // sum of the texels times their weights
 };
 
-// Replaces each texel by the nearest value between or at the endpoints of a fit, or by 0 or 255 if
-// these are extra values. Sets the error of the fit to the sum of the squared errors. Returns the
-// sums over the texels that are not replaced by an extra value.
+// Finds the value of the palette (bc4_palette.h) that is nearest to each texel. Sets the error of
+// the fit to the sum of the squared errors. Returns the sums over the texels whose nearest value is
+// not one of the extra values 0 and 255.
 template <class Simd, int kSteps>
 FOAM_INLINE ChannelSums<Simd> measure(const Values<Simd>& texels, ChannelFit<Simd>& fit) {
     using Floats = typename Simd::Floats;
@@ -104,8 +106,8 @@ FOAM_INLINE void solve(const ChannelSums<Simd>& sums, ChannelFit<Simd>& fit) {
     fit.high = Simd::select(is_determined, rounded(low + slope * Floats(kSteps)), fit.high);
 }
 
-// Moves the endpoints of a fit by `low` and `high` if they keep their order, stay in [0, 255] and
-// reduce the error.
+// Adds `low` and `high` to the endpoints of a fit if the endpoints keep their order and stay in
+// [0, 255], and if the error becomes smaller.
 template <class Simd, int kSteps>
 FOAM_INLINE void try_move(const Values<Simd>& texels, int low, int high, ChannelFit<Simd>& best) {
     using Floats = typename Simd::Floats;
@@ -119,6 +121,7 @@ FOAM_INLINE void try_move(const Values<Simd>& texels, int low, int high, Channel
     best.improve(moved);
 }
 
+// Returns the best fit that is found from initial endpoints.
 template <class Simd, int kSteps>
 FOAM_INLINE ChannelFit<Simd> fitted(const Values<Simd>& texels,
                                     const typename Simd::Floats& low,
@@ -140,8 +143,8 @@ FOAM_INLINE ChannelFit<Simd> fitted(const Values<Simd>& texels,
 #pragma GCC unroll 1
     for (int pass = 0; pass < kMovePasses; ++pass) {
 #pragma GCC unroll 1
-        for (const auto& [of_low, of_high] : kMoves) {
-            try_move<Simd, kSteps>(texels, of_low, of_high, best);
+        for (const auto& [low_move, high_move] : kMoves) {
+            try_move<Simd, kSteps>(texels, low_move, high_move, best);
         }
     }
     return best;
@@ -185,8 +188,8 @@ FOAM_INLINE StoredChannels<Simd> compressed(const Values<Simd>& texels) {
     using Ints = typename Simd::Ints;
     Floats low = kLargestTexel;
     Floats high;
-    Floats inner_low = kLargestTexel;  // neglects texels that are 0 or 255
-    Floats inner_high;
+    Floats inner_low = kLargestTexel;  // the smallest texel that is not 0
+    Floats inner_high;                 // the largest texel that is not 255
     for (const Floats& texel : texels) {
         low = Simd::smaller(low, texel);
         high = Simd::larger(high, texel);

@@ -132,22 +132,24 @@ FOAM_INLINE void try_partitions(Group<Simd>& group,
 
 // Tries opaque blocks in the modes 1 and 3, which have two subsets, and in mode 5.
 struct TwoLines {
-    std::size_t fine_count;    // number of partitions to try in mode 1
-    std::size_t coarse_count;  // number of partitions to try in mode 3
+    std::size_t mode1_count;  // number of partitions to try in mode 1
+    std::size_t mode3_count;  // number of partitions to try in mode 3
 
     template <class Simd>
     FOAM_INLINE void operator()(Group<Simd> group) const {
         const auto colors = group.colors(kRgb);
-        BestPartitions<Simd> fine(fine_count);
-        BestPartitions<Simd> coarse(coarse_count);
+        BestPartitions<Simd> mode1_partitions(mode1_count);
+        BestPartitions<Simd> mode3_partitions(mode3_count);
         for_partitions<Simd, 2, 3>(
             relative<Simd, 3>(colors),
             [&](int partition, const Spread<Simd>& spread) FOAM_INLINE_LAMBDA {
-                fine.insert(spread.across + spread.along * kRoundingShare<Mode1>, partition);
-                coarse.insert(spread.across + spread.along * kRoundingShare<Mode3>, partition);
+                mode1_partitions.insert(spread.across + spread.along * kRoundingShare<Mode1>,
+                                        partition);
+                mode3_partitions.insert(spread.across + spread.along * kRoundingShare<Mode3>,
+                                        partition);
             });
-        try_partitions<Mode1>(group, colors, fine, 1);
-        try_partitions<Mode3>(group, colors, coarse, 3);
+        try_partitions<Mode1>(group, colors, mode1_partitions, 1);
+        try_partitions<Mode3>(group, colors, mode3_partitions, 3);
         try_own_indices<Mode5, Simd, 3>(group, colors);
     }
 };
@@ -158,18 +160,20 @@ struct ThreeLines {
     FOAM_INLINE void operator()(Group<Simd> group) const {
         constexpr int kPartitionsOfMode0 = 16;
         const auto colors = group.colors(kRgb);
-        BestPartitions<Simd> fine(kTried0);
-        BestPartitions<Simd> coarse(kTried2);
+        BestPartitions<Simd> mode0_partitions(kTried0);
+        BestPartitions<Simd> mode2_partitions(kTried2);
         for_partitions<Simd, 3, 3>(
             relative<Simd, 3>(colors),
             [&](int partition, const Spread<Simd>& spread) FOAM_INLINE_LAMBDA {
                 if (partition < kPartitionsOfMode0) {
-                    fine.insert(spread.across + spread.along * kRoundingShare<Mode0>, partition);
+                    mode0_partitions.insert(spread.across + spread.along * kRoundingShare<Mode0>,
+                                            partition);
                 }
-                coarse.insert(spread.across + spread.along * kRoundingShare<Mode2>, partition);
+                mode2_partitions.insert(spread.across + spread.along * kRoundingShare<Mode2>,
+                                        partition);
             });
-        try_partitions<Mode0>(group, colors, fine, 0);
-        try_partitions<Mode2>(group, colors, coarse, 2);
+        try_partitions<Mode0>(group, colors, mode0_partitions, 0);
+        try_partitions<Mode2>(group, colors, mode2_partitions, 2);
     }
 };
 
@@ -178,13 +182,14 @@ struct TransparentModes {
     template <class Simd>
     FOAM_INLINE void operator()(Group<Simd> group) const {
         const auto colors = group.colors(kRgba);
-        BestPartitions<Simd> coarse(kTried7);
+        BestPartitions<Simd> mode7_partitions(kTried7);
         for_partitions<Simd, 2, 4>(
             relative<Simd, 4>(colors),
             [&](int partition, const Spread<Simd>& spread) FOAM_INLINE_LAMBDA {
-                coarse.insert(spread.across + spread.along * kRoundingShare<Mode7>, partition);
+                mode7_partitions.insert(spread.across + spread.along * kRoundingShare<Mode7>,
+                                        partition);
             });
-        try_partitions<Mode7>(group, colors, coarse, 7);
+        try_partitions<Mode7>(group, colors, mode7_partitions, 7);
         try_own_indices<Mode4, Simd, 4>(group, colors);
         try_own_indices<Mode4Exchanged, Simd, 4>(group, colors);
         try_own_indices<Mode5, Simd, 4>(group, colors);

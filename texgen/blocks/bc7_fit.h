@@ -147,6 +147,8 @@ class Fitter {
     struct Positions {
         Array<Array<Floats, kSubsets>, kChannels> origins;  // first endpoint plus 1/2, for rounding
         Array<Array<Floats, kSubsets>, kChannels> strides;  // change of color per 1/64 of weight
+        // The position of a texel is scales[s] times the dot product of its color and the strides,
+        // plus offsets[s]. The index of the texel is the integer part of the clamped position.
         Array<Floats, kSubsets> scales;
         Array<Floats, kSubsets> offsets;
     };
@@ -184,18 +186,18 @@ class Fitter {
             Array<Floats, kChannels> stride;
             Floats along;
             for (std::size_t c = 0; c < kChannels; ++c) {
-                stride[c] = membership_.of(positions.strides[c], k);
+                stride[c] = membership_.select(positions.strides[c], k);
                 along += colors_[k][c] * stride[c];
             }
-            const Floats position =
-                along * membership_.of(positions.scales, k) + membership_.of(positions.offsets, k);
+            const Floats position = along * membership_.select(positions.scales, k) +
+                                    membership_.select(positions.offsets, k);
             fit.indices[k] =
                 Simd::whole(Simd::smaller(Simd::larger(position, Floats()), Floats(kSteps + 0.5F)));
             const Floats weight = Simd::truncated(
                 Simd::numbers(fit.indices[k]) * Floats(64.0F / kSteps) + Floats(0.5F));
             for (std::size_t c = 0; c < kChannels; ++c) {
-                const Floats shown =
-                    Simd::truncated(membership_.of(positions.origins[c], k) + weight * stride[c]);
+                const Floats shown = Simd::truncated(membership_.select(positions.origins[c], k) +
+                                                     weight * stride[c]);
                 const Floats difference = shown - colors_[k][c];
                 fit.error += difference * difference;
                 products[c].add(weight * colors_[k][c], membership_, k);

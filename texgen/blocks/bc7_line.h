@@ -46,7 +46,7 @@ struct Membership {
 
     /// Returns the element of `values` for the subset to which a texel belongs.
     template <class Value>
-    FOAM_INLINE Value of(const Array<Value, kSubsets>& values, std::size_t texel) const {
+    FOAM_INLINE Value select(const Array<Value, kSubsets>& values, std::size_t texel) const {
         Value value = values[0];
         for (std::size_t s = 1; s < kSubsets; ++s) {
             value = Simd::select(masks[s][texel], values[s], value);
@@ -123,6 +123,7 @@ struct ColorSums {
     Array<Floats, pairs_of(kChannels)> products;
 };
 
+/// Returns the sums of a subset that contains only one texel, given its color.
 template <class Simd, std::size_t kChannels>
 FOAM_INLINE ColorSums<Simd, kChannels> sums_of(const ColorOf<Simd, kChannels>& color) {
     ColorSums<Simd, kChannels> sums;
@@ -256,9 +257,9 @@ FOAM_INLINE Array<LineOf<Simd, kChannels>, kSubsets> principal_lines(
     Array<Floats, kSubsets> low;
     Array<Floats, kSubsets> high;
     for (std::size_t k = 0; k < kBlockTexels; ++k) {
-        Floats along = Floats() - membership.of(centers, k);
+        Floats along = Floats() - membership.select(centers, k);
         for (std::size_t c = 0; c < kChannels; ++c) {
-            along += relative_colors[k][c] * membership.of(axes[c], k);
+            along += relative_colors[k][c] * membership.select(axes[c], k);
         }
         for (std::size_t s = 0; s < kSubsets; ++s) {
             // Texels of other subsets get the position 0. This is the position of the mean, so

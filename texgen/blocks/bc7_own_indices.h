@@ -76,18 +76,18 @@ FOAM_INLINE void try_own_indices(Group<Simd>& group, const ColorLanes<Simd, kCha
     using Ints = typename Simd::Ints;
     const Ints own = own_channel<Own, Simd, kChannels>(colors);
     ColorLanes<Simd, 3> others;
-    ColorLanes<Simd, 1> owns;
+    ColorLanes<Simd, 1> own_values;
     for (std::size_t k = 0; k < kBlockTexels; ++k) {
         const Floats alpha = kChannels > 3 ? colors[k][kChannels - 1] : Floats(255.0F);
-        owns[k][0] = alpha;
+        own_values[k][0] = alpha;
         for (std::size_t c = 0; c < 3; ++c) {
             const Ints is_own = Simd::equal(own, Ints(static_cast<int>(c)));
-            owns[k][0] = Simd::select(is_own, colors[k][c], owns[k][0]);
+            own_values[k][0] = Simd::select(is_own, colors[k][c], own_values[k][0]);
             others[k][c] = Simd::select(is_own, alpha, colors[k][c]);
         }
     }
     const auto color = fit_line<typename Own::Colors, Simd>(others);
-    const auto alpha = fit_line<typename Own::Alpha, Simd>(owns);
+    const auto alpha = fit_line<typename Own::Alpha, Simd>(own_values);
     const StoredFit<Simd, typename Own::Colors> stored_color(color);
     const StoredFit<Simd, typename Own::Alpha> stored_alpha(alpha);
     Array<std::int32_t, Simd::kCount> channels;

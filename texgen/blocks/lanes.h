@@ -147,10 +147,11 @@ struct LanesAt {
         }
         return all != 0;
     }
-    /// Rounds toward 0.
+    /// Returns the numbers as integers, rounded toward 0.
     FOAM_INLINE static Ints whole(const Floats& numbers) {
         return Ints::from(__builtin_convertvector(numbers.lanes, typename Ints::Register));
     }
+    /// Returns the integers as floats.
     FOAM_INLINE static Floats numbers(const Ints& whole) {
         return Floats::from(__builtin_convertvector(whole.lanes, typename Floats::Register));
     }
@@ -163,6 +164,7 @@ struct LanesAt {
         }
         return Floats::load(roots.data());
     }
+    /// Returns the numbers rounded toward 0.
     FOAM_INLINE static Floats truncated(const Floats& given) {
         return numbers(whole(given));
     }

@@ -125,10 +125,11 @@ class BashScript {
         }
         values_ += fmt::format("        {}) {}; return ;;\n",
                                fmt::join(patterns, " | "),
-                               call(values_of(option, words_)));
+                               shell_call(values_of(option, words_)));
     }
 
-    std::string call(const Values& values) const {
+    // Returns the call of the shell function that completes a word to one of the values.
+    std::string shell_call(const Values& values) const {
         switch (values.kind) {
             case ValueKind::List:
                 return fmt::format("_{}_list '{}'", program_, joined(values.words));

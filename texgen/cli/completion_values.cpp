@@ -11,10 +11,10 @@ namespace foam::texgen {
 
 namespace {
 
-std::vector<std::string> split(const std::string& text, char at) {
+std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> parts(1);
     for (const char c : text) {
-        if (c == at) {
+        if (c == separator) {
             parts.emplace_back();
         } else {
             parts.back() += c;

@@ -68,7 +68,7 @@ ExitCode print_estimate(std::span<const ImageRun> runs,
         return report_failure(estimate.outcome);
     }
     if (!json && progress.verbosity != Verbosity::Quiet) {
-        const bool is_part =
+        const bool has_other_files =
             preset.output.sheets != SheetKind::None || !preset.output.scene.empty();
         print_stdout("frames: {} ({}){}\nfiles: {}, {}{}\nmemory: {}\ntime: about {}{}\n",
                      options.frames.size(),
@@ -76,10 +76,10 @@ ExitCode print_estimate(std::span<const ImageRun> runs,
                      runs.size() > 1 ? fmt::format(" in {} sizes", runs.size()) : "",
                      estimate.files,
                      amount_of_bytes(estimate.bytes),
-                     is_part ? ", and sheets or scene files" : "",
+                     has_other_files ? ", and sheets or scene files" : "",
                      amount_of_bytes(estimate.memory),
                      duration_text(estimate.seconds),
-                     is_part ? " without sheets and scene files" : "");
+                     has_other_files ? " without sheets and scene files" : "");
     }
     return ExitCode::Success;
 }

@@ -105,9 +105,9 @@ void print_report(const std::vector<FinishedRun>& finished, std::size_t count) {
     Json report = json_report(finished.back().summary.outcome);
     report["sizes"] = Json::array();
     for (const FinishedRun& one : finished) {
-        Json of_size = report_of(one);
-        of_size["size"] = {one.run.preset.image.width, one.run.preset.image.height};
-        report["sizes"].push_back(std::move(of_size));
+        Json size_report = report_of(one);
+        size_report["size"] = {one.run.preset.image.width, one.run.preset.image.height};
+        report["sizes"].push_back(std::move(size_report));
     }
     print_json(report);
 }
@@ -121,8 +121,8 @@ MemoryNeed memory_of(const ImageRun& run) {
     return memory_to_bake(run.preset, run.options.frames.size(), run.options.threads);
 }
 
-/// Returns true if the command warns of files of other bakes that it replaces. With --watch, every
-/// bake replaces the files of the one before.
+/// Returns true if the command warns of files of other bakes that it replaces. With --watch, it
+/// does not, because every bake replaces the files of the previous one.
 bool warns_of_replaced(const ImageArguments& arguments, const ProgressOptions& progress) {
     return progress.verbosity != Verbosity::Quiet && !arguments.watch;
 }
@@ -206,10 +206,10 @@ void warn_of_resources(std::span<const ImageRun> runs) {
 
 /// Carries out the first or a later run of a command. If it is complete, also writes its sheets and
 /// scene files. The first run also writes the statistics that the command asks for.
-FinishedRun finish(const ImageRun& run,
-                   const ImageArguments& arguments,
-                   const ProgressOptions& progress,
-                   bool is_first) {
+FinishedRun carry_out(const ImageRun& run,
+                      const ImageArguments& arguments,
+                      const ProgressOptions& progress,
+                      bool is_first) {
     const bool with_statistics = arguments.stats && is_first;
     const Preset& preset = run.preset;
     Recorder recorder(preset, run.options.threads);
@@ -267,7 +267,7 @@ ExitCode run_images(std::span<const ImageRun> runs,
     std::vector<FinishedRun> finished;
     for (const ImageRun& run : runs) {
         const bool is_first = finished.empty();
-        finished.push_back(finish(run, arguments, progress, is_first));
+        finished.push_back(carry_out(run, arguments, progress, is_first));
         if (!is_quiet && is_first) {
             warn_of_missing_bubbles(run.preset, finished.back().summary.outcome);
         }

@@ -20,12 +20,12 @@ std::atomic<int> stop_signal{0};
 std::atomic<bool> is_reported{false};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use it");
 
-// Tells how the run will stop after a signal. The signal handler writes this to stderr (note_on).
+// Tells how the run will stop after a signal. The signal handler writes this to stderr (stop_note).
 // handle_stop_signals may change it while handlers are installed.
 std::atomic<Stopping> stopping_of_run{Stopping::AfterStep};
 static_assert(std::atomic<Stopping>::is_always_lock_free, "signal handlers may use it");
 
-std::string_view note_on(Stopping stopping) {
+std::string_view stop_note(Stopping stopping) {
     return stopping == Stopping::AfterStep
                ? "\nfoamtex: stopping after the current step; the same signal again stops at once\n"
                : "\nfoamtex: stopping; the same signal again stops at once\n";
@@ -41,7 +41,7 @@ void take_signal(int signal) {
     struct sigaction before {};
     ignore.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &ignore, &before);
-    const std::string_view note = note_on(stopping_of_run);
+    const std::string_view note = stop_note(stopping_of_run);
     [[maybe_unused]] const auto written = write(STDERR_FILENO, note.data(), note.size());
     sigaction(SIGPIPE, &before, nullptr);
     errno = error;

@@ -18,8 +18,8 @@ namespace foam::texgen {
 /// The estimated memory that a run needs.
 struct MemoryNeed {
     std::uint64_t bytes = 0;
-    // The options and keys that the user can lower so that the run needs less memory, as in a
-    // message, such as "image.size or foam.bubbles". Empty if there are none.
+    // The options and keys that the user can lower so that the run needs less memory, as a part of
+    // a message, such as "image.size or foam.bubbles". Empty if there are none.
     std::string_view to_lower{};
 };
 

@@ -22,9 +22,9 @@ constexpr double kBarInterval = 0.1;           // seconds between two drawings o
 constexpr double kLineInterval = 1.0;          // seconds between two lines
 constexpr std::chrono::seconds kHeartbeat{1};  // time after which the latest report is repeated
 // A run is long if it will take at least kLongRun more. A note reports this once the speed of a
-// phase has been measured for kMeasured.
-constexpr double kLongRun = 60.0;  // seconds
-constexpr double kMeasured = 2.0;  // seconds
+// phase has been measured for kMeasuringTime.
+constexpr double kLongRun = 60.0;       // seconds
+constexpr double kMeasuringTime = 2.0;  // seconds
 
 bool wants_color() {
     const char* no_color = std::getenv("NO_COLOR");
@@ -173,8 +173,8 @@ std::optional<double> ProgressReporter::seconds_per_unit() const {
 // cycles.
 void ProgressReporter::note_long_run() {
     const std::optional<double> per_unit = seconds_per_unit();
-    const bool is_told = options_.verbosity == Verbosity::Normal && !options_.json;
-    if (has_noted_ || !is_told || !per_unit || seconds_since(phase_begin_) < kMeasured) {
+    const bool wants_note = options_.verbosity == Verbosity::Normal && !options_.json;
+    if (has_noted_ || !wants_note || !per_unit || seconds_since(phase_begin_) < kMeasuringTime) {
         return;
     }
     const bool frames_follow = latest_.phase < Phase::Frames && !has_frames_;

@@ -32,7 +32,7 @@ struct ProgressOptions {
 ///   the run, and otherwise one line per second.
 /// - lines, for Verbosity::Verbose. The phase Frames has one line per frame. Every other phase has
 ///   one line at its start, one when its last unit is reported, and otherwise at most one per
-///   second. In the phase LoopClosing, this holds for the last unit of each cycle.
+///   second. In the phase LoopClosing, the last unit of each cycle also has a line.
 /// - a bar, for Verbosity::Normal if stderr is a terminal. It is in color only if the environment
 ///   variable NO_COLOR is unset or empty.
 /// - nothing, in all other cases, and always for Verbosity::Quiet.
@@ -41,7 +41,7 @@ struct ProgressOptions {
 /// no other report has followed for a second. Long steps, such as the first equilibrium of a large
 /// foam, are therefore not silent.
 ///
-/// With Verbosity::Normal and without JSON, a note tells the user that the rest of the run takes a
+/// With Verbosity::Normal and without JSON, a note tells the user if the rest of the run takes a
 /// minute or more. It is printed as soon as this can be estimated from the first units, such as
 /// frames, of a phase.
 class ProgressReporter {

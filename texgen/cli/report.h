@@ -33,9 +33,10 @@ void note_other_version(const CacheInfo& cache, const std::filesystem::path& fol
 /// (closes_loop). Precondition: `frames` is not empty.
 void note_open_loop(const Preset& preset, std::span<const int> frames);
 
-/// Prints a warning on stderr if events of the preset never happen, and one if events are cut off
-/// by the last frame. Such events begin, or end, both after the last frame of the preset and after
-/// the last of the given frames. Precondition: `frames` is not empty.
+/// Prints a warning on stderr if events of the preset never happen, because they begin after the
+/// last frame. Prints another one if events are cut off, because they end after the last frame. The
+/// last frame is frames.count or the largest of the given frames, whichever is larger.
+/// Precondition: `frames` is not empty.
 void warn_of_late_events(const Preset& preset, std::span<const int> frames);
 
 /// Prints a warning on stderr for each event of the preset whose bubbles did not all exist, or
@@ -54,9 +55,9 @@ void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced);
 /// which keys set the range.
 void warn_of_clipped(const BakeSummary& summary, const Preset& preset);
 
-/// Prints on stderr which images of an earlier flipbook the new one has replaced, although they
-/// were made from another bake, and which ones the JSON file does not list any more. Prints nothing
-/// if there are none.
+/// Prints on stderr which sheets of an earlier flipbook the given flipbook has replaced although
+/// they were made from another bake. Also prints which sheets its JSON file no longer lists. Prints
+/// nothing if there are no such sheets.
 void report_earlier_sheets(const Flipbook& flipbook);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the

@@ -33,8 +33,8 @@ Value size_value(const std::string& size) {
     return {Value::List{read_value(width), read_value(height)}};
 }
 
-std::vector<Assignment> in_order(std::vector<Assignment> first,
-                                 const std::vector<Assignment>& second) {
+std::vector<Assignment> concatenated(std::vector<Assignment> first,
+                                     const std::vector<Assignment>& second) {
     first.insert(first.end(), second.begin(), second.end());
     return first;
 }
@@ -47,13 +47,13 @@ Preset assigned(Preset preset,
                 const std::vector<Assignment>& own,
                 const RunArguments& arguments,
                 const std::vector<Assignment>& more) {
-    const std::vector<Assignment> assignments = in_order(assignments_of(arguments), more);
+    const std::vector<Assignment> assignments = concatenated(assignments_of(arguments), more);
     if (arguments.profile) {
         assign(preset, profile_assignments(*arguments.profile, preset, assignments));
     }
     assign(preset, assignments);
     if (!arguments.quiet) {
-        for (const std::string& line : remarks_on(preset, in_order(own, assignments))) {
+        for (const std::string& line : remarks_on(preset, concatenated(own, assignments))) {
             print_stderr("foamtex: note: {}", line);
         }
     }

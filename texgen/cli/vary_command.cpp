@@ -83,7 +83,7 @@ std::vector<Sweep> sweeps_of(const VaryArguments& arguments) {
 }
 
 /// Returns the random variations of a preset. The keys that the command line sets do not vary.
-std::vector<Variation> drawn_at_random(const VaryArguments& arguments, const Preset& preset) {
+std::vector<Variation> random_variations_of(const VaryArguments& arguments, const Preset& preset) {
     RandomDraw draw{.count = *arguments.random};
     draw.seed = arguments.random_seed.value_or(draw.seed);
     for (const Assignment& one : assignments_of(arguments.run)) {
@@ -92,13 +92,13 @@ std::vector<Variation> drawn_at_random(const VaryArguments& arguments, const Pre
     return random_variations(preset, draw);
 }
 
-/// Returns what to draw, and the number of columns of the sheet.
+/// Returns the variations to draw, and the number of columns of their sheet.
 VariationSet variations_of(const VaryArguments& arguments, const Preset& preset) {
     VariationSet set{.preset = arguments.run.preset,
                      .assignments = assignments_of(arguments.run),
                      .variations = {}};
     if (arguments.random) {
-        set.variations = drawn_at_random(arguments, preset);
+        set.variations = random_variations_of(arguments, preset);
         return set;
     }
     const std::vector<Sweep> sweeps = sweeps_of(arguments);

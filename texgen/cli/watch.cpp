@@ -34,12 +34,12 @@ constexpr int kQuietPolls = 2;
 
 void wait_for_change(WatchedFiles& files) {
     bool has_changed = false;
-    for (int quiet = 0; !has_changed || quiet < kQuietPolls;) {
+    for (int quiet_polls = 0; !has_changed || quiet_polls < kQuietPolls;) {
         std::this_thread::sleep_for(kPollPeriod);
         throw_if_interrupted();
         const bool changes = files.have_changed();
         has_changed = has_changed || changes;
-        quiet = changes ? 0 : quiet + 1;
+        quiet_polls = changes ? 0 : quiet_polls + 1;
     }
 }
 

@@ -21,8 +21,8 @@ struct ChosenBubble {
 /// each call. `first_index` is the sum of `count` over the earlier calls. The bubbles depend on the
 /// key that the event has:
 ///
-/// - `bubble`, a list of identities: the bubbles from the index `first_index` of the list on.
-///   Precondition: the list has at least first_index + count elements.
+/// - `bubble`, a list of identities: the bubbles with the identities at the indices first_index to
+///   first_index + count - 1 of the list. Precondition: the list has these indices.
 /// - `sides`, a list of numbers of sides: the numbers take turns, beginning at the index
 ///   `first_index` modulo the length of the list. Each turn considers the bubbles with this number
 ///   of sides that the call has not chosen yet. It chooses the one with the smallest target area.

@@ -45,13 +45,14 @@ void advance_drive(const EventBase& event, const DriveOptions& options, EventCon
     const std::vector<ChosenBubble> chosen = choose_bubbles(event, context, 0, count);
     context.missing += count > 0 ? static_cast<int>(count - chosen.size()) : 0;
     for (const ChosenBubble& one : chosen) {
-        const double more = options.phases == Phases::Random ? context.random.uniform() : 0.0;
+        const double random_phase =
+            options.phases == Phases::Random ? context.random.uniform() : 0.0;
         context.schedules[one.bubble] = {event.frames,
                                          {.from = one.area,
                                           .to = options.scale * one.area,
                                           .amplitude = options.amplitude,
                                           .oscillations = event.frames.length() / options.period,
-                                          .phase = options.phase + more},
+                                          .phase = options.phase + random_phase},
                                          false};
     }
 }

@@ -36,7 +36,7 @@ Keys<DriveOptions> drive_keys();
 void check_drive(const EventCheck& check, const DriveOptions& options);
 
 /// Before the step to the first frame of the event, chooses bubbles and schedules their target
-/// areas: a ramp times an oscillation (E9). If bubbles that the event is to choose do not exist,
+/// areas: a ramp times an oscillation (E9). If bubbles that the event should choose do not exist,
 /// adds their number to context.missing. Does nothing at later frames.
 void advance_drive(const EventBase& event, const DriveOptions& options, EventContext& context);
 

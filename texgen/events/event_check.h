@@ -17,8 +17,8 @@ struct EventSetting {
     bool is_patch = false;
     double t2_area = 0.0;       // square foam units
     double shorter_side = 0.0;  // shorter side of a torus, foam units
-    // An event must name identities below this number: foam.bubbles plus the number of bubbles that
-    // events create.
+    // The identities that an event names must be below this number: foam.bubbles plus the number
+    // of bubbles that events create.
     std::int64_t identity_limit = std::numeric_limits<std::int64_t>::max();
 };
 
@@ -57,9 +57,10 @@ struct EventCheck {
         }
     }
     /// Rejects a value of a key that does not fit the foam, unless `holds` is true. If the key was
-    /// assigned, calls `reject` with the reason. Otherwise the value is older or the default. This
-    /// function then calls `reject_foam` with the reason "event[2].key" + separator + reason, so
-    /// that the message names the key of the event, too. `separator` is, for example, " = ".
+    /// assigned, calls `reject` with the reason. Otherwise the value was assigned earlier, or it is
+    /// the default. This function then calls `reject_foam` with the reason "event[2].key" +
+    /// separator + reason, so that the message names the key of the event, too. `separator` is, for
+    /// example, " = ".
     void require_fit(bool holds,
                      std::string_view key,
                      std::string_view separator,

@@ -43,7 +43,7 @@ struct EventContext {
     Vec2 image_size;             // pixels
     StateChange& change;         // changes to impose during this step
     DrivenSchedules& schedules;  // target areas to impose during this step and later ones
-    int missing = 0;  // number of bubbles that the event was to choose, but that do not exist, or
+    int missing = 0;  // number of bubbles that the event should choose but that do not exist, or
                       // number of new bubbles that it could not create
 
     /// Returns the point of the foam, in foam units, at a position in the image (point_in_view). An

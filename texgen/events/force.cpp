@@ -37,9 +37,9 @@ void check_force(const EventCheck& check, const ForceOptions& options) {
 
 void advance_force(const EventBase& event, const ForceOptions& options, EventContext& context) {
     const double part = 1.0 / event.frames.length();
-    const Vec2 by = part * Vec2(options.push[0], options.push[1]);
-    const Vec2 center = context.point_at(*event.at) + (context.frame - event.frames.first) * by;
-    context.change.pushes.push_back({center, options.radius, by});
+    const Vec2 push = part * Vec2(options.push[0], options.push[1]);
+    const Vec2 center = context.point_at(*event.at) + (context.frame - event.frames.first) * push;
+    context.change.pushes.push_back({center, options.radius, push});
 }
 
 }  // namespace foam::texgen

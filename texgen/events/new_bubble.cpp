@@ -28,26 +28,26 @@ Vec2 random_point(const Foam& foam, Random& random) {
 
 }  // namespace
 
-std::optional<BubbleId> nucleate_near(NucleationSite on,
+std::optional<BubbleId> nucleate_near(NucleationSite site,
                                       const Vec2& point,
                                       double area,
                                       Foam& foam) {
     if (!bubble_at(foam, point)) {
         return std::nullopt;
     }
-    if (on == NucleationSite::Junction) {
+    if (site == NucleationSite::Junction) {
         return nucleate_at_junction(foam, nearest_junction(foam, point), area);
     }
     return nucleate_on_film(foam, nearest_film(foam, point), area);
 }
 
-std::optional<BubbleId> nucleate_anywhere(NucleationSite on,
+std::optional<BubbleId> nucleate_anywhere(NucleationSite site,
                                           double area,
                                           Random& random,
                                           Foam& foam) {
     for (int k = 0; k < kMaxTries; ++k) {
         const Vec2 point = random_point(foam, random);
-        if (const auto bubble = nucleate_near(on, point, area, foam)) {
+        if (const auto bubble = nucleate_near(site, point, area, foam)) {
             return bubble;
         }
     }

@@ -13,9 +13,9 @@ enum class NucleationSite { Junction, Film };
 
 /// Creates a bubble with the target area `area`, in square foam units, on the junction or film
 /// nearest to a point. Returns nullopt, and leaves the foam unchanged, if the point is in no bubble
-/// of the network. Does the same if the bubbles around the junction or film have too little gas
+/// of the network, or if the bubbles around the junction or film have too little gas
 /// (core/dynamics/nucleation.h). Precondition: the target area is positive.
-std::optional<BubbleId> nucleate_near(NucleationSite on,
+std::optional<BubbleId> nucleate_near(NucleationSite site,
                                       const Vec2& point,
                                       double area,
                                       Foam& foam);
@@ -23,7 +23,7 @@ std::optional<BubbleId> nucleate_near(NucleationSite on,
 /// Creates a bubble near a random point of a torus, or of the bounding box of a patch's junctions.
 /// Tries up to 100 points and uses the first point at which nucleate_near succeeds. Returns nullopt
 /// if nucleate_near succeeds at none of them.
-std::optional<BubbleId> nucleate_anywhere(NucleationSite on,
+std::optional<BubbleId> nucleate_anywhere(NucleationSite site,
                                           double area,
                                           Random& random,
                                           Foam& foam);

@@ -28,8 +28,9 @@ Keys<NucleateOptions> nucleate_keys();
 /// creates more than one bubble.
 void check_nucleate(const EventCheck& check, const NucleateOptions& options);
 
-/// Creates the bubbles that are to appear in the step to the context's frame, and schedules their
-/// growth to options.area. A bubble that cannot be created is counted in context.missing.
+/// Creates the bubbles that are to appear before the step to the frame `context.frame`, and
+/// schedules their growth to options.area. Adds the number of bubbles that cannot be created to
+/// context.missing.
 void advance_nucleate(const EventBase& event,
                       const NucleateOptions& options,
                       EventContext& context);

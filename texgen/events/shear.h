@@ -22,8 +22,8 @@ Keys<ShearOptions> shear_keys();
 /// Rejects an event in a patch, which cannot be sheared.
 void check_shear(const EventCheck& check, const ShearOptions& options);
 
-/// Returns the strain by which an event has sheared the foam at a frame: the sum of what
-/// advance_shear has added.
+/// Returns the strain by which an event has sheared the foam at a frame: the sum of the strains
+/// that advance_shear has added up to this frame.
 double strain_at(int frame, const EventBase& event, const ShearOptions& options);
 
 /// Adds the strain, divided by the number of frames of the event, to context.change. The timeline

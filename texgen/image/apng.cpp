@@ -107,7 +107,7 @@ void ApngMuxer::add(Content png) {
     for (const PngChunk& chunk : chunks) {
         if (chunk.type == "IDAT") {
             if (!std::exchange(begun, true)) {
-                append_frame();
+                append_frame_control();
             }
             append_data(chunk.content);
         } else if (added_ == 0 && chunk.type != "IEND") {
@@ -130,20 +130,21 @@ void ApngMuxer::check_header(Content header) {
     if (added_ == 0) {
         header_.assign(header.begin(), header.end());
     } else if (!std::ranges::equal(header, header_)) {
-        throw std::invalid_argument("a frame has a different size or color type than the first");
+        throw std::invalid_argument(
+            "a frame has a different size, sample type or interlacing than the first");
     }
 }
 
-void ApngMuxer::append_animation() {
+void ApngMuxer::append_animation_control() {
     Bytes control;
     append(control, big_endian(static_cast<std::uint32_t>(frames_)));
     append(control, big_endian(kPlayForever));
     append_chunk(stream_, "acTL", control);
 }
 
-void ApngMuxer::append_frame() {
+void ApngMuxer::append_frame_control() {
     if (added_ == 0) {
-        append_animation();
+        append_animation_control();
     }
     Bytes control;
     control.reserve(kFrameControl);

@@ -32,8 +32,8 @@ class ApngMuxer {
 
   private:
     void check_header(std::span<const std::byte> header);
-    void append_animation();
-    void append_frame();
+    void append_animation_control();
+    void append_frame_control();
     void append_data(std::span<const std::byte> data);
 
     int frames_;

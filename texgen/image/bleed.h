@@ -11,8 +11,8 @@ namespace foam::texgen {
 
 /// Gives every fully transparent pixel a color. Filters that ignore opacity, such as texture
 /// filters and mip maps, then mix in only colors that the picture shows. The first three channels
-/// of the image are linear colors (not sRGB codes), which are not multiplied by the opacity. The
-/// fourth channel is the opacity.
+/// of the image are a color in linear light (not sRGB codes), which is not multiplied by the
+/// opacity. The fourth channel is the opacity.
 ///
 /// The color of a transparent pixel is a mean weighted by opacity. If any of the eight neighbors of
 /// the pixel has an opacity above 0, the color is the mean of the neighbors. At the edge of the

@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-/// The samples of one channel in a row of an image. Refers to the image.
+/// The samples of one channel in a row of an image. Refers to the image, which must outlive it.
 template <class Sample>
 struct ChannelRow {
     ChannelRow(const ImageView<const Sample>& image, int y, int channel)

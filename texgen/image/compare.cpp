@@ -111,9 +111,9 @@ Comparison compare(const Picture& a,
         return found;
     }
     const bool has_normals = content == PixelContent::Normals && can_hold_normals(a);
-    const SampleLimits of_samples{limits.warn.sample_limit(has_normals),
-                                  limits.fail.sample_limit(has_normals)};
-    const Image<double> differences = measure_samples(a, b, of_samples, found);
+    const SampleLimits sample_limits{limits.warn.sample_limit(has_normals),
+                                     limits.fail.sample_limit(has_normals)};
+    const Image<double> differences = measure_samples(a, b, sample_limits, found);
     const std::vector<double> angles = has_normals ? normal_angles(a, b) : std::vector<double>();
     if (has_normals) {
         note_largest_angle(angles, a.width(), a.height(), found);

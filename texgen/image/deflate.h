@@ -39,7 +39,7 @@ class Deflater {
                                        std::span<const std::byte> data,
                                        bool last = true);
 
-    /// Returns data compressed to a zlib stream (RFC 1950). `level` is from 1 (fastest) to 9
+    /// Compresses data and returns the zlib stream (RFC 1950). `level` is from 1 (fastest) to 9
     /// (smallest); the stream is about as large as from zlib at the same level. Level 2 gives the
     /// same stream as level 1. As for Compression::Fast, this stream can differ between processors.
     Bytes zlib_stream(int level, std::span<const std::byte> data);

@@ -23,17 +23,17 @@ class ExrOutput : public Imf::OStream {
     explicit ExrOutput(Bytes& bytes) : Imf::OStream("EXR"), bytes_(bytes) {}
 
     void write(const char data[], int count) override {
-        const auto end = at_ + static_cast<std::size_t>(count);
+        const auto end = position_ + static_cast<std::size_t>(count);
         bytes_.resize(std::max(bytes_.size(), end));
-        std::copy_n(reinterpret_cast<const std::byte*>(data), count, bytes_.data() + at_);
-        at_ = end;
+        std::copy_n(reinterpret_cast<const std::byte*>(data), count, bytes_.data() + position_);
+        position_ = end;
     }
-    std::uint64_t tellp() override { return at_; }
-    void seekp(std::uint64_t position) override { at_ = position; }
+    std::uint64_t tellp() override { return position_; }
+    void seekp(std::uint64_t position) override { position_ = position; }
 
   private:
     Bytes& bytes_;
-    std::size_t at_ = 0;
+    std::size_t position_ = 0;
 };
 
 /// An input stream that reads from a span of bytes. The bytes must outlive the stream.
@@ -45,21 +45,21 @@ class ExrInput : public Imf::IStream {
     /// Iex::InputExc if fewer than `count` bytes are left.
     bool read(char data[], int count) override {
         const auto size = static_cast<std::size_t>(count);
-        if (count < 0 || at_ > bytes_.size() || size > bytes_.size() - at_) {
+        if (count < 0 || position_ > bytes_.size() || size > bytes_.size() - position_) {
             throw Iex::InputExc("unexpected end of the data");
         }
-        std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at_),
+        std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(position_),
                     count,
                     reinterpret_cast<std::byte*>(data));
-        at_ += size;
-        return at_ < bytes_.size();
+        position_ += size;
+        return position_ < bytes_.size();
     }
-    std::uint64_t tellg() override { return at_; }
-    void seekg(std::uint64_t position) override { at_ = position; }
+    std::uint64_t tellg() override { return position_; }
+    void seekg(std::uint64_t position) override { position_ = position; }
 
   private:
     std::span<const std::byte> bytes_;
-    std::size_t at_ = 0;
+    std::size_t position_ = 0;
 };
 
 }  // namespace foam::texgen

@@ -19,24 +19,25 @@ namespace foam::texgen {
     constexpr std::uint32_t kHalfInfinity = 0x7c00U;
     const auto bits = std::bit_cast<std::uint32_t>(number);
     const std::uint32_t sign = (bits & kSign) >> 16U;
-    const std::uint32_t size = bits & ~kSign;
+    const std::uint32_t magnitude = bits & ~kSign;
 
     // The exponent is reduced by 112, and 13 bits are rounded away.
-    const std::uint32_t normal = (size - (112U << 23U) + 0xfffU + ((size >> 13U) & 1U)) >> 13U;
+    const std::uint32_t normal =
+        (magnitude - (112U << 23U) + 0xfffU + ((magnitude >> 13U) & 1U)) >> 13U;
 
     // Half floats below 2^-14 are multiples of 2^-24. The addition of 1/2 rounds to such a
     // multiple, because floats from 1/2 to 1 are multiples of 2^-24, too.
-    const float sum = std::bit_cast<float>(size) + 0.5F;
+    const float sum = std::bit_cast<float>(magnitude) + 0.5F;
     const std::uint32_t small =
         std::bit_cast<std::uint32_t>(sum) - std::bit_cast<std::uint32_t>(0.5F);
 
     // The payload of a NaN is cut, but is never 0, which would be infinity.
-    const std::uint32_t payload = (size >> 13U) & 0x3ffU;
+    const std::uint32_t payload = (magnitude >> 13U) & 0x3ffU;
     const std::uint32_t nan = kHalfInfinity | payload | (payload == 0U ? 1U : 0U);
 
-    std::uint32_t result = size < kSmallestNormal ? small : normal;
-    result = size >= kTooLarge ? kHalfInfinity : result;
-    result = size > kInfinity ? nan : result;
+    std::uint32_t result = magnitude < kSmallestNormal ? small : normal;
+    result = magnitude >= kTooLarge ? kHalfInfinity : result;
+    result = magnitude > kInfinity ? nan : result;
     return static_cast<std::uint16_t>(sign | result);
 }
 

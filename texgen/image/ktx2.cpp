@@ -124,7 +124,7 @@ struct LevelEntry {
     std::uint64_t uncompressed = 0;
 };
 
-void append_sized(Bytes& bytes, std::size_t offset, std::size_t size) {
+void append_offset_and_size(Bytes& bytes, std::size_t offset, std::size_t size) {
     append_number(bytes, static_cast<std::uint32_t>(offset));
     append_number(bytes, static_cast<std::uint32_t>(size));
 }
@@ -149,8 +149,8 @@ Bytes header_of(const GpuTexture& texture, std::size_t descriptor_bytes, std::si
         append_number(bytes, number);
     }
     const std::size_t descriptor = kKtx2HeaderBytes + levels * kLevelEntryBytes;
-    append_sized(bytes, descriptor, descriptor_bytes);
-    append_sized(bytes, descriptor + descriptor_bytes, value_bytes);
+    append_offset_and_size(bytes, descriptor, descriptor_bytes);
+    append_offset_and_size(bytes, descriptor + descriptor_bytes, value_bytes);
     append_number(bytes, std::uint64_t{0});  // there are no global data of the supercompression
     append_number(bytes, std::uint64_t{0});
     return bytes;

@@ -11,8 +11,8 @@
 namespace foam::texgen {
 
 /// Returns a texture as a KTX 2.0 file (Khronos Texture), whose mip levels are compressed with
-/// Zstandard. The texts become key/value data. If the texture is an array with an animation
-/// (GpuTexture::animation), so do the frame rate and the repetition of the animation. On one
+/// Zstandard. The texts are stored as key/value data. For an array with an animation
+/// (GpuTexture::animation), the frame rate and the repetition are stored there, too. On one
 /// machine, equal textures give equal bytes. Throws OutputError if Zstandard fails.
 Bytes encode_ktx2(const GpuTexture& texture);
 

@@ -18,8 +18,9 @@ std::size_t count_above(const PixelDifferences& all, const DifferenceLimits& lim
     const double sample = limits.sample_limit(!all.angles.empty());
     std::size_t count = 0;
     for (std::size_t k = 0; k < all.differences.size(); ++k) {
-        const bool turned = limits.angle && !all.angles.empty() && all.angles[k] > *limits.angle;
-        count += all.differences[k] > sample || turned ? 1U : 0U;
+        const bool exceeds_angle =
+            limits.angle && !all.angles.empty() && all.angles[k] > *limits.angle;
+        count += all.differences[k] > sample || exceeds_angle ? 1U : 0U;
     }
     return count;
 }

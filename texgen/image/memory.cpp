@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
 // Returns the unused part of a limit. Both arguments are in bytes.
-std::uint64_t left_of(std::uint64_t limit, std::uint64_t used) {
+std::uint64_t unused_part(std::uint64_t limit, std::uint64_t used) {
     return limit - std::min(limit, used);
 }
 
@@ -46,7 +46,7 @@ std::uint64_t address_space_left() {
     }
     std::uint64_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
-    return left_of(limit.rlim_cur, pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
+    return unused_part(limit.rlim_cur, pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
 }
 
 // Returns the number in a file. Returns nullopt if there is no file, or if the file contains the
@@ -66,7 +66,7 @@ std::uint64_t left_in_group(std::filesystem::path group) {
         const auto limit = number_in(group / "memory.max");
         const auto used = number_in(group / "memory.current");
         if (limit && used) {
-            left = std::min(left, left_of(*limit, *used));
+            left = std::min(left, unused_part(*limit, *used));
         }
         if (group == root || !group.has_relative_path()) {
             return left;

@@ -42,7 +42,8 @@ struct Conversion {
     TexelMeaning meaning;
     bool color;            // true if the codes are sRGB colors
     std::size_t channels;  // number of channels of the picture
-    std::span<const std::uint8_t, 65536> codes = srgb_codes_of_light();
+    // The 8-bit sRGB code of each 16-bit value of linear light.
+    std::span<const std::uint8_t, 65536> srgb_codes = srgb_codes_of_light();
     std::vector<float> light{};      // for colors: the linear light of each code
     std::vector<float> fractions{};  // for other channels: the number that each code represents
 
@@ -68,20 +69,21 @@ struct Conversion {
     std::span<const float> numbers(std::size_t channel) const {
         return is_light(channel) ? light : fractions;
     }
+    // Returns the code of a number of a channel. The number is clamped to [0, 1].
     Code code(float number, std::size_t channel) const {
-        const double whole = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
+        const double clamped = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
         if (!is_light(channel)) {
             // The product is exact, and so is the sum unless the product is far below 1.
             // std::lround would be slower, because it would be a function call for each number.
             // NOLINTNEXTLINE(bugprone-incorrect-roundings)
-            return static_cast<Code>(whole * static_cast<double>(kLargest<Code>) + 0.5);
+            return static_cast<Code>(clamped * static_cast<double>(kLargest<Code>) + 0.5);
         }
         if (sizeof(Code) == 1) {
             // NOLINTNEXTLINE(bugprone-incorrect-roundings)
-            return static_cast<Code>(codes[static_cast<std::size_t>(whole * 65535.0 + 0.5)]);
+            return static_cast<Code>(srgb_codes[static_cast<std::size_t>(clamped * 65535.0 + 0.5)]);
         }
         return static_cast<Code>(
-            std::lround(linear_to_srgb(whole) * static_cast<double>(kLargest<Code>)));
+            std::lround(linear_to_srgb(clamped) * static_cast<double>(kLargest<Code>)));
     }
 };
 
@@ -180,8 +182,11 @@ Picture picture_like(const Picture& picture, Samples samples) {
     return {{{group.names, group.type, std::move(samples)}}, picture.metadata};
 }
 
+// Appends all levels that are smaller than the picture, computed as means.
 template <class Code>
-void add_means(const Image<Code>& pixels, TexelMeaning meaning, std::vector<Picture>& levels) {
+void add_mean_levels(const Image<Code>& pixels,
+                     TexelMeaning meaning,
+                     std::vector<Picture>& levels) {
     const Conversion<Code> conversion(levels.front(), meaning);
     Planes planes;
     while (!is_smallest(levels.back())) {
@@ -190,8 +195,9 @@ void add_means(const Image<Code>& pixels, TexelMeaning meaning, std::vector<Pict
     }
 }
 
+// Appends all levels that are smaller than the picture, computed by central_level.
 template <class Code>
-void add_centers(const Image<Code>& pixels, std::vector<Picture>& levels) {
+void add_central_levels(const Image<Code>& pixels, std::vector<Picture>& levels) {
     const auto channels = static_cast<std::size_t>(pixels.channels());
     std::vector<Image<std::uint32_t>> planes(
         channels, Image<std::uint32_t>(pixels.width(), pixels.height(), 1));
@@ -219,9 +225,9 @@ std::vector<Picture> mip_chain(const Picture& picture, TexelMeaning meaning) {
             if constexpr (std::is_same_v<Code, std::uint8_t> ||
                           std::is_same_v<Code, std::uint16_t>) {
                 if (meaning == TexelMeaning::Ids) {
-                    add_centers(pixels, levels);
+                    add_central_levels(pixels, levels);
                 } else {
-                    add_means(pixels, meaning, levels);
+                    add_mean_levels(pixels, meaning, levels);
                 }
             }
         },

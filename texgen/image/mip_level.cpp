@@ -9,13 +9,13 @@
 #include <cstdint>
 #include <vector>
 
-// A box filter for images of any width and height. Along an axis, the larger level has `from`
-// pixels and the smaller level has `to` pixels. A pixel of the smaller level therefore covers
-// from / to pixels of the larger level. This quotient is 2 if `from` is even, and 1 if `from` is 1.
-// It is more than 2 and at most 3 if `from` is any other odd number. The mean weights every covered
-// pixel by the covered fraction of its area. The filter is separable, so means are computed first
-// along rows and then across rows. Images of 32-bit integers contain ids, which cannot be averaged.
-// A pixel of such an image therefore gets the id at the center of the covered area.
+// A box filter for images of any width and height. Along an axis, the larger level has m pixels and
+// the smaller level has n pixels. A pixel of the smaller level therefore covers m / n pixels of the
+// larger level. This quotient is 2 if m is even, and 1 if m is 1. It is more than 2 and at most 3
+// if m is any other odd number. The mean weights every covered pixel by the covered fraction of its
+// area. The filter is separable, so means are computed first along rows and then across rows.
+// Images of 32-bit integers contain ids, which cannot be averaged. A pixel of such an image
+// therefore gets the id at the center of the covered area.
 
 namespace foam::texgen {
 
@@ -28,25 +28,31 @@ int half_of(int extent) {
 /// The interval that a pixel of the smaller level covers along one axis of the larger level.
 struct Footprint {
     // These numbers have 64 bits, because their products may exceed 32 bits.
-    std::int64_t from;   // number of pixels of the larger level along the axis
-    std::int64_t to;     // number of pixels of the smaller level along the axis
-    std::int64_t pixel;  // index of the pixel in the smaller level
+    std::int64_t larger_extent;   // number of pixels of the larger level along the axis
+    std::int64_t smaller_extent;  // number of pixels of the smaller level along the axis
+    std::int64_t pixel;           // index of the pixel in the smaller level
 
     /// The pixels of the larger level that the interval overlaps are first(), ..., last() - 1.
-    int first() const { return static_cast<int>(pixel * from / to); }
-    int last() const { return static_cast<int>(((pixel + 1) * from + to - 1) / to); }
+    int first() const { return static_cast<int>(pixel * larger_extent / smaller_extent); }
+    int last() const {
+        return static_cast<int>(((pixel + 1) * larger_extent + smaller_extent - 1) /
+                                smaller_extent);
+    }
 
     /// Returns the fraction of the interval that is in a pixel of the larger level; `larger` is the
     /// index of this pixel. The fractions of all pixels that the interval overlaps add up to 1.
-    /// Here the unit of length is 1 / `to` of a pixel of the larger level, so that the ends of all
-    /// intervals are integers. Precondition: first() <= larger < last().
+    /// Here the unit of length is a pixel of the larger level divided by `smaller_extent`, so that
+    /// the ends of all intervals are integers. Precondition: first() <= larger < last().
     double weight(int larger) const {
-        const std::int64_t begin = std::max(pixel * from, larger * to);
-        const std::int64_t end = std::min((pixel + 1) * from, (larger + 1) * to);
-        return static_cast<double>(end - begin) / static_cast<double>(from);
+        const std::int64_t begin = std::max(pixel * larger_extent, larger * smaller_extent);
+        const std::int64_t end =
+            std::min((pixel + 1) * larger_extent, (larger + 1) * smaller_extent);
+        return static_cast<double>(end - begin) / static_cast<double>(larger_extent);
     }
     /// Returns the pixel of the larger level that contains the middle of the interval.
-    int middle() const { return static_cast<int>((2 * pixel + 1) * from / (2 * to)); }
+    int middle() const {
+        return static_cast<int>((2 * pixel + 1) * larger_extent / (2 * smaller_extent));
+    }
 };
 
 /// Computes the mean over each interval of row y of the larger level and adds it, multiplied by

@@ -97,9 +97,9 @@ ColorMatrix bradford(const Chromaticity& from, const Chromaticity& to) {
 
 // The samples of one channel of floats.
 struct Plane {
-    std::span<float> samples;
-    std::size_t first;
-    std::size_t step;
+    std::span<float> samples;  // of all channels of the group, interleaved
+    std::size_t first;         // index of the sample of the first pixel
+    std::size_t step;          // number of samples from one pixel to the next
 
     float& operator[](std::size_t pixel) const { return samples[first + pixel * step]; }
 };

@@ -8,16 +8,16 @@
 
 namespace foam::texgen {
 
-/// Returns the candidate that a misspelled word most likely stands for: the candidate with the
-/// smallest Levenshtein distance to the word. Returns an empty view if no candidate is similar. A
-/// candidate is similar if its distance is at most n / 2 and at most the larger of 2 and n / 3.
-/// Here n is the length of the word in bytes. If none is similar, a candidate that begins with the
-/// word is returned, provided that the word has at least three bytes and no other candidate begins
-/// with it.
+/// Returns the candidate that a misspelled word most likely stands for: of the similar candidates,
+/// the one with the smallest Levenshtein distance to the word. A candidate is similar if its
+/// distance is at most n / 2 and at most the larger of 2 and n / 3. Here n is the length of the
+/// word in bytes. If no candidate is similar, returns the candidate that begins with the word,
+/// provided that the word has at least three bytes and no other candidate begins with it. Otherwise
+/// returns an empty view.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// Returns the end of an error message that suggests the nearest candidate, such as
-/// "; did you mean 'viridis'?". Returns an empty text if no candidate is similar.
+/// "; did you mean 'viridis'?". Returns an empty text if `nearest` returns an empty view.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
 
 }  // namespace foam::texgen

@@ -20,8 +20,8 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the hash of a file as it is now, of the kind that ManifestFile::pixels records.
-std::string recorded_hash(const std::filesystem::path& path) {
+// Returns the present hash of a file, computed in the same way as the hash in ManifestFile::pixels.
+std::string present_hash(const std::filesystem::path& path) {
     return find_vector_format(path.string()) != nullptr ? file_hash(path)
                                                         : pixel_hash(read_picture(path));
 }
@@ -36,7 +36,7 @@ bool has_recorded_pixels(const ManifestFile& file, const std::filesystem::path& 
         return false;
     }
     try {
-        return recorded_hash(path) == file.pixels;
+        return present_hash(path) == file.pixels;
     } catch (const InputError&) {
         return false;
     }
@@ -69,14 +69,14 @@ std::set<int> existing_frames_of(const Preset& preset,
     if (set == nullptr) {
         return {};
     }
-    // An EXR that also has layers of maps that the preset does not draw is not the file that a bake
-    // of the preset writes.
     const std::vector<std::string> names = names_of(preset);
+    // A file with further maps must be written again: a bake of this preset would write an EXR
+    // without their layers.
     const auto is_wanted = [&](const std::string& map) {
         return std::ranges::find(names, map) != names.end();
     };
-    std::set<int> present;
-    std::ranges::copy_if(frames, std::inserter(present, present.end()), [&](int frame) {
+    std::set<int> existing;
+    std::ranges::copy_if(frames, std::inserter(existing, existing.end()), [&](int frame) {
         const FrameStatistics* const statistics = set->find_frame(frame);
         if (!has_measurements(statistics == nullptr ? std::string() : statistics->measurements,
                               preset.output.measurements)) {
@@ -88,7 +88,7 @@ std::set<int> existing_frames_of(const Preset& preset,
                    has_recorded_pixels(*file, folder);
         });
     });
-    return present;
+    return existing;
 }
 
 }  // namespace foam::texgen

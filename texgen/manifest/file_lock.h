@@ -12,8 +12,8 @@ namespace foam::texgen {
 /// file system without flock there is no mutual exclusion.
 class FileLock {
   public:
-    /// The longest time to wait for a lock. Programs hold a lock only while they read, change and
-    /// write a manifest.
+    /// The longest time to wait for a lock, by default. Programs hold a lock only while they read,
+    /// change and write a manifest.
     static constexpr std::chrono::milliseconds kLongestWait = std::chrono::minutes(1);
 
     /// Creates the lock file `path` if it does not exist, and waits until this object holds the

@@ -41,7 +41,7 @@ struct ManifestMap {
     friend bool operator==(const ManifestMap&, const ManifestMap&) = default;
 };
 
-/// One file.
+/// An item of the list BakedSet::files: a file that a bake has written.
 struct ManifestFile {
     std::string path;               // relative to the folder of the manifest, with '/'
     std::vector<std::string> maps;  // one map, or the maps that are layers of an EXR
@@ -79,8 +79,8 @@ struct FrameMechanics {
 };
 
 /// Statistics of the foam in a frame, in foam units, and the time spent on the frame. T1s, T2s and
-/// `simulating` cover the simulation since the previous frame of the bake; for the first frame,
-/// since the foam was seeded.
+/// `simulating` cover the same steps as FrameEffort (animation/simulated_frame.h): the steps since
+/// the previous frame of the bake or, for the first frame, since the start of the simulation.
 struct FrameStatistics {
     int frame = 0;
     bool tiles = false;  // true if the images of the frame tile in both directions
@@ -210,8 +210,8 @@ struct ReplacedFiles {
     std::size_t count = 0;          // number of files
 };
 
-/// Adds scene files to the set with the given parameters. They replace the scene files with the
-/// same paths in all sets. Does nothing if there is no such set.
+/// Adds scene files to the set with the given parameters. Scene files with the same paths are first
+/// removed from all sets. Does nothing if no set has the parameters.
 void add_scenes(Manifest& manifest,
                 std::string_view parameters,
                 const std::vector<ManifestScene>& scenes);

@@ -155,7 +155,7 @@ std::string measurements_in(const JsonValue& value) {
 }
 
 // Returns a number of T1s or T2s.
-std::int64_t changes_in(const JsonValue& value) {
+std::int64_t event_count_in(const JsonValue& value) {
     return value.integer(0, std::numeric_limits<std::int64_t>::max());
 }
 
@@ -165,8 +165,8 @@ FrameStatistics frame_in(const JsonValue& value) {
             .time = value["time"].number(),
             .bubbles = value["bubbles"].count(),
             .mean_area = value["mean_area"].number(),
-            .t1 = changes_in(value["t1"]),
-            .t2 = changes_in(value["t2"]),
+            .t1 = event_count_in(value["t1"]),
+            .t2 = event_count_in(value["t2"]),
             .area_error = number_in(value.find("area_error")),
             .angle_error = number_in(value.find("angle_error")),
             .simulating = value["simulating"].number(),

@@ -86,6 +86,7 @@ Json to_value(const FrameStatistics& frame) {
 }
 
 Json to_value(const ManifestLoop& loop) {
+    // "called" is a description of the kind for users. The name is part of the format.
     return {{"kind", loop.kind},
             {"called", loop.description},
             {"period", loop.period},

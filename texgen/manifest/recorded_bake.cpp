@@ -55,11 +55,11 @@ void check_names(const Preset& preset, const BakeOptions& options) {
 
 // Records the failure of a bake that ends with an exception, if the bake has begun to record.
 // Ignores further exceptions, so that the caller can rethrow the original exception. Waits only
-// shortly for the lock of the manifest, because the exception may be that the lock was not free.
-void close_after_failure(BakeRecorder& writer, const std::string& failure) {
+// briefly for the lock of the manifest, because the exception may be that the lock was not free.
+void close_after_failure(BakeRecorder& recorder, const std::string& failure) {
     try {
-        if (writer.begun()) {
-            writer.close(failure, std::chrono::seconds(1));
+        if (recorder.begun()) {
+            recorder.close(failure, std::chrono::seconds(1));
         }
     } catch (const std::exception&) {
         return;
@@ -70,16 +70,16 @@ void close_after_failure(BakeRecorder& writer, const std::string& failure) {
 BakeSummary bake_and_record(const Preset& preset,
                             const BakeOptions& options,
                             const BakeCallbacks& callbacks,
-                            BakeRecorder& writer) {
+                            BakeRecorder& recorder) {
     BakeCallbacks recording = callbacks;
     recording.on_frame = [&](const SimulatedFrame& shown) {
-        writer.begin();
+        recorder.begin();
         if (callbacks.on_frame) {
             callbacks.on_frame(shown);
         }
     };
     recording.on_baked = [&](const BakedFrame& baked) {
-        writer.add(baked);
+        recorder.add(baked);
         if (callbacks.on_baked) {
             callbacks.on_baked(baked);
         }
@@ -88,8 +88,8 @@ BakeSummary bake_and_record(const Preset& preset,
 }
 
 // Fits the automatic ranges of a preset to the frames of a sequence. If the frames come from a
-// cache that stores the ranges, takes them from there; otherwise stores them there. Precondition:
-// if the preset has automatic ranges, options.source can make frames (it is not empty).
+// cache, takes the ranges from the cache; if they are not stored there, fits them and stores them
+// there. Precondition: if the preset has automatic ranges, options.source is not empty.
 RunOutcome fit_ranges(Preset& preset,
                       const BakeOptions& options,
                       const std::vector<int>& sequence,
@@ -197,7 +197,7 @@ BakeSummary bake_recorded(const Preset& given,
     if (!all_exist && sequence == animation) {
         fitted = fit_ranges(preset, effective, sequence, callbacks);
     }
-    BakeRecorder writer(preset, effective);
+    BakeRecorder recorder(preset, effective);
     try {
         BakeSummary summary;
         if (fitted.status != RunStatus::Complete) {
@@ -205,13 +205,13 @@ BakeSummary bake_recorded(const Preset& given,
         } else if (all_exist) {
             summary = summary_of_existing(preset, options.frames, manifest);
         } else {
-            summary = bake_and_record(preset, effective, callbacks, writer);
+            summary = bake_and_record(preset, effective, callbacks, recorder);
         }
         summary.kept = static_cast<int>(effective.existing_frames.size());
-        writer.close(failure_of(summary.outcome));
+        recorder.close(failure_of(summary.outcome));
         return summary;
     } catch (const std::exception& error) {
-        close_after_failure(writer, error.what());
+        close_after_failure(recorder, error.what());
         throw;
     }
 }

@@ -24,7 +24,8 @@ enum class AgeSince {
 
 struct AgeOptions {
     AgeSince since = AgeSince::Birth;
-    AutoReal full{50.0, true};  // age that a PNG stores as its largest code, in foam time
+    // The age that a PNG stores as its largest code (65535), in foam time.
+    AutoReal full{50.0, true};
 };
 
 Keys<AgeOptions> age_keys();

@@ -21,16 +21,16 @@ namespace {
 // determines the colors. For this reason, setting a color map removes the colors of a preset. An
 // empty colors.from removes only colors that were taken from a picture.
 
-// Returns a copy of a key that calls then(before, options) after its value has been stored in
+// Returns a copy of a key that calls effect(before, options) after its value has been stored in
 // `options`. `before` is a copy of the options as they were before the value was stored.
 template <class Function>
-Key<AlbedoOptions> with_effect(Key<AlbedoOptions> key, const Function& then) {
-    key.read = [read = std::move(key.read), then](const Value& value, AlbedoOptions& options) {
+Key<AlbedoOptions> with_effect(Key<AlbedoOptions> key, const Function& effect) {
+    key.read = [read = std::move(key.read), effect](const Value& value, AlbedoOptions& options) {
         const AlbedoOptions before = options;
         if (!read(value, options)) {
             return false;
         }
-        then(before, options);
+        effect(before, options);
         return true;
     };
     return key;
@@ -74,7 +74,8 @@ struct ColorPictures : PictureFiles {
     }
 };
 
-// The TOML of a preset contains either the list albedo.colors or the table with this key.
+// In the TOML of a preset, albedo.colors is either a list of colors or a table that contains this
+// key.
 constexpr std::string_view kColorsFrom = "albedo.colors.from";
 
 Keys<AlbedoOptions> color_keys() {

@@ -85,8 +85,8 @@ const AutoReal* range_option_of(const Map& map, const MapOptions& options) {
     return find_full(map, options);
 }
 
-// Each row has a table and the maps that use it, apart from the map with the name of the table. The
-// tables relief and maze are also used by all maps of which MapTraits::shows_relief is true.
+// Each row of `users` names a table and the maps that use it, apart from the map that has the name
+// of the table. All maps whose MapTraits::shows_relief is true also use the tables relief and maze.
 bool uses_table(const Map& map, std::string_view table) {
     struct Users {
         std::string_view table;

@@ -195,9 +195,9 @@ const AutoReal* range_option_of(const Map& map, const MapOptions& options);
 bool uses_table(const Map& map, std::string_view table);
 
 /// Returns true if the image of a map can depend on a key of map_keys, such as "albedo.colormap",
-/// with the given options of all other keys. Is true for fewer keys than uses_table: most maps use
-/// only the keys of the films of the table "albedo", and the colors of the maps `lit` and
-/// `emission` are those of one map (LitOptions::colors).
+/// when all other keys have the values in `options`. Some keys of a table that a map uses
+/// (uses_table) have no effect: most maps use only the keys of the table "albedo" that describe
+/// films, and the maps `lit` and `emission` use the colors of only one map (LitOptions::colors).
 bool uses_key(const Map& map, std::string_view key, const MapOptions& options);
 
 /// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).

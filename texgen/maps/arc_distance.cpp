@@ -17,10 +17,11 @@
 #include <vector>
 
 // The image is divided into square blocks of pixels. Each block is measured with the arcs near it,
-// by the functions that also measure the pixels of a bubble (ArcView, PixelBatch). PixelBatch
-// ignores the arcs that a pixel does not face. The arcs here have free ends, so the ends of all
-// arcs are passed to it as points. Tails of arcs are whole numbers of subpixels. Their positions
-// relative to the middle of a block are therefore exact, and a shift of the grid changes no bit.
+// by the classes that also measure the pixels of a bubble (ArcView, PixelBatch). PixelBatch counts
+// an arc only for the pixels between the normals at its two ends; these pixels are said to face the
+// arc. The arcs here have free ends, so the ends of all arcs are passed to PixelBatch as points.
+// Tails of arcs are rounded to whole numbers of subpixels. Their positions relative to the middle
+// of a block are therefore exact, and a shift of the grid changes no bit.
 
 namespace foam::texgen {
 
@@ -30,7 +31,7 @@ constexpr int kBlockSide = 16;  // pixels
 static_assert(std::size_t{kBlockSide} * kBlockSide <= PixelBatch::kCapacity);
 // An upper bound of the distance of a pixel of a block from the middle of the block, in pixels.
 constexpr double kBlockRadius = 0.5 * std::numbers::sqrt2 * kBlockSide;
-constexpr std::size_t kArcsPerTask = 4096;
+constexpr std::size_t kArcsPerChunk = 4096;
 
 // Returns a radius such that the circle around the middle of the chord with this radius contains
 // the whole arc. The point of the arc that is farthest from the middle of the chord is an end or
@@ -40,25 +41,28 @@ double radius_around_chord(const PixelArc& arc) {
     return std::max(0.5 * arc.chord.norm(), (middle - 0.5 * arc.chord).norm());
 }
 
-// An arc near the image, or a part of an arc that turns by more than 120 degrees.
+// An arc near the image. An arc that turns by more than 120 degrees is stored as several parts,
+// each of which is a NearArc.
 struct NearArc {
     Vec2 start;        // tail of the whole arc, in pixels of the image; a whole number of subpixels
     DistanceArc part;  // its tail is relative to `start`
     bool has_head;     // true if the part ends at the head of the whole arc
-    Vec2 center;       // the center of a square, in pixels of the image
-    double extent;     // half the side of the square
+    Vec2 center;       // center of the square around the part (parts_of), in pixels of the image
+    double extent;     // half the side of this square
 };
 
-// Returns the parts of an arc that begins at the origin: the arc itself, or several parts if it is
-// wide (add_narrow_arcs). The square of a part contains all points that are at most `reach` pixels
-// from it.
+// Returns the parts of an arc that begins at the origin: the arc itself, or several parts if it
+// turns by more than 120 degrees (add_narrow_arcs). The square of a part contains all points that
+// are at most `reach` pixels from the part.
 std::vector<NearArc> parts_of(const PixelArc& arc, double reach) {
     std::vector<DistanceArc> shapes;
     add_narrow_arcs({Vec2::Zero(), arc, true}, shapes);
     std::vector<NearArc> parts;
     parts.reserve(shapes.size());
     for (const DistanceArc& part : shapes) {
-        // A part turns by at most 120 degrees, so that its ends are farthest from its middle.
+        // A part turns by at most 120 degrees. Of all its points, the ends are therefore farthest
+        // from the middle of its chord. The square around this middle needs only half the chord
+        // plus `reach`.
         parts.push_back({Vec2::Zero(),
                          part,
                          parts.size() + 1 == shapes.size(),
@@ -88,8 +92,9 @@ std::vector<NearArc> arcs_near_image(std::span<const PlacedArc> arcs,
     return near;
 }
 
-// The rows or the columns [begin, end) of pixels that the image shows of a block, and the middle of
-// the whole block.
+// The visible part of a block in one direction: the rows or columns [begin, end) of the image that
+// belong to the block. `middle` is the middle of the whole block, including the part outside of the
+// image.
 struct BlockRange {
     int begin;
     int end;
@@ -113,7 +118,8 @@ std::vector<BlockRange> block_ranges(int size, int shift) {
     return ranges;
 }
 
-// Calls visit(k) for each range k that overlaps the interval around `center`, or touches it.
+// Calls visit(k) for each range k that overlaps or touches the interval from `center` - `extent` to
+// `center` + `extent`.
 template <class Visit>
 void for_each_range(std::span<const BlockRange> ranges,
                     double center,
@@ -125,15 +131,15 @@ void for_each_range(std::span<const BlockRange> ranges,
     }
 }
 
-// The indices of the arcs whose squares overlap each row of blocks.
+// Returns, for each row of blocks, the indices of the arcs whose squares overlap this row.
 Buckets<std::uint32_t> sorted_by_row(std::span<const NearArc> arcs,
                                      std::span<const BlockRange> rows,
                                      int threads) {
-    const std::size_t parts = chunk_count(arcs.size(), kArcsPerTask);
+    const std::size_t chunks = chunk_count(arcs.size(), kArcsPerChunk);
     return counting_sort<std::uint32_t>(
-        rows.size(), parts, threads, [&](std::size_t part, const auto& put) {
-            const std::size_t end = std::min((part + 1) * kArcsPerTask, arcs.size());
-            for (std::size_t k = part * kArcsPerTask; k < end; ++k) {
+        rows.size(), chunks, threads, [&](std::size_t chunk, const auto& put) {
+            const std::size_t end = std::min((chunk + 1) * kArcsPerChunk, arcs.size());
+            for (std::size_t k = chunk * kArcsPerChunk; k < end; ++k) {
                 for_each_range(rows, arcs[k].center.y(), arcs[k].extent, [&](std::size_t row) {
                     put(row, static_cast<std::uint32_t>(k));
                 });
@@ -188,8 +194,9 @@ class BlockMeasure {
     }
 
     // Finds the arcs and the ends that may be nearest to a pixel of the block and within reach of
-    // it. ArcView::horizon also bounds the ends: each pixel is nearer to the arc that determines
-    // the horizon than to any end beyond the horizon.
+    // this pixel. ArcView::horizon is a distance from the middle beyond which no arc is the nearest
+    // one of a pixel of the block. It holds for ends, too: each pixel is nearer to the nearest arc
+    // that the middle faces than to any end beyond the horizon.
     void find_nearest(std::span<const std::uint32_t> near, const Vec2& middle) {
         arcs_.clear();
         functions_.clear();
@@ -220,7 +227,7 @@ class BlockMeasure {
         }
     }
 
-    // Writes the results of the pixels within reach. Those of the others are already set.
+    // Writes the results of the pixels within reach. All other pixels keep their initial values.
     void write(const PixelBatch::Span& span) {
         for (std::uint32_t k = 0; k < span.count; ++k) {
             const float distance = batch_.distance()[span.first + k];

@@ -37,10 +37,10 @@ struct ArcDistances {
 };
 
 /// Returns the distances to the nearest of the arcs and of their periodic copies. The error is at
-/// most PixelBatch::kMargin, except at pixels that are beyond the normals at both ends of an arc,
-/// but by at most 0.001 pixels: they count as facing the arc (PixelBatch::measure). The result does
-/// not depend on `threads` (core/parallel/parallel_for.h). Precondition: the function
-/// pixels_per_unit (raster_grid.h) does not throw for this grid and this domain.
+/// most PixelBatch::kMargin, with one exception. PixelBatch::measure treats pixels that are beyond
+/// the normals at both ends of an arc, but by at most 0.001 pixels, as if they were between these
+/// normals. The result does not depend on `threads` (core/parallel/parallel_for.h). Precondition:
+/// the function pixels_per_unit (raster_grid.h) does not throw for this grid and this domain.
 ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const RasterGrid& grid,
                                const Domain& domain,

@@ -47,9 +47,9 @@ struct Weights {
     std::vector<double> is_on_side;  // 1 or 0
 };
 
-// Adds the weights of the ends of a side, and their motions times these weights. A point on the
-// line through the side gets no weights from it; set_motions replaces the motions of points on the
-// side.
+// Adds the weights of the ends of a side, and their motions times these weights. A side adds no
+// weights at points on the straight line through it. The motions of points on the side itself are
+// replaced later (set_motions).
 void add_side(const Side& side, MovingPoints& points, Weights& weights) {
     at_simd_level([side,
                    count = points.x.size(),

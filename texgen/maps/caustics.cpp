@@ -41,7 +41,7 @@ class Floor {
           wraps_(!domain.is_plane()),
           shear_(wraps_ ? shear_in_subpixels(grid, domain) * kUnit / kSubpixel : 0) {}
 
-    // Adds a ray that lights the square of one pixel whose lower left corner is (x, y).
+    // Adds a ray. It lights a square of the size of a pixel, whose lower left corner is at (x, y).
     void add(std::int64_t x, std::int64_t y) {
         const std::int64_t row = floor_divide(y, kUnit);
         const std::int64_t above = y - row * kUnit;
@@ -104,8 +104,8 @@ Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth,
             const Vec2 motion = (reach * slope).cwiseMin(farthest).cwiseMax(-farthest);
             // Before the motion, the middle of the square is at ((x + 1/2) / samples,
             // (y + 1/2) / samples). Its lower left corner is half a pixel further left and lower.
-            const auto start = [samples](std::int64_t at) {
-                return (2 * at + 1 - samples) * (kUnit / (std::int64_t{2} * samples));
+            const auto start = [samples](std::int64_t ray) {
+                return (2 * ray + 1 - samples) * (kUnit / (std::int64_t{2} * samples));
             };
             floor.add(start(x) + std::llround(motion.x()), start(y) + std::llround(motion.y()));
         }

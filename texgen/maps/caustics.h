@@ -12,7 +12,8 @@
 namespace foam::texgen {
 
 /// MapTraits::smooth_distance is left Unused, because draw_caustics computes a distance field of
-/// its own. The points of this field are the starts of the rays, of which a pixel may have several.
+/// its own. This field has one pixel per ray of light, and a pixel of the image may have several
+/// rays.
 inline constexpr MapTraits kCausticsMap = {
     .name = "caustics",
     .meaning = "light on the floor of a pool whose water surface is the relief",
@@ -30,8 +31,8 @@ struct CausticsOptions {
     // The colors (sRGB) of the brightnesses from 0 to 1, evenly spaced. An empty list stands for
     // these default colors.
     std::vector<std::string> colors = {"#04465c", "#0d7d96", "#59c9d2", "#d9fbf4", "#ffffff"};
-    // Rays per pixel in each direction. Fewer are used if otherwise the rays per row or per column
-    // of the whole image would be more than kLargestGridSide.
+    // Rays per pixel in each direction. Fewer are used if a row or a column of the image would
+    // otherwise have more than kLargestGridSide rays.
     int samples = 3;
 };
 

@@ -21,9 +21,10 @@ namespace foam::texgen {
 
 namespace {
 
-// Bubbles of three films are at the start of the scale, bubbles of nine films at its end.
-constexpr double kFewestSides = 3.0;
-constexpr double kMaxSides = 9.0;
+// On the scale of colors, bubbles of three sides are at the start (0), bubbles of nine sides at the
+// end (1). Bubbles of fewer or more sides are outside of [0, 1].
+constexpr double kSidesAtStart = 3.0;
+constexpr double kSidesAtEnd = 9.0;
 
 PerBubble<double> positions_by_pressure(const FoamValues& values, const AlbedoOptions& options) {
     if (!(options.pressure_low < options.pressure_high)) {
@@ -53,12 +54,13 @@ PerBubble<double> positions_by_area(const FoamValues& values) {
 PerBubble<double> positions_by_sides(const FoamValues& values) {
     PerBubble<double> positions;
     for (const BubbleValues& bubble : values.bubbles) {
-        positions.push_back((bubble.sides - kFewestSides) / (kMaxSides - kFewestSides));
+        positions.push_back((bubble.sides - kSidesAtStart) / (kSidesAtEnd - kSidesAtStart));
     }
     return positions;
 }
 
-PerBubble<double> numbers_of(const Frame& frame, IdentityStream stream) {
+// Returns a number in [0, 1) for each bubble, which the bubble keeps for life (identity_number).
+PerBubble<double> identity_numbers(const Frame& frame, IdentityStream stream) {
     return per_bubble<double>(
         frame,
         [&](BubbleId bubble) { return identity_number(frame.bubbles[bubble].identity, stream); },
@@ -112,7 +114,7 @@ PerBubble<double> scale_positions(const Frame& frame,
         case ColorBy::Sides:
             return positions_by_sides(shown_values(frame, record));
         default:
-            return numbers_of(frame, IdentityStream::First);
+            return identity_numbers(frame, IdentityStream::First);
     }
 }
 
@@ -123,12 +125,12 @@ PerBubble<LinearRgb> cell_colors(const Frame& frame,
     PerBubble<LinearRgb> colors = options.color_by == ColorBy::Picture
                                       ? colors_by_picture(frame, first, options)
                                       : scale_colors(frame, record, options);
-    const PerBubble<double> numbers = numbers_of(frame, IdentityStream::Second);
+    const PerBubble<double> numbers = identity_numbers(frame, IdentityStream::Second);
     for (std::size_t k = 0; k < colors.size(); ++k) {
         const LinearRgb color = colors[k];
-        const double light = 1.0 + options.variation * (2.0 * numbers[k] - 1.0);
-        const auto lit = [light](double part) { return std::clamp(light * part, 0.0, 1.0); };
-        colors[k] = {lit(color.r), lit(color.g), lit(color.b)};
+        const double factor = 1.0 + options.variation * (2.0 * numbers[k] - 1.0);
+        const auto scaled = [factor](double light) { return std::clamp(factor * light, 0.0, 1.0); };
+        colors[k] = {scaled(color.r), scaled(color.g), scaled(color.b)};
     }
     return colors;
 }

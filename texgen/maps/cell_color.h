@@ -14,8 +14,8 @@ namespace foam::texgen {
 /// Returns the position of every bubble on the scale of options.color_by: 0 is the start of the
 /// scale, 1 its end. Pressures, areas and numbers of sides are averages over recent frames if the
 /// record has them (shown_values). Pressures and numbers of sides beyond the scale have positions
-/// outside [0, 1]. With ColorBy::Picture, positions are those of ColorBy::Random. Throws
-/// std::invalid_argument if options.color_by is Pressure and pressure_low is not below
+/// outside [0, 1]. With ColorBy::Picture, the positions are the same as with ColorBy::Random.
+/// Throws std::invalid_argument if options.color_by is Pressure and pressure_low is not below
 /// pressure_high.
 PerBubble<double> scale_positions(const Frame& frame,
                                   const FoamRecord& record,
@@ -26,9 +26,10 @@ PerBubble<double> scale_positions(const Frame& frame,
 /// under the bubble (picture_colors). Positions are clamped to [0, 1]. The factor differs from 1 by
 /// at most options.variation, and a bubble keeps it for life. The components of the result are
 /// clamped to [0, 1]. With ColorBy::Picture, throws std::invalid_argument if there is no picture.
-/// Otherwise throws std::invalid_argument if options.colors is invalid (parse_gradient), or if that
-/// list is empty and the color map is unknown. Also throws as scale_positions does. `first` is
-/// frame 1, which only ColorBy::Picture uses; if it is null, the frame itself takes its place.
+/// With all other values of options.color_by, throws std::invalid_argument if options.colors is
+/// invalid (parse_gradient), or if this list is empty and the color map is unknown. Also throws as
+/// scale_positions does. `first` is frame 1, which only ColorBy::Picture uses; if it is null, the
+/// frame itself takes its place.
 PerBubble<LinearRgb> cell_colors(const Frame& frame,
                                  const FoamRecord& record,
                                  const AlbedoOptions& options,

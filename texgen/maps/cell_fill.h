@@ -32,10 +32,10 @@ struct CellNumbers {
 };
 
 /// Returns an image whose pixels are means of the numbers of the bubbles and films in them,
-/// weighted by exact area. The numbers and their means are rounded to 65535 equal steps from the
-/// smallest to the largest number. Pixels around a patch are 0; a pixel on the rim of the patch has
-/// the mean over the part that the patch covers. The border of a cross-fade is painted as in
-/// fill_colors. The film width is in pixels. The image has one channel. Throws as cell_arcs and
+/// weighted by exact area. The numbers and their means are rounded to a scale of 65535 equal steps,
+/// from the smallest to the largest number. Pixels around a patch are 0; a pixel on the rim of the
+/// patch has the mean over the part that the patch covers. The border of a cross-fade is painted as
+/// in fill_colors. The film width is in pixels. The image has one channel. Throws as cell_arcs and
 /// fill_cells do.
 Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, double film_width);
 
@@ -43,9 +43,9 @@ Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, doubl
 /// visible.
 Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles);
 
-/// Returns a table with one radius per bubble, in pixels: that of a circle with the area of the
-/// bubble. The table is indexed by the ids of a DistanceField and contains `around` for the
-/// surroundings of a patch.
+/// Returns a table of radii in pixels, indexed by the ids of a DistanceField. The radius of a
+/// bubble is the radius of a circle with the area of the bubble. The surroundings of a patch have
+/// the number `around`.
 std::vector<double> radii_by_cell_id(const FrameLayers& layers, double around);
 
 /// Returns an image in which each pixel has the integer of the bubble at the center of the pixel,

@@ -31,9 +31,9 @@ enum class ScaleEnd {
 
 /// Returns the gradient of a list such as {"#000000", "#ff8000@0.25", "#ffffff"}: a color may be
 /// followed by its position. Without a position, the first color is at 0, and `end` selects the
-/// position of the last color. The others are evenly spaced between their neighbors with positions.
-/// If no color has a position, Gradient::positions is empty. Throws std::invalid_argument if a
-/// color or a position is invalid, or if positions descend.
+/// position of the last color. Other colors without a position are evenly spaced between the
+/// nearest colors with positions. If no color has a position, Gradient::positions is empty. Throws
+/// std::invalid_argument if a color or a position is invalid, or if positions descend.
 Gradient parse_gradient(const std::vector<std::string>& list, ScaleEnd end);
 
 /// Returns the color at a position on a gradient. Between two colors, it is interpolated in sRGB;

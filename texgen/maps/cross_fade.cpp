@@ -42,8 +42,9 @@ void mix(std::span<std::uint32_t> fading_out,
     }
 }
 
-// Interpolates between two normals by their slopes -x / z and -y / z, and normalizes the result.
-// Multiplying the interpolated vector by both values of z avoids divisions.
+// Interpolates the slopes -x / z and -y / z of two normals. Replaces `fading_out` by the unit
+// normal with the resulting slopes. Multiplying the interpolated vector by both values of z avoids
+// divisions.
 void mix_slopes(std::span<float> fading_out, std::span<const float> fading_in, float weight) {
     const float weight_out = (1.0F - weight) * fading_in[2];
     const float weight_in = weight * fading_out[2];

@@ -17,9 +17,9 @@ namespace {
 template <class Section>
 double curvature_at(const Section& section, double smooth, double radius) {
     const double distance = section.distance(smooth);
-    const double outside =
+    const double both_sides =
         height_along(section, distance - radius) + height_along(section, distance + radius);
-    return (2.0 * height_along(section, distance) - outside) / (radius * radius);
+    return (2.0 * height_along(section, distance) - both_sides) / (radius * radius);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ Keys<CurvatureOptions> curvature_keys() {
             key("full",
                 RealsOrAuto{1e-6, 1e6, CurvatureOptions().full},
                 "curvature that a PNG stores as its largest code; code 0 stands for -full; "
-                "\"auto\" fits the whole animation",
+                "\"auto\" chooses a value that suits the largest curvature in the whole animation",
                 &CurvatureOptions::full)
                 .in("per mean bubble diameter, selected by relief.mean_bubble")};
 }

@@ -25,7 +25,7 @@ Keys<DistanceOptions> distance_keys() {
             key("full",
                 RealsOrAuto{1e-6, 1e6, DistanceOptions().full},
                 "distance that a PNG stores as its largest code, in the unit distance.unit; "
-                "\"auto\" fits the whole animation",
+                "\"auto\" chooses a value that suits the largest distance in the whole animation",
                 &DistanceOptions::full)
                 .in("foam units or pixels, selected by distance.unit")};
 }

@@ -20,7 +20,7 @@ inline constexpr MapTraits kDistanceMap = {
     .png_filter = PngFilter::Up,
     .full_key = "distance.full"};
 
-/// The line of a film from which distances are measured, and their sign.
+/// Selects the line of a film from which distances are measured, and the sign of distances.
 enum class DistanceKind {
     Plain,   // from the center line of the nearest film; 0 around a patch
     Signed,  // from the film's edge on the side of the bubble; negative in films and around a patch

@@ -21,7 +21,8 @@ class DrawnImage {
     explicit DrawnImage(Packing packing);
 
     /// Returns the name, unit, channels and bits of the image. For a map, these are its
-    /// drawn_traits (all_maps.h). The result is valid as long as a copy of this object exists.
+    /// drawn_traits (all_maps.h). The result is valid as long as this object or a copy of it
+    /// exists.
     const MapTraits& traits() const;
     std::string_view name() const { return traits().name; }
 

@@ -65,11 +65,12 @@ NumberPixels draw_event(FrameLayers& layers, const EventMapOptions& options) {
     const double radius = options.radius * diameter * pixels_per_unit(grid, frame.domain);
     Image<float> image(grid.width, grid.height, 3);
     for (const RecordedEvent& event : layers.record().events) {
-        const int since = layers.record().frame - event.frame;
-        if (since >= options.fade) {
+        const int frames_since = layers.record().frame - event.frame;
+        if (frames_since >= options.fade) {
             continue;
         }
-        const float height = 1.0F - static_cast<float>(since) / static_cast<float>(options.fade);
+        const float height =
+            1.0F - static_cast<float>(frames_since) / static_cast<float>(options.fade);
         const EventDisk disk{radius, height, static_cast<std::size_t>(event.kind)};
         for_each_copy(grid, frame.domain, event.position, radius, [&](const Vec2& middle) {
             paint_copy(disk, middle, image.view());

@@ -73,8 +73,9 @@ DistanceAndGradient from_rim(const DistanceAndGradient& smooth, double rim) {
     return {distance, smooth.gradient / slope};
 }
 
-// Joins the smooth distance s from films with the distance d from the border: 1/r² = 1/s² + 1/d².
-// The gradient of r is (r/s)³ times the gradient of s plus (r/d)³ times the gradient of d.
+// Joins the smooth distance s from films with the distance d from the border. The result r
+// satisfies 1/r² = 1/s² + 1/d². Its gradient is (r/s)³ times the gradient of s plus (r/d)³ times
+// the gradient of d.
 DistanceAndGradient with_border(const DistanceAndGradient& films,
                                 const DistanceAndGradient& border) {
     const double s = films.distance;
@@ -83,11 +84,10 @@ DistanceAndGradient with_border(const DistanceAndGradient& films,
         return films;
     }
     const double root = std::sqrt(s * s + d * d);
-    const double of_films = d / root;
-    const double of_border = s / root;
-    return {s * of_films,
-            of_films * of_films * of_films * films.gradient +
-                of_border * of_border * of_border * border.gradient};
+    const double r_by_s = d / root;
+    const double r_by_d = s / root;
+    return {s * r_by_s,
+            r_by_s * r_by_s * r_by_s * films.gradient + r_by_d * r_by_d * r_by_d * border.gradient};
 }
 
 // Returns a distance that is close to the given distance near 0 and infinite beyond the reach:
@@ -107,7 +107,7 @@ double reach_of(const CrossFade& fade, const RasterGrid& grid) {
 }
 
 // Returns the distances from the films between complete bubbles and bubbles that are not complete.
-ArcDistances distances_to_rim_films(const CrossFade& fade, const RasterGrid& grid, int threads) {
+ArcDistances distances_to_border_films(const CrossFade& fade, const RasterGrid& grid, int threads) {
     const Frame& frame = fade.fading_in;
     const auto is_complete = [&](BubbleId bubble) { return fade.growth[index_of(bubble)] == 1.0; };
     const std::vector<PlacedArc> films = arcs_of_films(frame, grid, threads, [&](FilmId film) {
@@ -162,7 +162,7 @@ class FieldJoiner {
     // film of the border. If the rim is nearer, the distance from the rim replaces it, even if the
     // pixel is outside the rim.
     bool join_growing(std::size_t k, std::size_t bubble, DistanceAndGradient& nearest) {
-        const DistanceAndGradient smooth = grown(k, bubble);
+        const DistanceAndGradient smooth = smooth_from_rim(k, bubble);
         const DistanceAndGradient rim = from_rim(smooth, growth_[bubble] * radii_[bubble]);
         const bool is_inside = rim.distance > 0.0;
         if (std::abs(rim.distance) < nearest.distance) {
@@ -180,7 +180,7 @@ class FieldJoiner {
     }
 
     // Returns the smooth distance from the rim of a growing bubble, negative outside.
-    DistanceAndGradient grown(std::size_t k, std::size_t bubble) const {
+    DistanceAndGradient smooth_from_rim(std::size_t k, std::size_t bubble) const {
         const double growth = growth_[bubble];
         const double level = 0.5 * radii_[bubble] * (1.0 - growth * growth);
         const DistanceAndGradient films = films_at(in_, k);
@@ -240,7 +240,7 @@ FadeBorder join_at_border(const CrossFade& fade,
                           int threads,
                           DistanceField& out,
                           DistanceField& in) {
-    const ArcDistances films = distances_to_rim_films(fade, grid, threads);
+    const ArcDistances films = distances_to_border_films(fade, grid, threads);
     FieldJoiner joiner(fade, films, reach_of(fade, grid), out, in);
     FadeBorder border{{grid.width, grid.height, 1}, {grid.width, grid.height, 1}};
     for (std::size_t k = 0; k < border.distance.samples().size(); ++k) {

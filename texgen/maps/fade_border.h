@@ -21,14 +21,17 @@ struct CrossFade {
 };
 
 /// The border in a cross-fade: one side shows the foam that fades out, the other side the foam that
-/// fades in. Every bubble that fades in appears as a point and grows over the foam that fades out.
-/// The bubble is complete when its own films bound it. The border consists of the rims of growing
-/// bubbles, and of the films between complete bubbles and bubbles that are not complete.
+/// fades in. Every bubble of the foam that fades in grows over the foam that fades out, from a
+/// point until it is complete, that is, bounded by its own films. A bubble that is in both foams
+/// can instead become complete in one step (texgen/animation/LOOPS.md). The border consists of the
+/// rims of growing bubbles, and of the films between complete bubbles and bubbles that are not
+/// complete.
 struct FadeBorder {
     /// The distance from the border in pixels: positive where the foam that fades in is shown,
     /// negative elsewhere. The distance from the rim of a growing bubble is an approximation that
-    /// is exact for circles. The distance is infinite inside complete bubbles. It is minus infinity
-    /// far from the border in the foam that fades out, except where a bubble has begun to grow.
+    /// is exact for circles. The distance is infinite inside complete bubbles. Where the foam that
+    /// fades out is shown far from the border, it is minus infinity, unless the pixel belongs to a
+    /// bubble of the other foam that has begun to grow.
     Image<float> distance;
     /// The weight of the foam that fades in, from 0 to 1: the fraction of the pixel that shows it.
     Image<float> weights;

@@ -61,12 +61,12 @@ LinearRgb to_rgb(const Xyz& c) {
 // Returns the fraction of light of one wavelength that a film reflects (Airy's sum). Thickness and
 // wavelength are in nanometers.
 double reflectance(double thickness, double wavelength) {
-    const double at_surface = (kIndexOfSoap - 1.0) / (kIndexOfSoap + 1.0);
-    const double once = at_surface * at_surface;
+    const double amplitude = (kIndexOfSoap - 1.0) / (kIndexOfSoap + 1.0);
+    const double one_surface = amplitude * amplitude;  // reflectance of one surface of the film
     const double half_phase = 2.0 * std::numbers::pi * kIndexOfSoap * thickness / wavelength;
     const double sine = ieee::sin(half_phase);
-    const double interference = 4.0 * once * sine * sine;
-    return interference / ((1.0 - once) * (1.0 - once) + interference);
+    const double interference = 4.0 * one_surface * sine * sine;
+    return interference / ((1.0 - one_surface) * (1.0 - one_surface) + interference);
 }
 
 // Returns the color of a spectrum in linear sRGB, not yet divided by the color of a perfect mirror.
@@ -83,10 +83,10 @@ LinearRgb spectrum_to_rgb(const Spectrum& spectrum) {
     Xyz sum;
     for (int k = 0; k < kWavelengths; ++k) {
         const double value = spectrum(wavelength_at(k));
-        const Xyz& of_wavelength = matching[static_cast<std::size_t>(k)];
-        sum.x += value * of_wavelength.x;
-        sum.y += value * of_wavelength.y;
-        sum.z += value * of_wavelength.z;
+        const Xyz& weights = matching[static_cast<std::size_t>(k)];
+        sum.x += value * weights.x;
+        sum.y += value * weights.y;
+        sum.z += value * weights.z;
     }
     return to_rgb(sum);
 }

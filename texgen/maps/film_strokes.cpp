@@ -28,10 +28,10 @@ Image<float> strokes_along(const FrameLayers& layers,
 
 ColorPixels paint_layers(FrameLayers& layers,
                          const std::string& ground,
-                         std::span<const PaintLayer> over) {
+                         std::span<const PaintLayer> painted) {
     const LinearRgb ground_color = to_linear(parse_color(ground));
     std::vector<LinearRgb> colors;
-    for (const PaintLayer& layer : over) {
+    for (const PaintLayer& layer : painted) {
         colors.push_back(to_linear(parse_color(layer.color)));
     }
     const RasterGrid& grid = layers.grid();
@@ -43,8 +43,8 @@ ColorPixels paint_layers(FrameLayers& layers,
     for (std::size_t k = 0; k < pixels; ++k) {
         LinearRgb color = ground_color;
         double opacity = layers.is_patch() ? static_cast<double>(foam.samples()[k]) : 1.0;
-        for (std::size_t layer = 0; layer < over.size(); ++layer) {
-            const auto part = static_cast<double>(over[layer].coverage.samples()[k]);
+        for (std::size_t layer = 0; layer < painted.size(); ++layer) {
+            const auto part = static_cast<double>(painted[layer].coverage.samples()[k]);
             // Where the ground is transparent, only the color of the layer is visible.
             opacity = std::max(opacity, part);
             color = mixed(color, colors[layer], opacity > 0.0 ? part / opacity : 0.0);

@@ -25,11 +25,11 @@ struct PaintLayer {
     Image<float> coverage;  // the fraction of every pixel that the layer covers, in one channel
 };
 
-/// Returns an image of layers over a ground of one sRGB color. A later layer covers earlier layers.
-/// Around a patch, pixels that no layer covers are transparent. Throws std::invalid_argument if a
-/// color is invalid.
+/// Returns an image of the layers `painted` over a ground of one sRGB color. A later layer covers
+/// earlier layers. Around a patch, pixels that no layer covers are transparent. Throws
+/// std::invalid_argument if a color is invalid.
 ColorPixels paint_layers(FrameLayers& layers,
                          const std::string& ground,
-                         std::span<const PaintLayer> over);
+                         std::span<const PaintLayer> painted);
 
 }  // namespace foam::texgen

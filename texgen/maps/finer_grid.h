@@ -15,7 +15,8 @@ inline int samples_for(const RasterGrid& grid, int wanted) {
     return std::clamp(kLargestGridSide / std::max(grid.width, grid.height), 1, wanted);
 }
 
-/// Returns the grid with `samples` times as many pixels in each direction, for the same view.
+/// Returns a grid with `samples` times as many pixels in each direction, which shows the same tile
+/// or view.
 inline RasterGrid finer(RasterGrid grid, int samples) {
     grid.width *= samples;
     grid.height *= samples;

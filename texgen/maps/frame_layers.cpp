@@ -14,11 +14,11 @@ namespace foam::texgen {
 
 namespace {
 
-// Returns the value of a key, which make() computes when it is first needed.
+// Returns the value of a key in `values`. If there is none yet, adds the result of make().
 template <class Key, class Value, class Make>
-const Value& kept(std::map<Key, Value>& values, const Key& key, const Make& make) {
-    const auto known = values.find(key);
-    return known != values.end() ? known->second : values.emplace(key, make()).first->second;
+const Value& found_or_made(std::map<Key, Value>& values, const Key& key, const Make& make) {
+    const auto found = values.find(key);
+    return found != values.end() ? found->second : values.emplace(key, make()).first->second;
 }
 
 }  // namespace
@@ -70,21 +70,22 @@ FrameLayers FrameLayers::on_grid(const RasterGrid& grid, const DistanceNeeds& di
 }
 
 const CellArcs& FrameLayers::arcs(double film_width) {
-    return kept(arcs_, film_width, [&] { return cell_arcs(frame(), grid_, film_width, threads_); });
+    return found_or_made(
+        arcs_, film_width, [&] { return cell_arcs(frame(), grid_, film_width, threads_); });
 }
 
 const Grain& FrameLayers::grain(const GrainRule& rule) {
-    return kept(
+    return found_or_made(
         grains_, rule, [&] { return draw_grain(frame(), grid_, distance().ids, rule, threads_); });
 }
 
 const Maze& FrameLayers::maze(const MazeRule& rule) {
-    return kept(mazes_, rule, [&] { return find_maze(frame(), rule); });
+    return found_or_made(mazes_, rule, [&] { return find_maze(frame(), rule); });
 }
 
 const ArcDistances& FrameLayers::wall_distances(const MazeRule& rule,
                                                 const ArcDistanceNeeds& needs) {
-    return kept(wall_distances_, std::pair(rule, needs), [&] {
+    return found_or_made(wall_distances_, std::pair(rule, needs), [&] {
         const Maze& with_walls = maze(rule);
         const std::vector<PlacedArc> walls = arcs_of_films(
             frame(), grid_, threads_, [&](FilmId film) { return with_walls.is_open[film] == 0; });

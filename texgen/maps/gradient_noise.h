@@ -22,7 +22,7 @@ struct NoiseValue {
 /// factor, it has values from -1 to 1.
 inline constexpr double kNoiseScale = 1.4142135623730951;
 
-/// A hash of 32 bits (the finalizer of MurmurHash3, A. Appleby).
+/// Returns a hash of 32 bits (the finalizer of MurmurHash3, A. Appleby).
 inline std::uint32_t scrambled(std::uint32_t x) {
     x ^= x >> 16U;
     x *= 0x85ebca6bU;
@@ -62,11 +62,11 @@ struct LatticePlane {
     double slope_y;
 };
 
-// Returns the plane of a lattice point. `column` is the column of the lattice point, and `row` is
+// Returns the plane of a lattice point. `column` is the column of the lattice point, and `hash` is
 // the hash of its row (row_hash). (x, y) is the point where the noise is computed, relative to the
 // lattice point.
-inline LatticePlane plane_of(std::int32_t column, std::uint32_t row, double x, double y) {
-    const std::uint32_t direction = scrambled(static_cast<std::uint32_t>(column) + row) >> 28U;
+inline LatticePlane plane_of(std::int32_t column, std::uint32_t hash, double x, double y) {
+    const std::uint32_t direction = scrambled(static_cast<std::uint32_t>(column) + hash) >> 28U;
     const double slope_x = kGradientsX.data()[direction];
     const double slope_y = kGradientsY.data()[direction];
     return {slope_x * x + slope_y * y, slope_x, slope_y};
@@ -79,15 +79,15 @@ inline LatticePlane plane_of(std::int32_t column, std::uint32_t row, double x, d
 /// around (x, y) defines a plane. Quintic polynomials blend the four planes.
 inline NoiseValue gradient_noise(double x, double y, std::uint32_t seed) {
     const std::int32_t column = floor_of(x);
-    const std::int32_t line = floor_of(y);
+    const std::int32_t row = floor_of(y);
     const double in_x = x - column;
-    const double in_y = y - line;
+    const double in_y = y - row;
     const auto blend = [](double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); };
     const auto slope = [](double t) { return 30.0 * t * t * (t * (t - 2.0) + 1.0); };
     const double u = blend(in_x);
     const double v = blend(in_y);
-    const std::uint32_t lower = detail::row_hash(line, seed);
-    const std::uint32_t upper = detail::row_hash(line + 1, seed);
+    const std::uint32_t lower = detail::row_hash(row, seed);
+    const std::uint32_t upper = detail::row_hash(row + 1, seed);
     const detail::LatticePlane p00 = detail::plane_of(column, lower, in_x, in_y);
     const detail::LatticePlane p10 = detail::plane_of(column + 1, lower, in_x - 1.0, in_y);
     const detail::LatticePlane p01 = detail::plane_of(column, upper, in_x, in_y - 1.0);

@@ -19,7 +19,7 @@
 // and P. T. Skolmoski, "Clamping: a method of antialiasing textured surfaces by bandwidth limiting
 // in object space", 1982). The origin of the noise in a bubble is its centroid, rounded to
 // subpixels. Positions relative to it are whole numbers of subpixels, so that a shift of the grid
-// shifts the grain without changing a bit. These origins are our own.
+// shifts the grain without changing a bit. To place the origins at the centroids is our own idea.
 
 namespace foam::texgen {
 
@@ -170,12 +170,12 @@ void set_points(const GrainPlan& plan,
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint32_t id = ids[k];
             const double from_y = bottom - origins_y[id];
-            const double up = periods_in(from_y, periods.height);
+            const double periods_up = periods_in(from_y, periods.height);
             const double from_x = static_cast<std::int32_t>(k) * kSubpixel + left - origins_x[id] -
-                                  up * periods.shear;
-            const double across = periods_in(from_x, periods.width);
-            to_x[k] = scale * (from_x - across * periods.width);
-            to_y[k] = scale * (from_y - up * periods.height);
+                                  periods_up * periods.shear;
+            const double periods_across = periods_in(from_x, periods.width);
+            to_x[k] = scale * (from_x - periods_across * periods.width);
+            to_y[k] = scale * (from_y - periods_up * periods.height);
             to_seeds[k] = seeds[id];
         }
     });

@@ -33,20 +33,20 @@ struct Grain {
 struct GrainRule {
     double size = 0.1;  // of the largest features, in diameters of a mean bubble of the seeded foam
     GrainUse use = GrainUse::Relief;
-    double mean = 0.0;  // of the values in bubbles
+    double mean = 0.0;  // mean of the values in bubbles
 
     friend bool operator<(const GrainRule& a, const GrainRule& b) {
         return std::tie(a.size, a.use, a.mean) < std::tie(b.size, b.use, b.mean);
     }
 };
 
-/// Draws a fine texture of noise in every bubble. It moves with the centroid of the bubble, does
-/// not turn or stretch, and differs from bubble to bubble. There is no noise around a patch: the
-/// values there are 0. There are up to five octaves: the first one, and further ones whose features
-/// are not smaller than two pixels. On a torus, a bubble may extend farther from its centroid than
-/// half the width or height of the image. The noise then has a visible step at this distance. `ids`
-/// are the ids of the distance field of the frame (DistanceField::ids). Maps get their grain from
-/// FrameLayers::grain, which draws each grain only once.
+/// Draws a fine texture of noise in every bubble. The texture moves with the centroid of the
+/// bubble, does not turn or stretch, and differs from bubble to bubble. There is no noise around a
+/// patch: the values there are 0. There are up to five octaves: the first one, and further ones
+/// whose features are not smaller than two pixels. On a torus, a bubble may extend farther from its
+/// centroid than half the width or height of the image. The noise then has a visible step at this
+/// distance. `ids` are the ids of the distance field of the frame (DistanceField::ids). Maps get
+/// their grain from FrameLayers::grain, which draws each grain only once.
 Grain draw_grain(const Frame& frame,
                  const RasterGrid& grid,
                  const Image<std::uint32_t>& ids,

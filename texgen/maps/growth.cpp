@@ -26,12 +26,14 @@ std::unordered_map<BubbleIdentity, double> areas_of(const Frame& frame) {
 }  // namespace
 
 Keys<GrowthOptions> growth_keys() {
-    return {key("full",
-                RealsOrAuto{1e-9, 1e6, GrowthOptions().full},
-                "growth rate that a PNG stores as its largest code, in square foam units per foam "
-                "time; code 0 stands for -full; \"auto\" fits the whole animation",
-                &GrowthOptions::full)
-                .in("square foam units per foam time")};
+    return {
+        key("full",
+            RealsOrAuto{1e-9, 1e6, GrowthOptions().full},
+            "growth rate that a PNG stores as its largest code, in square foam units per foam "
+            "time; code 0 stands for -full; \"auto\" chooses a value that suits the fastest growth "
+            "or shrinking in the whole animation",
+            &GrowthOptions::full)
+            .in("square foam units per foam time")};
 }
 
 NumberPixels draw_growth(FrameLayers& layers, const GrowthOptions& options) {

@@ -95,7 +95,7 @@ std::optional<Vec2> motion_beside(const Network& network,
 
 // Sets the motion of each junction whose motion is unknown, but which has a neighbor of known
 // motion. Returns false if there is no such junction.
-bool spread(const Network& network, Motion& motion) {
+bool spread_motion(const Network& network, Motion& motion) {
     const Motion before = motion;
     bool added = false;
     for (const JunctionId junction : network.junctions()) {
@@ -111,7 +111,7 @@ bool spread(const Network& network, Motion& motion) {
 
 Indexed<JunctionId, Vec2> junction_motion(const Frame& frame, const Frame& next) {
     Motion motion = motion_of_matched(frame, next);
-    while (spread(frame.network, motion)) {
+    while (spread_motion(frame.network, motion)) {
     }
     Indexed<JunctionId, Vec2> motions;
     for (const std::optional<Vec2>& displacement : motion) {

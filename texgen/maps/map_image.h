@@ -42,9 +42,9 @@ inline void write_pixel(const LinearRgb& color, double opacity, std::span<std::u
     }
 }
 
-/// Numbers in the map's own unit, and the range of numbers that a PNG can store: code 0 is `low`,
-/// and the largest code is `high`. A file of floating-point numbers, such as an EXR, also stores
-/// numbers outside this range.
+/// Numbers in the map's own unit, and the range of numbers that a PNG can store: code 0 (the
+/// smallest integer sample) stands for `low`, and the largest code for `high`. A file of
+/// floating-point numbers, such as an EXR, also stores numbers outside this range.
 struct NumberPixels {
     Image<float> pixels;
     double low = 0.0;

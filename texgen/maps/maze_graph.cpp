@@ -207,13 +207,13 @@ class Search {
     const std::vector<BubbleId>& order() const { return order_; }
 
     // Returns the films on the path to a bubble that can be reached.
-    std::vector<HalfEdgeId> way_to(BubbleId bubble) const {
-        std::vector<HalfEdgeId> way;
-        for (; reached_by_[bubble] != kNone<HalfEdgeId>; bubble = network_.left(way.back())) {
-            way.push_back(reached_by_[bubble]);
+    std::vector<HalfEdgeId> path_to(BubbleId bubble) const {
+        std::vector<HalfEdgeId> path;
+        for (; reached_by_[bubble] != kNone<HalfEdgeId>; bubble = network_.left(path.back())) {
+            path.push_back(reached_by_[bubble]);
         }
-        std::reverse(way.begin(), way.end());
-        return way;
+        std::reverse(path.begin(), path.end());
+        return path;
     }
 
   private:
@@ -272,7 +272,7 @@ Maze find_maze(const Frame& frame, const MazeRule& rule) {
     const Search from_any(frame, tree.is_open, tree.in_largest_raft);
     const BubbleId start = farthest_end(frame, rule, from_any);
     const BubbleId end = farthest_end(frame, rule, Search(frame, tree.is_open, start));
-    maze.solution = Search(frame, maze.is_open, start).way_to(end);
+    maze.solution = Search(frame, maze.is_open, start).path_to(end);
     if (frame.domain.is_plane()) {
         maze.solution.insert(maze.solution.begin(), twin(longest_outer_side(frame, start)));
         maze.solution.push_back(longest_outer_side(frame, end));

@@ -51,30 +51,30 @@ Vec2 point_of(const Station& a, const Station& b, double t) {
 
 // Returns the derivative of point_of with respect to `t`.
 Vec2 velocity_of(const Station& a, const Station& b, double t) {
-    const Vec2 way = b.position - a.position;
+    const Vec2 step = b.position - a.position;
     const double u = 1.0 - t;
-    return 6.0 * t * u * way +
-           way.norm() * (u * (1.0 - 3.0 * t) * a.direction + t * (3.0 * t - 2.0) * b.direction);
+    return 6.0 * t * u * step +
+           step.norm() * (u * (1.0 - 3.0 * t) * a.direction + t * (3.0 * t - 2.0) * b.direction);
 }
 
 }  // namespace
 
-std::vector<Station> solution_stations(const Frame& frame, std::span<const HalfEdgeId> way) {
+std::vector<Station> solution_stations(const Frame& frame, std::span<const HalfEdgeId> path) {
     std::vector<Station> stations;
-    Vec2 tail = frame.positions[frame.network.tail(way.front())];
-    for (std::size_t k = 0; k < way.size(); ++k) {
+    Vec2 tail = frame.positions[frame.network.tail(path.front())];
+    for (std::size_t k = 0; k < path.size(); ++k) {
         if (k > 0) {
-            const HalfEdgeId entry = twin(way[k - 1]);
-            tail += frame.arc(way[k - 1]).chord + between_tails(frame, entry, way[k]);
+            const HalfEdgeId entry = twin(path[k - 1]);
+            tail += frame.arc(path[k - 1]).chord + between_tails(frame, entry, path[k]);
         }
-        const FilmArc arc = frame.arc(way[k]);
+        const FilmArc arc = frame.arc(path[k]);
         stations.push_back({tail + point_at(arc, 0.5), across(arc)});
     }
     if (!frame.domain.is_plane()) {
-        const HalfEdgeId last = twin(way.back());
-        const Vec2 end = tail + frame.arc(way.back()).chord + mean_corner(frame, last);
+        const HalfEdgeId last = twin(path.back());
+        const Vec2 end = tail + frame.arc(path.back()).chord + mean_corner(frame, last);
         const Vec2 start =
-            frame.positions[frame.network.tail(way.front())] + mean_corner(frame, way.front());
+            frame.positions[frame.network.tail(path.front())] + mean_corner(frame, path.front());
         const Vec2 first_step = stations.front().position - start;
         const Vec2 last_step = end - stations.back().position;
         stations.insert(stations.begin(), {start, first_step.normalized()});
@@ -97,13 +97,13 @@ std::vector<Station> refined(std::span<const Station> stations, int pieces) {
 }
 
 std::vector<PlacedArc> solution_line(const Frame& frame,
-                                     std::span<const HalfEdgeId> way,
+                                     std::span<const HalfEdgeId> path,
                                      double scale) {
     std::vector<PlacedArc> line;
-    if (way.empty()) {
+    if (path.empty()) {
         return line;
     }
-    const std::vector<Station> stations = solution_stations(frame, way);
+    const std::vector<Station> stations = solution_stations(frame, path);
     for (std::size_t k = 1; k < stations.size(); ++k) {
         Vec2 from = stations[k - 1].position;
         for (int piece = 1; piece <= kPiecesPerCurve; ++piece) {

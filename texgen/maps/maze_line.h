@@ -18,23 +18,23 @@ struct Station {
 };
 
 /// Returns the points at which the line of solution_line (below) crosses films, and on a torus also
-/// both ends of the line. Precondition: `way` is not empty.
-std::vector<Station> solution_stations(const Frame& frame, std::span<const HalfEdgeId> way);
+/// both ends of the line. Precondition: `path` is not empty.
+std::vector<Station> solution_stations(const Frame& frame, std::span<const HalfEdgeId> path);
 
 /// Divides the cubic curve between each two successive stations into `pieces` pieces, by equal
 /// steps of its parameter. Returns the given stations and the new ones between them. Precondition:
 /// `stations` is not empty, pieces > 0.
 std::vector<Station> refined(std::span<const Station> stations, int pieces);
 
-/// Returns a smooth line through bubbles as a chain of short straight pieces. `way` lists the films
-/// that the line crosses, as half-edges that it crosses from left to right. The bubble on the right
-/// of each half-edge is on the left of the next half-edge. The line crosses each film in its middle
-/// and at a right angle; between two films it is a cubic curve. On a torus, the line begins at the
-/// mean of the corners of the first bubble. It ends at the mean of the corners of the last bubble.
-/// On a patch, it begins in the middle of the first film and ends in the middle of the last film.
-/// If `way` is empty, the line has no pieces. `scale` is in pixels per foam unit.
+/// Returns a smooth line through bubbles as a chain of short straight pieces. `path` lists the
+/// films that the line crosses, as half-edges that it crosses from left to right. The bubble on the
+/// right of each half-edge is on the left of the next half-edge. The line crosses each film in its
+/// middle and at a right angle; between two films it is a cubic curve. On a torus, the line begins
+/// at the mean of the corners of the first bubble. It ends at the mean of the corners of the last
+/// bubble. On a patch, it begins in the middle of the first film and ends in the middle of the last
+/// film. If `path` is empty, the line has no pieces. `scale` is in pixels per foam unit.
 std::vector<PlacedArc> solution_line(const Frame& frame,
-                                     std::span<const HalfEdgeId> way,
+                                     std::span<const HalfEdgeId> path,
                                      double scale);
 
 }  // namespace foam::texgen

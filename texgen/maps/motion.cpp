@@ -42,7 +42,7 @@ class FoamMotion {
 
     // Returns the polygon of a bubble and the motion of the polygon's corners, in pixels. The
     // positions of the corners are relative to the bubble's first junction.
-    BoundaryMotion around(BubbleId bubble) const {
+    BoundaryMotion boundary_of(BubbleId bubble) const {
         BoundaryMotion boundary;
         Vec2 tail = Vec2::Zero();
         LatticeOffset offset;
@@ -82,10 +82,10 @@ class FoamMotion {
 class CircleMotion {
   public:
     CircleMotion(const LoneBubble& bubble, const Frame& next, double scale) : scale_(scale) {
-        for (const LoneBubble& later : next.lone_bubbles) {
-            if (later.identity == bubble.identity) {
-                displacement_ = later.center - bubble.center;
-                growth_ = lone_radius(later) / lone_radius(bubble) - 1.0;
+        for (const LoneBubble& candidate : next.lone_bubbles) {
+            if (candidate.identity == bubble.identity) {
+                displacement_ = candidate.center - bubble.center;
+                growth_ = lone_radius(candidate) / lone_radius(bubble) - 1.0;
             }
         }
     }
@@ -135,7 +135,7 @@ class MotionPainter {
         const std::size_t bubbles = layers_.frame().bubbles.size();
         const std::size_t index = region.id;
         if (index < bubbles) {
-            const BoundaryMotion boundary = foam_.around(id_at<BubbleId>(index));
+            const BoundaryMotion boundary = foam_.boundary_of(id_at<BubbleId>(index));
             const Vec2 first = first_junction(region, translation);
             paint_pixels(
                 image, first, [&](MovingPoints& points) { set_motions(boundary, points); });
@@ -161,8 +161,9 @@ class MotionPainter {
         return Vec2(first.x, first.y) / kSubpixel;
     }
 
-    // Paints the pixels that `pixels_` contains. Collects the centers of many of them, relative to
-    // `origin`, and calls set_motions(points), which must set the motions at these points.
+    // Paints the pixels that `pixels_` contains, in batches of about a thousand pixels. For each
+    // batch, collects the centers of its pixels, relative to `origin`, and calls
+    // set_motions(points), which must set the motions at these points.
     template <class SetMotions>
     void paint_pixels(ImageView<float> image, const Vec2& origin, const SetMotions& set_motions) {
         constexpr std::size_t kBatch = 1024;
@@ -224,7 +225,8 @@ Keys<MotionOptions> motion_keys() {
             key("multiplier",
                 RealsOrAuto{1e-6, 10.0, MotionOptions().multiplier},
                 "motion that a PNG stores as its largest code, as a fraction of the image width; "
-                "code 0 stands for -multiplier; \"auto\" fits the whole animation",
+                "code 0 stands for -multiplier; \"auto\" chooses a value that suits the largest "
+                "motion in the whole animation",
                 &MotionOptions::multiplier)
                 .in("fraction of the image width")};
 }
@@ -237,9 +239,10 @@ NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options) {
 }
 
 std::string note_on_motion(const MotionOptions& options) {
-    return fmt::format("y {}; the largest code of a PNG is {} of the image width",
-                       options.y == MotionY::Up ? "up" : "down",
-                       options.multiplier.value);
+    return fmt::format(
+        "y {}; the largest code of a PNG stands for a motion of {} of the image width",
+        options.y == MotionY::Up ? "up" : "down",
+        options.multiplier.value);
 }
 
 }  // namespace foam::texgen

@@ -56,8 +56,8 @@ Keys<MotionOptions> motion_keys();
 /// Throws std::invalid_argument if there is no next frame.
 NumberPixels draw_motion(FrameLayers& layers, const MotionOptions& options);
 
-/// Returns a text for the metadata of files, such as "y up; the largest code of a PNG is 0.005 of
-/// the image width".
+/// Returns a text for the metadata of files, such as "y up; the largest code of a PNG stands for a
+/// motion of 0.005 of the image width".
 std::string note_on_motion(const MotionOptions& options);
 
 }  // namespace foam::texgen

@@ -9,7 +9,7 @@
 
 namespace foam::texgen {
 
-/// The names of a map's channels in a file of floats or integers, such as an EXR.
+/// The names of a map's channels in a file of numbers (FormatSamples::Numbers), such as an EXR.
 struct ChannelNames {
     // The name of the layer. In the file, this name and a '.' precede the name of each channel, as
     // in "albedo.R". The name is empty if the file has no layers.

@@ -167,8 +167,9 @@ class MapImages {
         }
     }
 
+    // Returns the image of a map. `Pixels` is its type (MapImage).
     template <class Pixels>
-    const Pixels& of(const Map& map) const {
+    const Pixels& image_of(const Map& map) const {
         return std::get<Pixels>(std::ranges::find(images_, &map, &Drawn::first)->second);
     }
 
@@ -189,7 +190,7 @@ void for_each_number(const PackedChannel& channel,
         }
         return;
     }
-    const NumberPixels& numbers = images.of<NumberPixels>(*channel.map);
+    const NumberPixels& numbers = images.image_of<NumberPixels>(*channel.map);
     const auto channels = static_cast<std::size_t>(numbers.pixels.channels());
     const auto first = static_cast<std::size_t>(channel.channel);
     const double scale = 1.0 / (numbers.high - numbers.low);
@@ -206,7 +207,7 @@ ColorPixels pack_colors(const Packing& packing, const MapImages& images, const R
     const std::span<std::uint16_t> to = packed.samples();
     for (std::size_t c = 0; c < 3; ++c) {
         const PackedChannel& channel = packing.channels[c];
-        const Image<std::uint16_t>& colors = images.of<ColorPixels>(*channel.map).pixels;
+        const Image<std::uint16_t>& colors = images.image_of<ColorPixels>(*channel.map).pixels;
         const auto from_channels = static_cast<std::size_t>(colors.channels());
         const auto from_channel = static_cast<std::size_t>(channel.channel);
         for (std::size_t k = 0; k * channels < to.size(); ++k) {

@@ -31,7 +31,7 @@ struct PackedChannel {
 struct Packing {
     std::string name;                     // takes the place of {map} in file names
     std::vector<PackedChannel> channels;  // R, G, B and, if there are four, A
-    int bits = 8;                         // bits per sample of a file of codes, 8 or 16
+    int bits = 8;  // bits per sample of a file of codes (integer samples), 8 or 16
     // True if R, G and B are colors. The image is then encoded as sRGB, apart from A. Otherwise all
     // channels are data.
     bool is_color = false;

@@ -14,17 +14,19 @@ namespace foam::texgen {
 template <class Value>
 using PerBubble = std::vector<Value>;
 
-/// Returns the result of `of(id)` for every bubble of the network, then the result of
-/// `of_lone(bubble)` for every lone bubble.
-template <class Value, class Of, class OfLone>
-PerBubble<Value> per_bubble(const Frame& frame, const Of& of, const OfLone& of_lone) {
+/// Returns the result of value_of(id) for every bubble of the network, then the result of
+/// value_of_lone(bubble) for every lone bubble.
+template <class Value, class ValueOf, class ValueOfLone>
+PerBubble<Value> per_bubble(const Frame& frame,
+                            const ValueOf& value_of,
+                            const ValueOfLone& value_of_lone) {
     PerBubble<Value> values;
     values.reserve(frame.bubbles.size() + frame.lone_bubbles.size());
     for (std::size_t k = 0; k < frame.bubbles.size(); ++k) {
-        values.push_back(of(id_at<BubbleId>(k)));
+        values.push_back(value_of(id_at<BubbleId>(k)));
     }
     for (const LoneBubble& bubble : frame.lone_bubbles) {
-        values.push_back(of_lone(bubble));
+        values.push_back(value_of_lone(bubble));
     }
     return values;
 }

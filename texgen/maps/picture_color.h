@@ -13,12 +13,12 @@ namespace foam::texgen {
 /// Returns the mean color of options.picture under every bubble, in the frame that
 /// options.picture_sampling selects. The picture is stretched over the torus, or over the bounding
 /// box of the patch in frame 1. The color of a bubble is the mean of samples in linear light. The
-/// distance between samples is at most a pixel of the picture, or 1/512 of its longer side if that
-/// is more. In large bubbles the distance can be larger, because the number of samples is limited
-/// (visit_polygon_samples). The colors do not depend on the size of the drawn image. With
-/// PictureSampling::FirstFrame, the colors in frame 1 (`first`) are computed only once, and used in
-/// all frames. Transparent parts of the picture are white. Throws std::invalid_argument if there is
-/// no picture.
+/// distance between samples is at most the side of a pixel of the picture, or 1/512 of the longer
+/// side of the picture if this is more. In large bubbles the distance can be larger, because the
+/// number of samples is limited (visit_polygon_samples). The colors do not depend on the size of
+/// the drawn image. With PictureSampling::FirstFrame, the colors in frame 1 (`first`) are computed
+/// only once, and used in all frames. Transparent parts of the picture are white. Throws
+/// std::invalid_argument if there is no picture.
 PerBubble<LinearRgb> picture_colors(const Frame& frame,
                                     const FrameOne& first,
                                     const AlbedoOptions& options);

@@ -14,8 +14,8 @@ namespace foam::texgen {
 namespace {
 
 // The brightnesses of a row of pixels (`padded`) and of the rows below and above it, and the
-// distances of the row's pixels from films. `padded` begins with the left neighbor of the row's
-// first pixel, and ends with the right neighbor of the row's last pixel.
+// distances of the row's pixels from films or walls. `padded` begins with the left neighbor of the
+// row's first pixel, and ends with the right neighbor of the row's last pixel.
 struct ContrastRow {
     const float* padded;
     const float* below;
@@ -24,8 +24,8 @@ struct ContrastRow {
 };
 
 // Sets marks[k] to 1 if pixel k of the row needs several samples, otherwise to 0. A pixel needs
-// several samples if a film is near. It also needs them if its brightness differs too much from the
-// mean of its two neighbors in the row or in the column.
+// several samples if a film or wall is near. It also needs them if its brightness differs too much
+// from the mean of its two neighbors in the row or in the column.
 void mark_contrasts(const ContrastRow& row, std::vector<std::uint8_t>& marks) {
     at_simd_level([row, count = marks.size(), to = marks.data()] {
         constexpr float kContrast = 0.025F;  // smallest relative difference
@@ -35,12 +35,13 @@ void mark_contrasts(const ContrastRow& row, std::vector<std::uint8_t>& marks) {
         for (std::size_t k = 0; k < count; ++k) {
             const float middle = row.padded[k + 1];
             const float limit = kContrast * (middle + kDark);
-            const float across = 0.5F * (row.padded[k] + row.padded[k + 2]) - middle;
-            const float along = 0.5F * (row.below[k] + row.above[k]) - middle;
+            const float row_difference = 0.5F * (row.padded[k] + row.padded[k + 2]) - middle;
+            const float column_difference = 0.5F * (row.below[k] + row.above[k]) - middle;
             const auto is_near = static_cast<unsigned>(row.distances[k] < kNear);
-            const auto bends_across = static_cast<unsigned>(std::abs(across) > limit);
-            const auto bends_along = static_cast<unsigned>(std::abs(along) > limit);
-            to[k] = static_cast<std::uint8_t>(is_near | bends_across | bends_along);
+            const auto differs_in_row = static_cast<unsigned>(std::abs(row_difference) > limit);
+            const auto differs_in_column =
+                static_cast<unsigned>(std::abs(column_difference) > limit);
+            to[k] = static_cast<std::uint8_t>(is_near | differs_in_row | differs_in_column);
         }
     });
 }

@@ -197,9 +197,9 @@ Keys<PressureOptions> pressure_keys() {
             .in("rounds"),
         key("flattening",
             Integers{0, 1000},
-            "rounds of averaging after those of smoothing; they give a wider average, which is "
-            "subtracted so that the corridors of a labyrinth are about equally wide; 0 subtracts "
-            "nothing",
+            "further rounds of averaging, after the rounds of smoothing; they give a wider "
+            "average, which is subtracted so that the corridors of a labyrinth are about equally "
+            "wide; 0 subtracts nothing",
             &Options::flattening)
             .in("rounds"),
         key("exaggeration",

@@ -45,8 +45,8 @@ struct PressureOptions {
     double high = 0.5;                          // pressure of tone 1, for Range
     double percentile = 2.0;  // for Percentile: percentage of bubbles beyond each end of the scale
     int smoothing = 0;        // rounds of averaging with neighbors (average_with_neighbors)
-    // Rounds of averaging after those of `smoothing`. The wider average that they give is
-    // subtracted from the smoothed pressures. With 0 rounds, nothing is subtracted.
+    // Further rounds of averaging, after the rounds of `smoothing`. They give a wider average,
+    // which is subtracted from the smoothed pressures. With 0 rounds, nothing is subtracted.
     int flattening = 0;
     double exaggeration = 1.0;      // factor on the difference from the middle tone, 0.5
     std::string colormap = "none";  // "none" draws the tones as numbers

@@ -74,7 +74,7 @@ Reflections::Reflections(const ReflectionOptions& options, double azimuth, doubl
         brightnesses_[index] = brightness;
         brightness *= kSecondWindow;
     }
-    flat_ = around(Direction::UnitZ());
+    flat_ = light_from(Direction::UnitZ());
 }
 
 }  // namespace foam::texgen

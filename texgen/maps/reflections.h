@@ -89,7 +89,7 @@ class Reflections {
     double brightness(const Direction& normal) const {
         const double twice = 2.0 * normal.z();
         return max_value(
-            around({twice * normal.x(), twice * normal.y(), twice * normal.z() - 1.0}) - flat_,
+            light_from({twice * normal.x(), twice * normal.y(), twice * normal.z() - 1.0}) - flat_,
             0.0);
     }
 
@@ -99,7 +99,7 @@ class Reflections {
     static constexpr std::size_t kMaxWindows = 2;
 
     // Returns the brightness of the surroundings in a direction.
-    double around(const Direction& direction) const {
+    double light_from(const Direction& direction) const {
         // Windows that do not exist have the brightness 0.
         double sum = 0.0;
         for (std::size_t k = 0; k < kMaxWindows; ++k) {

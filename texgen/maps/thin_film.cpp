@@ -83,15 +83,15 @@ Films films_of(FrameLayers& layers, const ThinFilmOptions& options) {
     const auto phase_of = [&](BubbleIdentity bubble) {
         return 2.0 * std::numbers::pi * identity_number(bubble, IdentityStream::First);
     };
-    const auto of_identity = [&](const auto& number_of) {
+    const auto bubble_numbers = [&](const auto& number_of) {
         return per_bubble<double>(
             frame,
             [&](BubbleId bubble) { return number_of(frame.bubbles[bubble].identity); },
             [&](const LoneBubble& bubble) { return number_of(bubble.identity); });
     };
-    return {by_cell_id(layers.frame(), of_identity(thickness_of), 0.0),
+    return {by_cell_id(layers.frame(), bubble_numbers(thickness_of), 0.0),
             radii_by_cell_id(layers, 1.0),
-            by_cell_id(layers.frame(), of_identity(phase_of), 0.0)};
+            by_cell_id(layers.frame(), bubble_numbers(phase_of), 0.0)};
 }
 
 // Returns a number from -1 to 1 that varies smoothly over a bubble: the sum of two crossed waves,
@@ -178,7 +178,7 @@ Keys<ThinFilmOptions> thin_film_keys() {
     return {
         key("thickness",
             Reals{0.0, 3000.0},
-            "thickness of the soap film in the middle of a bubble, mean over bubbles, nanometers",
+            "thickness of the soap film in the middle of a bubble (mean over bubbles), nanometers",
             &ThinFilmOptions::thickness)
             .in("nanometers"),
         key("variation",

@@ -19,7 +19,7 @@ inline constexpr MapTraits kThinFilmMap = {
 
 /// The soap film that spans each bubble. It is not the film between two bubbles.
 struct ThinFilmOptions {
-    double thickness = 350.0;  // in the middle of a bubble, mean over bubbles, nanometers
+    double thickness = 350.0;  // nanometers, in the middle of a bubble; the mean over all bubbles
     double variation = 0.6;    // width of the range of thicknesses among bubbles, as a fraction of
                                // `thickness`; a bubble keeps its thickness for life
     double drainage = 0.5;     // added thickness at the bubble's rim, where liquid gathers, as a

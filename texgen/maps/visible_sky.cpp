@@ -28,7 +28,7 @@ double distance_at(int step) {
 }
 
 double height_at(const ReliefSection& section, double distance) {
-    return section.visit([=](const auto& known) { return height_along(known, distance); });
+    return section.visit([=](const auto& profile) { return height_along(profile, distance); });
 }
 
 // Returns the derivative of the section's height with respect to the distance x from the film.
@@ -53,10 +53,10 @@ double visible(std::span<const double> heights, int current, double slope) {
         }
         return steepness;
     };
-    constexpr double kRight = 0.5 * std::numbers::pi;
+    constexpr double kRightAngle = 0.5 * std::numbers::pi;
     const double tilt = ieee::atan(slope);  // how far the normal tilts to the left
-    const double left = kRight - ieee::atan(steepest(-1)) - tilt;
-    const double right = kRight - ieee::atan(steepest(1)) + tilt;
+    const double left = kRightAngle - ieee::atan(steepest(-1)) - tilt;
+    const double right = kRightAngle - ieee::atan(steepest(1)) + tilt;
     return 0.5 * (ieee::sin(left) + ieee::sin(right));
 }
 

@@ -28,8 +28,8 @@ struct SkyLookup {
     static constexpr int kSteps = 128;  // entries per unit of length of the ReliefSection
 };
 
-/// A table of the visible fraction of a uniform sky, raised to a power. It is for the points of a
-/// cross-section of the relief (ReliefSection), ordered by their distance from the film.
+/// A table of the visible fraction of a uniform sky, raised to a power. The entries are for points
+/// of a cross-section of the relief (ReliefSection), in the order of their distance from the film.
 class VisibleSky {
   public:
     /// The heights of the section are multiplied by `strength`. The visible fraction is raised to

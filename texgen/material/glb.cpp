@@ -22,7 +22,7 @@ constexpr int kRepeat = 10497;
 constexpr int kClampToEdge = 33071;
 
 constexpr double kGray = 0.5;       // base color of a material without colors
-constexpr double kRoughness = 0.5;  // of a material without a map of the roughness
+constexpr double kRoughness = 0.5;  // roughness of a material without a map of the roughness
 
 // Returns the components of a vector four times: once for each corner of the plane.
 std::vector<float> at_all_corners(const std::vector<float>& vector) {

@@ -13,10 +13,10 @@ namespace foam::texgen {
 /// becomes '_'. A leading digit gets a '_' before it, and an empty name becomes "_".
 std::string identifier(std::string_view name);
 
-/// Identifiers that differ from each other.
+/// Makes identifiers that differ from each other.
 class Identifiers {
   public:
-    /// Returns identifier(name), with a number at the end if it has been returned before.
+    /// Returns identifier(name), with a number appended if this object has returned it before.
     std::string unique(std::string_view name);
 
   private:

@@ -54,9 +54,10 @@ class MaterialXWriter {
     void write_comment() {
         if (material_.frames.size() > 1) {
             xml_.comment(fmt::format(
-                "The images are those of frame {} of {} frames. Programs that know the frame "
-                "tokens of MaterialX play all frames if the N digits of the frame number in the "
-                "names of the files are replaced by {{0Nframe}}, such as {{04frame}} for 4 digits.",
+                "The images are those of frame {}, the first of {} frames. Programs that know the "
+                "frame tokens of MaterialX play all frames if the N digits of the frame number in "
+                "the names of the files are replaced by {{0Nframe}}, such as {{04frame}} for 4 "
+                "digits.",
                 material_.frames.front(),
                 material_.frames.size()));
         }
@@ -78,15 +79,17 @@ class MaterialXWriter {
         xml_.begin(category, {{"name", node.name}, {"type", node.type}});
         return node;
     }
+    // Writes a node that computes its output from another node. If `second_input` is not empty, it
+    // is the name of a second input, which has the given value.
     Node computed(std::string_view category,
                   const std::string& name,
-                  const Node& in,
-                  std::string_view other,
+                  const Node& source,
+                  std::string_view second_input,
                   const std::string& value) {
-        Node node = begin(category, name, in.type);
-        input(category == "invert" ? "in" : "in1", in);
-        if (!other.empty()) {
-            input(other, in.type, value);
+        Node node = begin(category, name, source.type);
+        input(category == "invert" ? "in" : "in1", source);
+        if (!second_input.empty()) {
+            input(second_input, source.type, value);
         }
         xml_.end();
         return node;
@@ -111,7 +114,7 @@ class MaterialXWriter {
         }
     }
 
-    // Returns the straight colors of an image.
+    // Returns a node with the colors of an image, not multiplied by the opacity.
     Node color_of(std::size_t index) {
         const SceneImage& image = material_.images[index];
         const Node& whole = images_[index];
@@ -138,6 +141,7 @@ class MaterialXWriter {
         return straight;
     }
 
+    // Returns a node with the numbers of a channel.
     Node number_of(const SceneChannel& channel) {
         const SceneImage& image = material_.images[channel.image];
         Node number = images_[channel.image];

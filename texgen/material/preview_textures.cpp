@@ -93,9 +93,9 @@ Texture converted(const Image<float>& pixels, int channels, const Code& code_of)
     return texture;
 }
 
-// Returns the colors of an image as sRGB. EXR files store linear light, premultiplied by the
-// opacity if there is one.
-Texture colors_of(PreviewImages& frame, std::size_t index, bool with_opacity) {
+// Returns the colors of an image as sRGB, with a fourth channel for the opacity if `keeps_opacity`
+// is true. EXR files store linear light, premultiplied by the opacity if there is one.
+Texture colors_of(PreviewImages& frame, std::size_t index, bool keeps_opacity) {
     const SceneImage& image = frame.image(index);
     const bool is_linear = image.samples().color_space != "sRGB";
     const auto code_of = [&](std::span<const float> pixel, std::size_t c) {
@@ -107,7 +107,7 @@ Texture colors_of(PreviewImages& frame, std::size_t index, bool with_opacity) {
         const double light = opacity > 0.0 ? sample / opacity : 0.0;
         return to_code(linear_to_srgb(light > 0.0 ? std::min(light, 1.0) : 0.0));
     };
-    return converted(frame.channels(index), with_opacity ? 4 : 3, code_of);
+    return converted(frame.channels(index), keeps_opacity ? 4 : 3, code_of);
 }
 
 // Returns a texture of one color.
@@ -121,18 +121,18 @@ Texture filled(int width, int height, const std::array<std::uint8_t, 3>& color) 
     return texture;
 }
 
-// Writes the numbers of a channel into a channel of a texture.
+// Writes the numbers of a channel into the channel `texture_channel` of a texture.
 void copy_numbers(PreviewImages& frame,
                   const SceneChannel& channel,
                   Texture& texture,
-                  std::size_t to) {
+                  std::size_t texture_channel) {
     const Image<float>& numbers = frame.channels(channel.image);
     const double scale = frame.image(channel.image).scale.at(channel.channel);
     const double bias = frame.image(channel.image).bias.at(channel.channel);
     for (int y = 0; y < texture.height(); ++y) {
         for (int x = 0; x < texture.width(); ++x) {
             const auto number = static_cast<double>(numbers.pixel(x, y)[channel.channel]);
-            texture.pixel(x, y)[to] = to_code(scale * number + bias);
+            texture.pixel(x, y)[texture_channel] = to_code(scale * number + bias);
         }
     }
 }
@@ -148,7 +148,7 @@ Texture with_opacity(const Texture& colors, PreviewImages& frame, const SceneCha
     return texture;
 }
 
-// Returns white pixels with an opacity.
+// Returns white pixels with the opacity of a channel.
 Texture white_texture(PreviewImages& frame, const SceneChannel& opacity) {
     const Image<float>& numbers = frame.channels(opacity.image);
     return with_opacity(filled(numbers.width(), numbers.height(), {255, 255, 255}), frame, opacity);

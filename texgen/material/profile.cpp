@@ -44,12 +44,13 @@ std::string text_in(const std::string& path) {
 
 // Replaces a word wherever no other letter, digit or '_' directly precedes or follows it.
 std::string with_word(std::string text, std::string_view word, std::string_view replacement) {
-    const auto is_letter = [&](std::size_t k) {
+    const auto is_word_character = [&](std::size_t k) {
         return k < text.size() &&
                (std::isalnum(static_cast<unsigned char>(text[k])) != 0 || text[k] == '_');
     };
     for (std::size_t k = text.find(word); k != std::string::npos; k = text.find(word, k)) {
-        const bool is_whole = (k == 0 || !is_letter(k - 1)) && !is_letter(k + word.size());
+        const bool is_whole =
+            (k == 0 || !is_word_character(k - 1)) && !is_word_character(k + word.size());
         if (is_whole) {
             text.replace(k, word.size(), replacement);
         }
@@ -164,9 +165,9 @@ std::vector<Assignment> assignments_for(const Profile& profile, const Preset& pr
 
 std::vector<Assignment> profile_assignments(const std::string& profile,
                                             const Preset& preset,
-                                            std::span<const Assignment> later) {
+                                            std::span<const Assignment> overrides) {
     Preset changed = preset;
-    assign(changed, later);
+    assign(changed, overrides);
     changed.image.maps = preset.image.maps;
     return assignments_for(load_profile(profile), changed);
 }

@@ -45,8 +45,7 @@ Profile parse_profile(std::string_view toml, std::string name, const std::string
 /// to a preset (assign).
 Profile load_profile(const std::string& name_or_path);
 
-/// Returns the assignments of a profile for a preset. They are those of the profile, with two
-/// changes:
+/// Returns the assignments of a profile, adapted to a preset by two changes:
 ///
 /// - In the profile's values of image.maps, output.pack and output.names, the map albedo is
 ///   replaced by the map that has the colors of the preset (base_color_map). Only names of maps are
@@ -55,18 +54,18 @@ Profile load_profile(const std::string& name_or_path);
 /// - The map emission is left out of image.maps if nothing in the preset glows (lit.glow is 0).
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
 
-/// Returns the assignments of the profile with the given name or path for a preset. `later` are the
-/// assignments that will override them. The result is computed by assignments_for from a copy of
-/// the preset in which the later assignments have been made. Only image.maps, which base_color_map
-/// reads, keeps its value in the copy. Throws the exceptions of load_profile, and PresetError if
-/// one of the later assignments is not allowed.
+/// Returns the assignments of the profile with the given name or path for a preset. `overrides` are
+/// further assignments, which will be made after the result has been assigned. The result is
+/// computed by assignments_for from a copy of the preset in which the overrides have been assigned.
+/// Only image.maps, which base_color_map reads, keeps its value in the copy. Throws the exceptions
+/// of load_profile, and PresetError if one of the overrides is not allowed.
 std::vector<Assignment> profile_assignments(const std::string& profile,
                                             const Preset& preset,
-                                            std::span<const Assignment> later);
+                                            std::span<const Assignment> overrides);
 
 /// Returns the name of the map that has the unlit colors of a preset. This is the first map of
-/// colors in image.maps, apart from emission and id_color. If that map is `lit`, it is the map
-/// whose colors `lit` shows. If image.maps has no map of colors, it is "albedo".
+/// colors in image.maps, apart from emission and id_color. If that first map is `lit`, the result
+/// is the map whose colors `lit` shows. If image.maps has no such map, the result is "albedo".
 std::string base_color_map(const Preset& preset);
 
 }  // namespace foam::texgen

@@ -69,8 +69,8 @@ void check_usd_colors(const Preset& preset, const FilePattern& pattern) {
     if (has_colors && is_premultiplied && preset.shape.kind == FoamKind::Patch) {
         throw std::invalid_argument(fmt::format(
             "output.scene = \"usda\" cannot refer to the colors of a patch in {} files, because "
-            "these are multiplied by the opacity, and a UsdPreviewSurface would do this again; "
-            "PNG files, or a scene of the format mtlx or gltf, are possible",
+            "these colors are multiplied by the opacity, and a UsdPreviewSurface would multiply "
+            "them again; PNG files, or a scene of the format mtlx or gltf, are possible",
             pattern.format().name));
     }
 }

@@ -29,7 +29,8 @@ std::vector<std::string> words_in(const std::string& text) {
     return words;
 }
 
-// Adds images to a material when they are needed.
+// Adds images to a material when they are needed. An argument `drawn` is the index of an image in
+// drawn_images(preset).
 class MaterialBuilder {
   public:
     MaterialBuilder(const Preset& preset, const BakedSet& set, const std::filesystem::path& folder)
@@ -56,6 +57,7 @@ class MaterialBuilder {
         }
     }
 
+    // Returns the index of an image in material.images.
     std::optional<std::size_t> image(std::optional<std::size_t> drawn) {
         return drawn ? std::optional(index_of(*drawn)) : std::nullopt;
     }

@@ -49,7 +49,7 @@ struct SceneMaterial {
     double plane_height = kPlaneWidth;  // the height of an image in a scene, meters
     bool tiles = true;                  // true if the images of all frames tile
     int frames_per_second = 24;
-    std::vector<int> frames;  // the frames of which all images exist, in increasing order
+    std::vector<int> frames;  // the frames for which all images exist, in increasing order
     std::vector<SceneImage> images;
     std::optional<std::size_t> base_color;
     std::optional<std::size_t> lit;
@@ -71,10 +71,9 @@ struct SceneMaterial {
     bool has_one_displacement() const;
 };
 
-/// Returns the material that the images of a preset make. `set` lists the images that bakes of this
-/// preset have written; it is a set of a manifest. `folder` is the folder that contains the
-/// manifest. Throws InputError if no frame has all images. Precondition: scene_sources(preset) is
-/// not empty.
+/// Returns the material that the images of a preset make. `set` is the set of a manifest that lists
+/// the images of this preset, and `folder` is the folder of the manifest. Throws InputError if no
+/// frame has all images of the material. Precondition: scene_sources(preset) is not empty.
 SceneMaterial scene_material(const Preset& preset,
                              const BakedSet& set,
                              const std::filesystem::path& folder);

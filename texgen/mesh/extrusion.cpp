@@ -62,14 +62,14 @@ std::vector<Edge> divided(std::span<const Edge> edges,
                           const PointTable& points) {
     std::vector<Edge> parts;
     for (const Edge edge : edges) {
-        const Vec2& from = points[start_of(edge)];
-        const Vec2 along = points[end_of(edge)] - from;
+        const Vec2& start = points[start_of(edge)];
+        const Vec2 along = points[end_of(edge)] - start;
         std::vector<std::pair<double, std::uint32_t>> stops{{0.0, start_of(edge)},
                                                             {along.squaredNorm(), end_of(edge)}};
         for (const Edge wall : walls) {
-            const Vec2 at = points[start_of(wall)] - from;
-            const double position = at.dot(along);
-            if (cross(along, at) == 0.0 && position > 0.0 && position < along.squaredNorm()) {
+            const Vec2 offset = points[start_of(wall)] - start;
+            const double position = offset.dot(along);
+            if (cross(along, offset) == 0.0 && position > 0.0 && position < along.squaredNorm()) {
                 stops.emplace_back(position, start_of(wall));
             }
         }
@@ -112,7 +112,7 @@ class Levels {
 
   private:
     // The points of the mesh at one height. The first call with a point of the plane adds the point
-    // at this height to the mesh. Every call returns the index of the added point.
+    // of the mesh at this height. Every call returns the index of that point of the mesh.
     class Level {
       public:
         Level(Levels& owner, double height)
@@ -120,10 +120,10 @@ class Levels {
 
         std::uint32_t operator()(std::uint32_t point) {
             if (indices_[point] == kNone) {
-                const Vec2& at = owner_.points_[point];
+                const Vec2& position = owner_.points_[point];
                 indices_[point] = static_cast<std::uint32_t>(owner_.mesh_.positions.size());
-                owner_.mesh_.positions.push_back({static_cast<float>(at.x()),
-                                                  static_cast<float>(at.y()),
+                owner_.mesh_.positions.push_back({static_cast<float>(position.x()),
+                                                  static_cast<float>(position.y()),
                                                   static_cast<float>(height_)});
             }
             return indices_[point];

@@ -80,7 +80,7 @@ namespace {
 
 // Calls visit(point) for the points of each loop of edges, and end() after each loop. At a point
 // where several loops meet, they may be joined in any way, because only the number of times that
-// they wind around a region matters.
+// the edges wind around a region matters.
 template <class Visit, class End>
 void visit_loops(std::span<const Edge> edges, const Visit& visit, const End& end) {
     std::vector<bool> used(edges.size(), false);
@@ -164,9 +164,11 @@ void on_vertex(void* vertex, void* tessellation) {
 }
 
 void on_combine(
-    const GLdouble* at, void** /*vertices*/, GLfloat*, void** made, void* tessellation) {
+    const GLdouble* position, void** /*vertices*/, GLfloat*, void** made, void* tessellation) {
     auto& target = *static_cast<Tessellation*>(tessellation);
-    target.keep_exception([&] { *made = as_pointer(target.add_point({at[0], at[1]})); });
+    target.keep_exception([&] {
+        *made = as_pointer(target.add_point({position[0], position[1]}));
+    });
 }
 
 // This callback makes GLU produce separate triangles instead of fans and strips.
@@ -219,8 +221,8 @@ std::vector<Triangle> triangles_of(std::span<const Edge> edges, PointTable& poin
         if (!std::exchange(is_open, true)) {
             gluTessBeginContour(tess);
         }
-        std::array<GLdouble, 3> at{points[index].x(), points[index].y(), 0.0};
-        gluTessVertex(tess, at.data(), as_pointer(index));
+        std::array<GLdouble, 3> position{points[index].x(), points[index].y(), 0.0};
+        gluTessVertex(tess, position.data(), as_pointer(index));
     };
     const auto end = [&] {
         gluTessEndContour(tess);

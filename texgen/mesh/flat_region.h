@@ -32,7 +32,7 @@ class PrintGrid {
     double step_;
 };
 
-/// Points on a grid, each of which has one index.
+/// Points on a grid. Each point has an index.
 class PointTable {
   public:
     explicit PointTable(const PrintGrid& grid) : grid_(grid) {}
@@ -53,7 +53,7 @@ class PointTable {
 /// between the moved corners. Edges between equal points are left out.
 std::vector<Edge> edges_of(const Ring& ring, PointTable& points);
 
-/// Returns the edges in ascending order, without pairs of opposite edges.
+/// Returns the edges in ascending order. An edge and its opposite cancel each other.
 std::vector<Edge> without_opposites(std::vector<Edge> edges);
 
 /// Returns counter-clockwise triangles of the region in which the winding number of the edges is

@@ -25,9 +25,9 @@ void append_number(Bytes& bytes, std::uint32_t number) {
     append(bytes, std::as_bytes(std::span(&number, 1)));
 }
 
-void pad(Bytes& bytes, char with) {
+void pad(Bytes& bytes, char fill) {
     while (bytes.size() % 4 != 0) {
-        bytes.push_back(static_cast<std::byte>(with));
+        bytes.push_back(static_cast<std::byte>(fill));
     }
 }
 

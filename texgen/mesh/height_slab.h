@@ -18,8 +18,8 @@ struct HeightField {
     float at(std::size_t column, std::size_t row) const { return z[row * x.size() + column]; }
 };
 
-/// Returns the number of triangles of a slab over a grid of this many columns and rows of points.
-/// Precondition: there are at least two of each.
+/// Returns the number of triangles of a slab over a grid of points with the given numbers of
+/// columns and rows. Precondition: there are at least two columns and two rows.
 std::size_t slab_triangles(std::size_t columns, std::size_t rows);
 
 /// Returns a slab: the surface through the heights, vertical sides and a flat bottom at z = 0. Each

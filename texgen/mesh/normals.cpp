@@ -42,7 +42,7 @@ class NormalsOfPoint {
   public:
     explicit NormalsOfPoint(const Mesh& mesh) : mesh_(mesh) {}
 
-    void add(std::uint32_t point, std::span<const std::uint32_t> corners, MeshWithNormals& to) {
+    void add(std::uint32_t point, std::span<const std::uint32_t> corners, MeshWithNormals& result) {
         areas_.clear();
         directions_.clear();
         for (const std::uint32_t corner : corners) {
@@ -50,19 +50,19 @@ class NormalsOfPoint {
             directions_.push_back(normalized(areas_.back()));
         }
         give_direction_to_flat_triangles();
-        const std::size_t first = to.positions.size();
+        const std::size_t first = result.positions.size();
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const Point3 normal = to_float(normalized(sum_of_similar(k)));
-            to.triangles[corners[k] / 3][corners[k] % 3] = index_of(normal, first, to);
-            if (to.positions.size() < to.normals.size()) {
-                to.positions.push_back(mesh_.positions[point]);
+            result.triangles[corners[k] / 3][corners[k] % 3] = index_of(normal, first, result);
+            if (result.positions.size() < result.normals.size()) {
+                result.positions.push_back(mesh_.positions[point]);
             }
         }
     }
 
   private:
     // Gives the triangles without area, which have no direction of their own, the direction of the
-    // first triangle with an area. They are invisible, so that any direction will do.
+    // first triangle with an area. Triangles without area are invisible, so any direction will do.
     void give_direction_to_flat_triangles() {
         const auto found =
             std::ranges::find_if(areas_, [](const Vector3& area) { return area != Vector3{}; });
@@ -71,6 +71,8 @@ class NormalsOfPoint {
         }
     }
 
+    // Returns the sum of the area vectors of those triangles at the point whose directions differ
+    // from the direction of triangle k by less than 30 degrees.
     Vector3 sum_of_similar(std::size_t k) const {
         Vector3 sum{0.0, 0.0, 0.0};
         for (std::size_t m = 0; m < areas_.size(); ++m) {
@@ -87,20 +89,22 @@ class NormalsOfPoint {
 
     // Returns the index of a normal among the normals from index `first` on. A new normal is
     // appended.
-    static std::uint32_t index_of(const Point3& normal, std::size_t first, MeshWithNormals& to) {
+    static std::uint32_t index_of(const Point3& normal,
+                                  std::size_t first,
+                                  MeshWithNormals& result) {
         std::size_t index = first;
-        while (index < to.normals.size() && to.normals[index] != normal) {
+        while (index < result.normals.size() && result.normals[index] != normal) {
             ++index;
         }
-        if (index == to.normals.size()) {
-            to.normals.push_back(normal);
+        if (index == result.normals.size()) {
+            result.normals.push_back(normal);
         }
         return static_cast<std::uint32_t>(index);
     }
 
     const Mesh& mesh_;
-    std::vector<Vector3> areas_;
-    std::vector<Vector3> directions_;
+    std::vector<Vector3> areas_;       // the area_vector of each triangle at the point
+    std::vector<Vector3> directions_;  // these vectors, normalized
 };
 
 }  // namespace

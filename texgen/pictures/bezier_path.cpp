@@ -14,7 +14,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr double kMaxPieces = 64.0;
-constexpr double kQuarter = std::numbers::pi / 2.0;
+constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 
 // The center parameterization of an elliptical arc. The point at an angle is
 // center + turned(radii * (cos angle, sin angle), rotation).
@@ -75,19 +75,21 @@ void add_arc(Subpath& path, const EllipticalArc& arc) {
         path.add_line(arc.end);
         return;
     }
-    const CenteredArc round = centered(start, arc);
+    const CenteredArc centered_arc = centered(start, arc);
     const int pieces =
-        std::clamp(static_cast<int>(std::ceil(std::abs(round.sweep) / kQuarter)), 1, 4);
-    const double step = round.sweep / pieces;
-    const double reach = 4.0 / 3.0 * ieee::tan(0.25 * step);
+        std::clamp(static_cast<int>(std::ceil(std::abs(centered_arc.sweep) / kQuarterTurn)), 1, 4);
+    const double step = centered_arc.sweep / pieces;
+    // The distance of a control point from its end of the curve, on the unit circle.
+    const double handle_length = 4.0 / 3.0 * ieee::tan(0.25 * step);
     const auto point = [&](const Vec2& on_circle) {
-        return Vec2(round.center + turned(on_circle.cwiseProduct(round.radii), round.rotation));
+        return Vec2(centered_arc.center +
+                    turned(on_circle.cwiseProduct(centered_arc.radii), centered_arc.rotation));
     };
     for (int k = 0; k < pieces; ++k) {
-        const Vec2 a = unit_vector(round.first + k * step);
-        const Vec2 b = unit_vector(round.first + (k + 1) * step);
-        path.curves.push_back({point(a + reach * turned_left(a)),
-                               point(b - reach * turned_left(b)),
+        const Vec2 a = unit_vector(centered_arc.first + k * step);
+        const Vec2 b = unit_vector(centered_arc.first + (k + 1) * step);
+        path.curves.push_back({point(a + handle_length * turned_left(a)),
+                               point(b - handle_length * turned_left(b)),
                                k + 1 == pieces ? arc.end : point(b)});
     }
 }

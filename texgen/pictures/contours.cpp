@@ -106,9 +106,9 @@ class ContourTracer {
         std::vector<Vec2> ring;
         for (SideId side = start; next_[side] != kNoSide;) {
             ring.push_back(crossing(side));
-            const SideId after = next_[side];
+            const SideId next_side = next_[side];
             next_[side] = kNoSide;
-            side = after;
+            side = next_side;
         }
         return ring;
     }

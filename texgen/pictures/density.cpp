@@ -135,15 +135,16 @@ class LatticeNoise {
 // half the size and half the height of those of the octave before.
 Tone noise(const DensityOptions& options, double aspect) {
     Random random(static_cast<std::uint64_t>(options.noise_seed));
-    const double wider = std::max(aspect, 1.0);
-    const double higher = std::max(1.0 / aspect, 1.0);
+    // The size of the rectangle, in units of its shorter side.
+    const double width = std::max(aspect, 1.0);
+    const double height = std::max(1.0 / aspect, 1.0);
     std::vector<LatticeNoise> octaves;
     for (int k = 0; k < kOctaves; ++k) {
-        const auto cells = [&](double sides) {
-            const double features = std::ldexp(options.noise_scale * sides, k);
+        const auto cells = [&](double extent) {
+            const double features = std::ldexp(options.noise_scale * extent, k);
             return std::max(1, static_cast<int>(std::lround(features)));
         };
-        octaves.emplace_back(cells(wider), cells(higher), random);
+        octaves.emplace_back(cells(width), cells(height), random);
     }
     return [octaves](double x, double y) {
         double sum = 0.0;
@@ -165,8 +166,8 @@ Tone built_in_tone(const DensityOptions& options, const DensityDomain& domain) {
 }
 
 ToneGrid built_in_tones(const DensityOptions& options, const DensityDomain& domain) {
-    const auto cells = [](double part) {
-        return std::max(1, static_cast<int>(std::lround(kBuiltInCells * std::min(1.0, part))));
+    const auto cells = [](double ratio) {  // of a side to the other side
+        return std::max(1, static_cast<int>(std::lround(kBuiltInCells * std::min(1.0, ratio))));
     };
     ToneGrid grid(cells(domain.aspect), cells(1.0 / domain.aspect), 1);
     const Tone tone = built_in_tone(options, domain);

@@ -32,7 +32,7 @@ enum class PictureEdges {
 struct DensityOptions {
     DensitySource source{};
     double ratio = 30.0;       // largest divided by smallest bubble area
-    bool is_inverted = false;  // false: bubbles are small where it is dark; true: where it is light
+    bool is_inverted = false;  // false: bubbles are small in dark places; true: in light places
     PictureEdges edges = PictureEdges::Keep;
     double noise_scale = 3.0;  // number of features of the noise along the foam's shorter side
     std::int64_t noise_seed = 1;

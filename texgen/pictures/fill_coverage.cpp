@@ -25,7 +25,7 @@ struct Side {
     int winding;  // 1 if the ring goes up along the side, otherwise -1
     std::size_t shape;
     int first_row;  // the first row of samples that the side crosses
-    int last_row;   // one past the last such row
+    int end_row;    // one past the last such row
 
     double x_at(double y) const {
         return low.x() + (high.x() - low.x()) * ((y - low.y()) / (high.y() - low.y()));
@@ -54,9 +54,9 @@ void add_sides(const std::vector<Vec2>& ring,
         const Vec2& low = is_up ? from : to;
         const Vec2& high = is_up ? to : from;
         const int first = first_row_above(low.y(), rows);
-        const int last = first_row_above(high.y(), rows);
-        if (first < last) {
-            sides.push_back({low, high, is_up ? 1 : -1, shape, first, last});
+        const int end = first_row_above(high.y(), rows);
+        if (first < end) {
+            sides.push_back({low, high, is_up ? 1 : -1, shape, first, end});
         }
     }
 }
@@ -133,7 +133,7 @@ Image<float> fill_coverage(std::span<const FilledShape> shapes, int width, int h
     std::vector<Span> spans;
     auto next = sides.begin();
     for (int row = 0; row < rows; ++row) {
-        std::erase_if(active, [&](const Side& side) { return side.last_row <= row; });
+        std::erase_if(active, [&](const Side& side) { return side.end_row <= row; });
         for (; next != sides.end() && next->first_row == row; ++next) {
             active.push_back(*next);
         }

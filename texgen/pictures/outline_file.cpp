@@ -91,7 +91,7 @@ FilledShape filled(SvgShape shape, const AffineMap& map) {
 }
 
 // Returns the total height of all sides of a ring.
-double rise_of(const std::vector<Vec2>& ring) {
+double total_height(const std::vector<Vec2>& ring) {
     double height = std::abs(ring.front().y() - ring.back().y());
     for (std::size_t k = 1; k < ring.size(); ++k) {
         height += std::abs(ring[k].y() - ring[k - 1].y());
@@ -106,7 +106,7 @@ std::vector<FilledShape> all_filled(std::vector<SvgShape> shapes, const AffineMa
     for (SvgShape& shape : shapes) {
         result.push_back(filled(std::move(shape), map));
         for (const std::vector<Vec2>& ring : result.back().rings) {
-            height += rise_of(ring);
+            height += total_height(ring);
         }
         if (height > kMaxHeight) {
             throw InputError("it has too many long lines and curves");
@@ -147,12 +147,12 @@ std::vector<foam::Outline> outlines_of_svg(std::string_view document, double gri
         throw InputError("it has no filled shape");
     }
     const AffineMap map = map_to_pixels(bounds, size, grid_points);
-    const std::vector<FilledShape> on_pixels = all_filled(std::move(shapes), map);
+    const std::vector<FilledShape> shapes_in_pixels = all_filled(std::move(shapes), map);
     const double scale = map.abcdef[0];
     const auto pixels = [&](double length) {
         return static_cast<int>(std::ceil(scale * length + 2.0 * kMargin));
     };
-    const Image<float> grid = fill_coverage(on_pixels, pixels(size.x()), pixels(size.y()));
+    const Image<float> grid = fill_coverage(shapes_in_pixels, pixels(size.x()), pixels(size.y()));
     std::vector<foam::Outline> outlines = traced_outlines(grid, 0.5);
     if (outlines.empty()) {
         throw InputError("it has no filled shape");

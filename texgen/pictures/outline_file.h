@@ -14,7 +14,7 @@ namespace foam::texgen {
 /// The outline in a file.
 struct FileOutline {
     std::vector<foam::Outline> parts;  // one per connected part, the largest first; y points up
-    std::string hash;                  // of the content of the file (pixel_hash.h)
+    std::string hash;  // pixel_hash of a picture, or text_hash of an SVG (pixel_hash.h)
 };
 
 /// Returns true if the text is the name of a file that contains an outline. Such a name ends in

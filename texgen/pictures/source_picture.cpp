@@ -93,18 +93,18 @@ class RowReader {
         }
     }
 
-    // Writes the light of a row to channel `to` of `pixels`. Precondition: read_opacity has written
-    // the opacities of the row.
+    // Writes the light of a row to channel `target` of `pixels`. Precondition: read_opacity has
+    // written the opacities of the row.
     void read_light(const PictureChannel& channel,
                     int row,
-                    std::size_t to,
+                    std::size_t target,
                     std::span<std::uint16_t> pixels) {
         read_numbers(channel, row, numbers_);
         for (std::size_t x = 0; x < numbers_.size(); ++x) {
             const double opacity = pixels[4 * x + 3] / kFull;
-            pixels[4 * x + to] = light_of_codes_.empty()
-                                     ? sample_of(opacity > 0.0 ? numbers_[x] / opacity : 0.0)
-                                     : light_of_code(numbers_[x]);
+            pixels[4 * x + target] = light_of_codes_.empty()
+                                         ? sample_of(opacity > 0.0 ? numbers_[x] / opacity : 0.0)
+                                         : light_of_code(numbers_[x]);
         }
     }
 
@@ -145,10 +145,10 @@ SourcePicture source_picture_of(const Picture& picture, const std::filesystem::p
     SourcePicture source{{picture.width(), picture.height(), 4}};
     RowReader reader(picture);
     for (int row = 0; row < picture.height(); ++row) {
-        const std::span<std::uint16_t> to = source.pixels.row(row);
-        reader.read_opacity(channels.opacity, row, to);
+        const std::span<std::uint16_t> row_pixels = source.pixels.row(row);
+        reader.read_opacity(channels.opacity, row, row_pixels);
         for (std::size_t k = 0; k < channels.light.size(); ++k) {
-            reader.read_light(channels.light[k], row, k, to);
+            reader.read_light(channels.light[k], row, k, row_pixels);
         }
     }
     return source;

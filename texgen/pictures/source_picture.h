@@ -38,8 +38,7 @@ LinearRgb color_on_white(const SourcePixel& pixel);
 /// ITU-R BT.709.
 double luminance_of(const LinearRgb& color);
 
-/// The pixels from column `left` to the one before `right`, in the rows from `bottom` to the one
-/// before `top`.
+/// The pixels in the columns [left, right) and the rows [bottom, top) of a picture.
 struct PixelRect {
     int left = 0;
     int bottom = 0;

@@ -31,13 +31,14 @@ constexpr int kMaxElements = 200'000;
 // The properties that an element inherits from the elements around it.
 struct Style {
     AffineMap map;
-    Vec2 viewport{0.0, 0.0};  // the size of the viewport around the element
+    // The size of the viewport around the element; percentages refer to this size.
+    Vec2 viewport{0.0, 0.0};
     bool is_filled = true;
     bool is_visible = true;
     bool is_even_odd = false;
 
     // Returns the style of `node`, given that the element around it has this style.
-    Style within(const Node& node) const {
+    Style style_of(const Node& node) const {
         Style style = *this;
         style.map = map * parse_svg_transform(node.attribute("transform").value());
         if (const std::string_view fill = element_property(node, "fill"); !fill.empty()) {
@@ -63,7 +64,8 @@ double length(const Node& node, const char* name) {
     return element_length(node, name).value_or(0.0);
 }
 
-// Returns the size of the viewport of a document.
+// Returns the size of the viewport of a document in the coordinates of its content. This is the
+// size of the viewBox if there is one.
 Vec2 viewport_of_document(const Node& root) {
     if (const auto box = parse_svg_view_box(root.attribute("viewBox").value())) {
         return box->size;
@@ -73,10 +75,10 @@ Vec2 viewport_of_document(const Node& root) {
             parse_svg_length(root.attribute("height").value(), size.y()).value_or(size.y())};
 }
 
-// Returns the style within the viewport of an <svg> or a <symbol> of the given style, or nullopt if
-// the viewport is empty. If a <use> of the element states a size, this size replaces the size of
-// the element. `use` is null if there is no <use>.
-std::optional<Style> within_viewport(const Style& style, const Node& node, const Node& use) {
+// Returns the style that the children of an <svg> or a <symbol> inherit, or nullopt if its viewport
+// is empty. `style` is the style of the element itself. If a <use> of the element states a size,
+// this size replaces the size of the element. `use` is null if there is no <use>.
+std::optional<Style> style_in_viewport(const Style& style, const Node& node, const Node& use) {
     const auto position = [&](const char* name, double whole) {
         return element_length(node, name, whole).value_or(0.0);
     };
@@ -164,7 +166,7 @@ class ShapeReader {
   public:
     explicit ShapeReader(const Node& root) {
         collect_ids(root);
-        Style style = Style{}.within(root);
+        Style style = Style{}.style_of(root);
         style.viewport = viewport_of_document(root);
         read_children(root, style, 0);
     }
@@ -197,7 +199,7 @@ class ShapeReader {
         if (depth > kMaxDepth || ++elements_ > kMaxElements) {
             throw InputError("its elements are nested too deeply, or are too many");
         }
-        const Style style = outer.within(node);
+        const Style style = outer.style_of(node);
         const std::string_view name = element_name(node);
         if (name == "g" || name == "a" || name == "switch") {
             read_children(node, style, depth);
@@ -221,7 +223,7 @@ class ShapeReader {
     }
 
     void read_viewport(const Node& node, const Node& use, const Style& style, int depth) {
-        if (const std::optional<Style> inner = within_viewport(style, node, use)) {
+        if (const std::optional<Style> inner = style_in_viewport(style, node, use)) {
             read_children(node, *inner, depth);
         }
     }
@@ -237,7 +239,7 @@ class ShapeReader {
         Style moved = style;
         moved.map = style.map * AffineMap::translation(length(node, "x"), length(node, "y"));
         if (element_name(found->second) == "symbol") {
-            read_viewport(found->second, node, moved.within(found->second), depth + 1);
+            read_viewport(found->second, node, moved.style_of(found->second), depth + 1);
         } else {
             read(found->second, node, moved, depth + 1);
         }

@@ -18,7 +18,7 @@ struct SvgShape {
 /// Returns the filled shapes of an SVG: paths, rectangles, circles, ellipses, polygons and
 /// polylines, also within groups, links and symbols that the drawing uses. All colors count as
 /// filled, except "none" and "transparent". Hidden elements are left out: those with the display
-/// "none", the opacity 0 or another visibility than "visible". Strokes, pictures, clipping paths
+/// "none", the opacity 0 or a visibility other than "visible". Strokes, pictures, clipping paths
 /// and style sheets are ignored. Viewports of nested <svg> and <symbol> move and scale shapes, but
 /// do not clip them.
 ///

@@ -26,13 +26,14 @@ std::string_view given_property(const pugi::xml_node& node, std::string_view nam
     bool is_important = false;
     std::string_view style = node.attribute("style").value();
     while (!style.empty()) {
-        const std::string_view one = style.substr(0, style.find(';'));
-        style.remove_prefix(std::min(style.size(), one.size() + 1));
-        const std::size_t colon = std::min(one.size(), one.find(':'));
-        const std::size_t mark = std::min(one.size(), one.find('!'));
-        const bool is_marked = mark < one.size();
-        if (colon < mark && trimmed(one.substr(0, colon)) == name && (is_marked || !is_important)) {
-            found = trimmed(one.substr(colon + 1, mark - colon - 1));
+        const std::string_view declaration = style.substr(0, style.find(';'));
+        style.remove_prefix(std::min(style.size(), declaration.size() + 1));
+        const std::size_t colon = std::min(declaration.size(), declaration.find(':'));
+        const std::size_t mark = std::min(declaration.size(), declaration.find('!'));
+        const bool is_marked = mark < declaration.size();
+        if (colon < mark && trimmed(declaration.substr(0, colon)) == name &&
+            (is_marked || !is_important)) {
+            found = trimmed(declaration.substr(colon + 1, mark - colon - 1));
             is_important = is_marked;
         }
     }
@@ -67,8 +68,8 @@ std::string_view element_property(const pugi::xml_node& node, std::string_view n
 std::optional<double> parse_svg_length(std::string_view text, std::optional<double> whole) {
     SvgText rest(text);
     const std::optional<double> number = rest.number();
-    const bool is_share = whole && rest.skip('%');
-    const std::optional<double> unit = is_share ? *whole / 100.0 : pixels_per(rest.word());
+    const bool is_percentage = whole && rest.skip('%');
+    const std::optional<double> unit = is_percentage ? *whole / 100.0 : pixels_per(rest.word());
     return number && unit && rest.is_at_end() ? std::optional(*number * *unit) : std::nullopt;
 }
 

@@ -23,8 +23,8 @@ std::string_view element_property(const pugi::xml_node& node, std::string_view n
 std::optional<double> parse_svg_length(std::string_view text, std::optional<double> whole = {});
 
 /// Returns the length in an attribute (parse_svg_length), or nullopt if the element has no such
-/// attribute or if it is "auto". Throws InputError if the attribute is no length; the message does
-/// not name the file.
+/// attribute or if the attribute is "auto". Throws InputError if the attribute is no length; the
+/// message does not name the file.
 std::optional<double> element_length(const pugi::xml_node& node,
                                      const char* name,
                                      std::optional<double> whole = {});

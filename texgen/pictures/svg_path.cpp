@@ -35,7 +35,7 @@ class PathReader {
     BezierPath read() {
         while (!text_.is_at_end()) {
             next_command();
-            run();
+            run_command();
         }
         return std::move(path_);
     }
@@ -46,15 +46,16 @@ class PathReader {
             fmt::format("the data of a path have an error at character {}", text_.position()));
     }
 
-    // A repeated command may lack its letter. After a move, a missing letter means a line.
+    // Reads the letter of the next command. A repeated command may lack it. After a move, a missing
+    // letter means a line.
     void next_command() {
         if (const std::optional<char> letter = text_.letter()) {
-            before_ = upper(command_);
+            previous_command_ = upper(command_);
             command_ = *letter;
         } else if (upper(command_) == 'Z' || command_ == '\0') {
             fail();
         } else {
-            before_ = upper(command_);
+            previous_command_ = upper(command_);
             command_ = command_ == 'M' ? 'L' : command_ == 'm' ? 'l' : command_;
         }
         if (path_.empty() && upper(command_) != 'M') {
@@ -62,24 +63,26 @@ class PathReader {
         }
     }
 
-    void run() {
+    void run_command() {
         switch (upper(command_)) {
             case 'M':
                 path_.push_back({point()});
                 is_closed_ = false;
                 break;
             case 'Z':
-                current().add_line(current().start);
+                current_subpath().add_line(current_subpath().start);
                 is_closed_ = true;
                 break;
             case 'L':
                 line_to(point());
                 break;
             case 'H':
-                line_to({number() + (is_relative() ? at().x() : 0.0), at().y()});
+                line_to(
+                    {number() + (is_relative() ? current_point().x() : 0.0), current_point().y()});
                 break;
             case 'V':
-                line_to({at().x(), number() + (is_relative() ? at().y() : 0.0)});
+                line_to(
+                    {current_point().x(), number() + (is_relative() ? current_point().y() : 0.0)});
                 break;
             case 'A':
                 arc();
@@ -90,7 +93,7 @@ class PathReader {
     }
 
     void curve() {
-        const Vec2 from = at();
+        const Vec2 from = current_point();
         // S continues the direction of a preceding C or S, and T that of a preceding Q or T.
         const Vec2 mirrored = 2.0 * from - control_;
         switch (upper(command_)) {
@@ -100,7 +103,7 @@ class PathReader {
                 break;
             }
             case 'S':
-                cubic(before_ == 'C' || before_ == 'S' ? mirrored : from);
+                cubic(previous_command_ == 'C' || previous_command_ == 'S' ? mirrored : from);
                 break;
             case 'Q': {
                 const Vec2 control = point();
@@ -108,25 +111,25 @@ class PathReader {
                 break;
             }
             case 'T':
-                quadratic(before_ == 'Q' || before_ == 'T' ? mirrored : from);
+                quadratic(previous_command_ == 'Q' || previous_command_ == 'T' ? mirrored : from);
                 break;
             default:
                 fail();
         }
     }
 
-    void line_to(const Vec2& to) { open().add_line(to); }
+    void line_to(const Vec2& to) { open_subpath().add_line(to); }
 
     void cubic(const Vec2& first) {
         const Vec2 second = point();
         const Vec2 end = point();
-        open().curves.push_back({first, second, end});
+        open_subpath().curves.push_back({first, second, end});
         control_ = second;
     }
 
     void quadratic(const Vec2& control) {
         const Vec2 end = point();
-        open().add_quadratic(control, end);
+        open_subpath().add_quadratic(control, end);
         control_ = control;
     }
 
@@ -137,25 +140,25 @@ class PathReader {
         const bool is_large = flag();
         const bool is_positive = flag();
         const Vec2 end = point();
-        add_arc(open(), {Vec2(x, y).cwiseAbs(), rotation, is_large, is_positive, end});
+        add_arc(open_subpath(), {Vec2(x, y).cwiseAbs(), rotation, is_large, is_positive, end});
     }
 
-    Subpath& current() { return path_.back(); }
+    Subpath& current_subpath() { return path_.back(); }
 
     // Returns the subpath to which a curve is added: after Z, a new one.
-    Subpath& open() {
+    Subpath& open_subpath() {
         if (is_closed_) {
-            path_.push_back({at()});
+            path_.push_back({current_point()});
             is_closed_ = false;
         }
-        return current();
+        return current_subpath();
     }
 
-    Vec2 at() const { return path_.empty() ? Vec2(0.0, 0.0) : path_.back().end(); }
+    Vec2 current_point() const { return path_.empty() ? Vec2(0.0, 0.0) : path_.back().end(); }
     bool is_relative() const { return command_ != upper(command_); }
 
     Vec2 point() {
-        const Vec2 origin = is_relative() ? at() : Vec2(0.0, 0.0);
+        const Vec2 origin = is_relative() ? current_point() : Vec2(0.0, 0.0);
         const double x = number();
         const double y = number();
         return origin + Vec2(x, y);
@@ -174,9 +177,9 @@ class PathReader {
     SvgText text_;
     BezierPath path_;
     char command_ = '\0';
-    char before_ = '\0';      // the preceding command, as a capital letter
-    Vec2 control_{0.0, 0.0};  // the last control point of the preceding curve
-    bool is_closed_ = false;  // true after Z
+    char previous_command_ = '\0';  // the preceding command, as a capital letter
+    Vec2 control_{0.0, 0.0};        // the last control point of the preceding curve
+    bool is_closed_ = false;        // true after Z
 };
 
 // Reads up to six numbers in parentheses. Returns nullopt if they are malformed.

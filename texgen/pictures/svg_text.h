@@ -17,7 +17,7 @@ class SvgText {
     /// Returns true if nothing but spaces and commas is left.
     bool is_at_end();
     /// Returns the position of the next character, counted from 1.
-    std::size_t position() const { return at_ + 1; }
+    std::size_t position() const { return index_ + 1; }
 
     /// Returns the next letter and skips it, or nullopt if the next character is no letter.
     std::optional<char> letter();
@@ -36,7 +36,7 @@ class SvgText {
     void skip_spaces();
 
     std::string_view text_;
-    std::size_t at_ = 0;
+    std::size_t index_ = 0;
 };
 
 }  // namespace foam::texgen

@@ -42,9 +42,9 @@ AffineMap view_box_map(const SvgViewBox& box, std::string_view aspect_ratio, con
         const bool covers = text.word() == "slice";
         scale = Vec2::Constant(covers ? scale.maxCoeff() : scale.minCoeff());
     }
-    const Vec2 free = size - scale.cwiseProduct(box.size);
-    const Vec2 before(alignment(align, "xMin", "xMax"), alignment(align, "YMin", "YMax"));
-    const Vec2 shift = before.cwiseProduct(free) - scale.cwiseProduct(box.low);
+    const Vec2 free_space = size - scale.cwiseProduct(box.size);
+    const Vec2 fraction_before(alignment(align, "xMin", "xMax"), alignment(align, "YMin", "YMax"));
+    const Vec2 shift = fraction_before.cwiseProduct(free_space) - scale.cwiseProduct(box.low);
     return {{scale.x(), 0.0, 0.0, scale.y(), shift.x(), shift.y()}};
 }
 

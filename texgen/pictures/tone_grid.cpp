@@ -15,8 +15,8 @@ namespace {
 // adjacent tones.
 constexpr double kVisibleStep = 0.02;
 constexpr double kVisibleRatio = 3.0;
-// The fraction of the width or height of a grid over which the change that blend_edges makes at an
-// edge fades out.
+// The change that blend_edges makes at an edge fades out over this fraction of the width or height
+// of the grid.
 constexpr double kBlendedPart = 0.125;
 
 // Divides a row or a column of `pixels` pixels into `cells` cells. Returns the index of the first

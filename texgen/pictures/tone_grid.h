@@ -7,7 +7,7 @@
 
 namespace foam::texgen {
 
-/// Tones from 0 (light) to 1 (dark), with one channel.
+/// A grid of tones from 0 (light) to 1 (dark), as an image with one channel.
 using ToneGrid = Image<double>;
 
 /// Returns the darkness of a picture: 1 minus the luminance (luminance_of) of its colors on white.
@@ -19,8 +19,8 @@ ToneGrid darkness_of(const SourcePicture& picture, int most_cells);
 /// Stretches the tones to the range from 0 to 1. If all tones are equal, they become 0.
 void stretch_tones(ToneGrid& grid);
 
-/// Returns a grid of twice the width and height: the given grid, with mirror images of it to the
-/// right, above, and above on the right.
+/// Returns a grid of twice the width and height: the given grid at the lower left, and mirror
+/// images of it to the right, above, and at the upper right.
 ToneGrid mirrored(const ToneGrid& grid);
 
 /// Makes opposite edges equal: in each row and each column, the first and the last tone both become

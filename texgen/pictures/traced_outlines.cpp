@@ -71,7 +71,8 @@ std::vector<SignedRing> large_rings(const std::vector<std::vector<Vec2>>& all) {
     return rings;
 }
 
-// Gives each hole to the smallest part around it. A hole whose part was dropped is dropped, too.
+// Returns the parts with their holes. Each hole belongs to the smallest part around it; a hole
+// outside of all parts is dropped.
 std::vector<Polygon> polygons_of(const std::vector<SignedRing>& rings) {
     std::vector<Polygon> polygons;
     for (const SignedRing& one : rings) {
@@ -80,12 +81,12 @@ std::vector<Polygon> polygons_of(const std::vector<SignedRing>& rings) {
         }
     }
     for (const SignedRing& one : rings) {
-        const auto around =
+        const auto enclosing =
             std::find_if(polygons.rbegin(), polygons.rend(), [&](const Polygon& polygon) {
                 return one.area < 0.0 && bg::within(one.ring.front(), polygon.outer());
             });
-        if (around != polygons.rend()) {
-            around->inners().push_back(one.ring);
+        if (enclosing != polygons.rend()) {
+            enclosing->inners().push_back(one.ring);
         }
     }
     return polygons;

@@ -126,7 +126,7 @@ std::optional<int> find_long_key(std::string_view toml) {
     constexpr std::string_view kSeparators = ",=[]{}\n";
     int line = 1;
     int parts = 1;
-    char before = '.';
+    char previous = '.';
     for (std::size_t k = 0; k < toml.size(); ++k) {
         const char c = toml[k];
         if (c == '"' || c == '\'') {
@@ -138,10 +138,10 @@ std::optional<int> find_long_key(std::string_view toml) {
         } else if (kSeparators.find(c) != std::string_view::npos) {
             line += c == '\n' ? 1 : 0;
             parts = 1;
-        } else if (c == '.' && before != '.' && ++parts > kMaxKeyParts) {
+        } else if (c == '.' && previous != '.' && ++parts > kMaxKeyParts) {
             return line;
         }
-        before = c;
+        previous = c;
     }
     return std::nullopt;
 }

@@ -29,7 +29,7 @@ std::vector<std::string> source_map_names(const Preset& preset);
 std::string file_word(const Preset& preset, std::string_view image);
 
 /// Throws std::invalid_argument if two images of a preset have the same word in their file names,
-/// or if two packings have the same name.
+/// for example two packings of the same name.
 void check_file_words(const Preset& preset);
 
 }  // namespace foam::texgen

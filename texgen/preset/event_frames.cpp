@@ -10,9 +10,10 @@ namespace {
 // errors do not matter. For example, with steps of 0.1 the time 0.3 is reached after three steps.
 constexpr double kSameTime = 1e-6;
 
-// The number of a frame, and its foam time. Frame 1 has the time frames.warm_up and cannot have
-// events, so the clock starts at frame 2. The function advance() moves on to the next frame. The
-// functions is_after and is_before compare the time of the frame with a given time.
+// The number of a frame, and its foam time. The time step to frame 2 begins at the time
+// frames.warm_up. Frame 1 cannot have events, so the clock starts at frame 2. The function
+// advance() moves on to the next frame. The functions is_after and is_before compare the time of
+// the frame with a given time.
 class FrameClock {
   public:
     explicit FrameClock(const FramesOptions& frames)

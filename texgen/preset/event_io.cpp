@@ -60,9 +60,9 @@ std::string_view nearest_name(std::string_view name) {
 
 // Returns the last assignment to the key `name` of the event with the given number, or to any key
 // of this event if `name` is empty. Returns nullptr if there is no such assignment.
-const Assignment* last_of(std::span<const Assignment> assignments,
-                          std::size_t number,
-                          std::string_view name = {}) {
+const Assignment* last_assignment(std::span<const Assignment> assignments,
+                                  std::size_t number,
+                                  std::string_view name = {}) {
     for (auto last = assignments.rbegin(); last != assignments.rend(); ++last) {
         const EventPath path = parse_path(last->key);
         if (path.number == number && (name.empty() || path.name == name)) {
@@ -147,21 +147,23 @@ EventCheck check_of(const Preset& preset,
             .setting = setting_of(preset),
             .name = fmt::format("event[{}]", number),
             .is_given =
-                [=](std::string_view key) { return last_of(assignments, number, key) != nullptr; },
+                [=](std::string_view key) {
+                    return last_assignment(assignments, number, key) != nullptr;
+                },
             .reject =
                 [=](std::string_view key, std::string_view reason) {
-                    reject_first({last_of(assignments, number, key),
-                                  last_of(assignments, number),
+                    reject_first({last_assignment(assignments, number, key),
+                                  last_assignment(assignments, number),
                                   last_of_keys_that_limit_events(assignments)},
                                  assignments,
                                  reason);
                 },
             .reject_foam =
                 [=](std::string_view reason) {
-                    reject_first(
-                        {last_of_keys_that_limit_events(assignments), last_of(assignments, number)},
-                        assignments,
-                        reason);
+                    reject_first({last_of_keys_that_limit_events(assignments),
+                                  last_assignment(assignments, number)},
+                                 assignments,
+                                 reason);
                 }};
 }
 

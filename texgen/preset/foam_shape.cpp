@@ -49,14 +49,14 @@ void set_outline(const std::string& text, FoamShape& shape) {
     if (is_outline_name(text)) {
         changed.file_outline = std::make_shared<const FileOutline>(read_outline_file(text));
     }
-    outline_of(changed);
+    outline_of(changed);  // throws if the text is not allowed or the outline has no area
     changed.outline_aspect = shape.outline_aspect;
     shape = std::move(changed);
 }
 
 // Sets the outline of a shape as set_outline does, and returns an empty string. If set_outline
 // throws, returns the message of its exception instead and does not change the shape.
-std::string fault_of(const std::string& text, FoamShape& shape) {
+std::string try_set_outline(const std::string& text, FoamShape& shape) {
     try {
         set_outline(text, shape);
         return {};
@@ -88,7 +88,7 @@ struct Outlines {
     std::span<const std::string_view> words() const { return kNamedOutlines; }
     bool read(const Value& value, FoamShape& shape) const {
         const auto* text = std::get_if<std::string>(&value.data);
-        return text != nullptr && fault_of(*text, shape).empty();
+        return text != nullptr && try_set_outline(*text, shape).empty();
     }
     Value write(const FoamShape& shape) const { return {shape.outline}; }
     std::optional<NamedFile> file(const FoamShape& shape) const {
@@ -99,7 +99,7 @@ struct Outlines {
     std::string fault(const Value& value) const {
         FoamShape ignored;
         const auto* text = std::get_if<std::string>(&value.data);
-        return text != nullptr ? fault_of(*text, ignored) : std::string();
+        return text != nullptr ? try_set_outline(*text, ignored) : std::string();
     }
 };
 

@@ -12,8 +12,8 @@
 
 namespace foam::texgen {
 
-/// The kinds of foams. The images of a foam on a torus tile. A patch is a foam in the plane with a
-/// free surface.
+/// The kinds of foams. A foam on a torus gives images that tile, unless the torus is sheared. A
+/// patch is a foam in the plane with a free surface.
 enum class FoamKind { Torus, Patch };
 
 /// The kind of a foam and, for a patch, the outline in which it is seeded. The size of the outline
@@ -33,9 +33,9 @@ struct FoamShape {
 Keys<FoamShape> shape_keys();
 
 /// Returns the outline of a patch, stretched in x by `outline_aspect`: one element per connected
-/// part. The scale of the outline is arbitrary. Throws std::invalid_argument if `outline` is not an
-/// allowed text, or if a part has no area. Precondition: `file_outline` is not null if `outline`
-/// names a file.
+/// part. The returned outline has an arbitrary scale; seeding scales it to the number of bubbles.
+/// Throws std::invalid_argument if `outline` is not an allowed text, or if a part has no area.
+/// Precondition: `file_outline` is not null if `outline` names a file.
 std::vector<foam::Outline> outline_of(const FoamShape& shape);
 
 }  // namespace foam::texgen

@@ -66,8 +66,8 @@ Document find_document(const std::string& name_or_path) {
             {}};
 }
 
-// Returns the assignments of a document. Relative paths in a document start at its folder; in the
-// result, they are paths that the program can open.
+// Returns the assignments of a document. Relative paths in a document are relative to its folder;
+// in the result, they are relative to the working folder.
 std::vector<Assignment> assignments_of(const Document& document) {
     std::vector<Assignment> assignments = read_assignments(document.toml, document.source);
     locate_files(assignments, [&](const std::string& path) {

@@ -32,7 +32,8 @@ struct LoopOptions {
     double amplitude = 0.15;
     double boiling = 0.15;  // Boil: fraction of the bubbles that vanish and are born again
     // Boil: largest rise of the areas of these bubbles above the area at birth, in units of their
-    // areas before the loop. Where the foam does not return to the same state, the rise is reduced.
+    // areas before the loop. If the foam does not return to the same state near some of these
+    // bubbles, their rise is reduced (Cycle::calm).
     double rise = 2.5;
     std::array<int, 2> drift = {0, 0};  // motion per loop, in image widths and heights; y is up
     // The root mean square of the strain from a current, which moves the drawn bubbles around and

@@ -64,8 +64,8 @@ void check_current(const Preset& preset, std::span<const Assignment> assignments
         return;
     }
     const double aspect = static_cast<double>(preset.image.width) / preset.image.height;
-    const double across = std::sqrt(preset.seeding.bubbles * std::min(aspect, 1.0 / aspect));
-    const int max_eddies = std::max(static_cast<int>(across / kBubblesInEddy), 1);
+    const double shorter_side = std::sqrt(preset.seeding.bubbles * std::min(aspect, 1.0 / aspect));
+    const int max_eddies = std::max(static_cast<int>(shorter_side / kBubblesInEddy), 1);
     if (loop.eddies > max_eddies) {
         reject_last(assignments,
                     {"loop.eddies", "loop.current", "foam.bubbles", "image.size"},

@@ -79,7 +79,7 @@ Keys<OutputOptions> exr_keys() {
     return {key("primaries",
                 kPrimaries,
                 "primaries and white point of colors in EXR files: those of sRGB, or those of "
-                "ACEScg (AP1), to which light is then converted; data stay the same",
+                "ACEScg (AP1), to which colors are then converted; data stay the same",
                 &OutputOptions::primaries)
                 .only_for("output.pattern", {"*.exr"}),
             key("exr_compression",
@@ -149,14 +149,14 @@ constexpr std::array<std::string_view, 3> kMeasurements = {"bubbles", "events", 
 // The kind of values that are lists of words, in which no word occurs twice. The list may be empty.
 // A single word may be written without brackets.
 struct WordListsOrNone {
-    WordLists words_or_none;
+    WordLists word_lists;
 
-    explicit WordListsOrNone(std::span<const std::string_view> words) : words_or_none{words} {}
+    explicit WordListsOrNone(std::span<const std::string_view> words) : word_lists{words} {}
 
-    std::span<const std::string_view> words() const { return words_or_none.words(); }
-    std::string allowed() const { return words_or_none.allowed() + ", or []"; }
+    std::span<const std::string_view> words() const { return word_lists.words(); }
+    std::string allowed() const { return word_lists.allowed() + ", or []"; }
     std::string schema() const {
-        return any_of_schema(words_or_none.schema(), R"({"type": "array", "maxItems": 0})");
+        return any_of_schema(word_lists.schema(), R"({"type": "array", "maxItems": 0})");
     }
     bool read(const Value& value, std::vector<std::string>& member) const {
         const auto* const list = std::get_if<Value::List>(&value.data);
@@ -164,11 +164,9 @@ struct WordListsOrNone {
             member.clear();
             return true;
         }
-        return words_or_none.read(value, member);
+        return word_lists.read(value, member);
     }
-    Value write(const std::vector<std::string>& member) const {
-        return words_or_none.write(member);
-    }
+    Value write(const std::vector<std::string>& member) const { return word_lists.write(member); }
 };
 
 Keys<OutputOptions> scene_keys() {

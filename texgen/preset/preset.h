@@ -41,7 +41,7 @@ struct Preset {
     // The keys that random variations vary, and their values (parse_varied_key).
     std::vector<std::string> vary;
     FoamShape shape;
-    SeedingOptions seeding;  // `areas` is empty: it follows from `density`
+    SeedingOptions seeding;  // without `areas`, which are computed from `density`
     DensityOptions density;
     SolverOptions equilibrium;
     CoarseningOptions coarsening;

@@ -41,8 +41,8 @@ void assign_one(Preset& preset, const Assignment& assignment) {
         return;
     }
     const Key<Preset>* key = find_key(assignment.key);
-    const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
-    if (table && is_table(assignment.key)) {
+    const bool holds_table = std::holds_alternative<Value::Table>(assignment.value.data);
+    if (holds_table && is_table(assignment.key)) {
         return;
     }
     if (key == nullptr && is_table(assignment.key)) {
@@ -51,7 +51,7 @@ void assign_one(Preset& preset, const Assignment& assignment) {
     }
     if (key == nullptr) {
         reject_unknown(assignment,
-                       table ? nearest_table(assignment.key) : nearest_key(assignment.key));
+                       holds_table ? nearest_table(assignment.key) : nearest_key(assignment.key));
     }
     if (!key->read(assignment.value, preset)) {
         reject_value(assignment, *key);

@@ -92,7 +92,7 @@ Keys<TopologyThresholds> threshold_keys() {
             key("t2_area",
                 Reals{0.0001, 0.25},
                 "target area, in square foam units, at or below which a bubble of two or three "
-                "sides vanishes (T2)",
+                "sides, or a lone bubble of a patch, vanishes (T2)",
                 &TopologyThresholds::t2_area)
                 .in("square foam units")};
 }

@@ -17,8 +17,9 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns the value of lit.colors as the end of a line about a key without effect, if one of the
-/// drawn maps would use the key with another value of lit.colors; otherwise an empty text.
+/// Returns the end of a line about a key that no drawn map uses. If a drawn map would use the key
+/// with another value of lit.colors, the result names the present value, for example: with
+/// lit.colors = "albedo". Otherwise, the result is empty.
 std::string colors_remark(std::span<const Map* const> drawn,
                           const Key<MapOptions>& key,
                           const Preset& preset) {
@@ -55,13 +56,15 @@ std::vector<std::string> remarks_on(const Preset& preset, std::span<const Assign
 
 std::vector<std::string> keys_without_maps(const Preset& preset,
                                            std::span<const Assignment> assignments) {
-    const Keys<MapOptions> of_maps = map_keys();
+    const Keys<MapOptions> keys_of_maps = map_keys();
     const std::vector<const Map*> drawn = source_maps(preset);
     std::vector<std::string> lines;
     for (const Assignment& assignment : assignments) {
-        const auto key = std::ranges::find(of_maps, assignment.key, &Key<MapOptions>::path);
-        const auto is_user = [&](const Map* map) { return uses_key(*map, key->path, preset.maps); };
-        if (key == of_maps.end() || std::ranges::any_of(drawn, is_user)) {
+        const auto key = std::ranges::find(keys_of_maps, assignment.key, &Key<MapOptions>::path);
+        const auto uses_this_key = [&](const Map* map) {
+            return uses_key(*map, key->path, preset.maps);
+        };
+        if (key == keys_of_maps.end() || std::ranges::any_of(drawn, uses_this_key)) {
             continue;
         }
         std::string line = fmt::format("{} has no effect on the drawn map{} {}{}",

@@ -65,10 +65,10 @@ void reject_value(const Assignment& assignment, const KeyInfo& key) {
 }
 
 void reject_unknown(const Assignment& assignment, std::string_view meant) {
-    const bool table = std::holds_alternative<Value::Table>(assignment.value.data);
+    const bool holds_table = std::holds_alternative<Value::Table>(assignment.value.data);
     reject(assignment,
            fmt::format("unknown {}; {}",
-                       table ? "table" : "key",
+                       holds_table ? "table" : "key",
                        meant.empty() ? "'foamtex presets keys' lists all keys"
                                      : fmt::format("did you mean '{}'?", meant)));
 }

@@ -41,8 +41,9 @@ bool needs_aspect(const Preset& preset) {
 }
 
 bool is_table_of_map(std::string_view table) {
-    static const Keys<MapOptions> of_maps = map_keys();
-    return std::ranges::any_of(of_maps, [&](const KeyInfo& key) { return key.table() == table; });
+    static const Keys<MapOptions> keys_of_maps = map_keys();
+    return std::ranges::any_of(keys_of_maps,
+                               [&](const KeyInfo& key) { return key.table() == table; });
 }
 
 // Returns the keys that `is_included` selects, with their values, one line each. A key that names a

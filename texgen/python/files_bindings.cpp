@@ -113,7 +113,10 @@ void bind_files(py::module_& module) {
         .def_readonly("channel", &Difference::channel, "Channel of the largest difference.")
         .def_readonly("x", &Difference::x, "Column of the largest difference.")
         .def_readonly("y", &Difference::y, "Row of the largest difference, from the top.")
-        .def_readonly("reasons", &Difference::reasons, "The limits that are exceeded, in words.")
+        .def_readonly("reasons",
+                      &Difference::reasons,
+                      "The limits that are exceeded, in words; if same_shape is False, a sentence "
+                      "that says so.")
         .def("__bool__", [](const Difference& self) { return self.is_within; })
         .def("__repr__", [](const Difference& self) {
             return py::str("Difference(is_within={}, same_shape={}, largest={:.3g}, rms={:.3g})")

@@ -23,16 +23,16 @@ using foamtex::FoamRecords;
 using foamtex::SeedOptions;
 using foamtex::StepSettings;
 
-using Owner = std::shared_ptr<SharedFoam>;
+using FoamPointer = std::shared_ptr<SharedFoam>;
 
-Owner owned(foamtex::Foam foam) {
+FoamPointer shared(foamtex::Foam foam) {
     return std::make_shared<SharedFoam>(std::move(foam));
 }
 
 template <class Make>
-Owner made(const Make& make) {
+FoamPointer make_without_gil(const Make& make) {
     const py::gil_scoped_release others_may_run;
-    return owned(make());
+    return shared(make());
 }
 
 SeedOptions seed_options(int bubbles,
@@ -47,7 +47,7 @@ SeedOptions seed_options(int bubbles,
             .seed = seed};
 }
 
-// A push as Python gives it: (center, radius, by). `by` is the displacement of the center.
+// A push as Python gives it: the center, the radius, and the displacement of the center.
 using Pair = std::array<double, 2>;
 using PushTuple = std::tuple<Pair, double, Pair>;
 
@@ -58,8 +58,8 @@ Drive drive_of(const std::map<std::int64_t, double>& areas,
     for (const auto& [identity, area] : areas) {
         drive.areas.push_back({identity, area});
     }
-    for (const auto& [center, radius, by] : pushes) {
-        drive.pushes.push_back({{center[0], center[1]}, radius, {by[0], by[1]}});
+    for (const auto& [center, radius, shift] : pushes) {
+        drive.pushes.push_back({{center[0], center[1]}, radius, {shift[0], shift[1]}});
     }
     return drive;
 }
@@ -78,7 +78,7 @@ void check_evolver_name(const std::string& file) {
     }
 }
 
-using FoamClass = py::class_<SharedFoam, Owner>;
+using FoamClass = py::class_<SharedFoam, FoamPointer>;
 
 void bind_making(FoamClass& foam) {
     foam.def_static(
@@ -92,7 +92,7 @@ void bind_making(FoamClass& foam) {
                 SeedOptions options =
                     seed_options(bubbles, lloyd_iterations, area_ratio, surface_tension, seed);
                 options.aspect = aspect;
-                return made([&] { return foamtex::Foam::torus(options); });
+                return make_without_gil([&] { return foamtex::Foam::torus(options); });
             },
             "The Voronoi diagram of random points on a torus of area `bubbles`, not yet in "
             "equilibrium: call relax().",
@@ -112,7 +112,7 @@ void bind_making(FoamClass& foam) {
                std::uint64_t seed) {
                 const SeedOptions options =
                     seed_options(bubbles, lloyd_iterations, area_ratio, surface_tension, seed);
-                return made([&] { return foamtex::Foam::disk(options); });
+                return make_without_gil([&] { return foamtex::Foam::disk(options); });
             },
             "A free patch that is seeded in a disk, not yet in equilibrium: call relax().",
             py::arg("bubbles") = 100,
@@ -124,7 +124,7 @@ void bind_making(FoamClass& foam) {
         .def_static(
             "read",
             [](const std::filesystem::path& file) {
-                return made([&] { return foamtex::Foam::read(file.string()); });
+                return make_without_gil([&] { return foamtex::Foam::read(file.string()); });
             },
             "Reads a foam from a file: .fe or .dmp of Surface Evolver, or .json, a state of "
             "foamtex.",
@@ -133,14 +133,14 @@ void bind_making(FoamClass& foam) {
             "from_evolver",
             [](const std::filesystem::path& file) {
                 check_evolver_name(file.string());
-                return made([&] { return foamtex::Foam::read(file.string()); });
+                return make_without_gil([&] { return foamtex::Foam::read(file.string()); });
             },
             "Reads a data file of Surface Evolver, .fe or .dmp.",
             py::arg("file"))
         .def_static(
             "from_state",
             [](const std::string& json) {
-                return made([&] { return foamtex::Foam::from_state(json); });
+                return make_without_gil([&] { return foamtex::Foam::from_state(json); });
             },
             "Makes a foam from the text that state() returns.",
             py::arg("json"));
@@ -167,12 +167,12 @@ void bind_actions(FoamClass& foam) {
             [](SharedFoam& self) {
                 return self.use([](const foamtex::Foam& one) { return one.state(); });
             },
-            "The state as JSON, without the events that take_events() would return. from_state() "
-            "restores the foam to the last bit.")
+            "The state as JSON, without the events that take_events() would return. A foam that "
+            "from_state() makes from it evolves exactly like this foam.")
         .def(
             "copy",
             [](SharedFoam& self) {
-                return owned(self.use([](const foamtex::Foam& one) { return one; }));
+                return shared(self.use([](const foamtex::Foam& one) { return one; }));
             },
             "An independent copy.")
         .def(
@@ -200,10 +200,10 @@ void bind_actions(FoamClass& foam) {
             },
             "Advances the foam by the foam time `time`: gas diffuses, bubbles vanish (T2) and swap "
             "neighbors (T1). `areas` maps identities of bubbles to target areas at the end of the "
-            "step; `strain` is simple shear along x; each of `pushes` is (center, radius, by), "
-            "where `by` is the displacement of the center. Raises EquilibriumError if no "
-            "equilibrium is found; the foam is then in the last equilibrium that the step reached. "
-            "After Ctrl-C, the foam is unchanged.",
+            "step; `strain` is simple shear along x; each of `pushes` is (center, radius, "
+            "displacement of the center). Raises EquilibriumError if no equilibrium is found; the "
+            "foam is then in the last equilibrium that the step reached. After Ctrl-C, the foam is "
+            "unchanged.",
             py::arg("time"),
             py::kw_only(),
             py::arg("areas") = std::map<std::int64_t, double>(),

@@ -34,8 +34,8 @@ const char* name_of(foamtex::EventKind kind) {
     }
 }
 
-py::object with_base(const py::object& error, PyObject* own) {
-    return py::make_tuple(error, py::reinterpret_borrow<py::object>(own));
+py::object bases_of(const py::object& error, PyObject* builtin) {
+    return py::make_tuple(error, py::reinterpret_borrow<py::object>(builtin));
 }
 
 }  // namespace
@@ -66,12 +66,11 @@ void bind_records(py::module_& module) {
         .def_property_readonly(
             "position",
             [](const Event& self) { return py::make_tuple(self.position.x, self.position.y); },
-            "Where it happened, as (x, y).")
-        .def_readonly(
-            "bubbles",
-            &Event::bubbles,
-            "Identities of the bubbles whose neighbors changed. For a T2, the first is the "
-            "bubble that vanished; for a birth, the bubble that was added.")
+            "The position of the change, as (x, y).")
+        .def_readonly("bubbles",
+                      &Event::bubbles,
+                      "Identities of the bubbles whose neighbors changed. The first is the bubble "
+                      "that vanished in a T2, or the bubble that was added in a birth.")
         .def("__repr__", [](const Event& self) {
             return py::str("Event({!r}, time={:.6g}, position=({:.6g}, {:.6g}), bubbles={})")
                 .format(name_of(self.kind),
@@ -86,19 +85,24 @@ void bind_records(py::module_& module) {
                                    "Error",
                                    py::reinterpret_borrow<py::object>(PyExc_Exception),
                                    "The base of all errors of foamtex.");
-    bind_error<foamtex::ArgumentError>(module,
-                                       "ArgumentError",
-                                       with_base(error, PyExc_ValueError),
-                                       "An argument or the value of a key is not allowed.");
+    bind_error<foamtex::ArgumentError>(
+        module,
+        "ArgumentError",
+        bases_of(error, PyExc_ValueError),
+        "An argument or the value of a key is not allowed, or a preset file is unreadable or "
+        "invalid.");
     bind_error<foamtex::InputError>(module,
                                     "InputError",
-                                    with_base(error, PyExc_ValueError),
+                                    bases_of(error, PyExc_ValueError),
                                     "A file cannot be read, or its content is malformed.");
     bind_error<foamtex::OutputError>(
-        module, "OutputError", with_base(error, PyExc_OSError), "A file cannot be written.");
+        module,
+        "OutputError",
+        bases_of(error, PyExc_OSError),
+        "A file cannot be written, or the operating system reports another error.");
     bind_error<foamtex::EquilibriumError>(module,
                                           "EquilibriumError",
-                                          with_base(error, PyExc_ArithmeticError),
+                                          bases_of(error, PyExc_ArithmeticError),
                                           "No equilibrium was found, or a loop did not close.");
 }
 

@@ -49,7 +49,7 @@ class SharedFoam {
   private:
     std::mutex mutex_;
     foamtex::Foam foam_;
-    std::shared_ptr<const foamtex::FoamRecords> records_;  // null, or of the present state
+    std::shared_ptr<const foamtex::FoamRecords> records_;  // of the present state, or null
 };
 
 /// Returns a table of a foam as a read-only array that keeps the table alive. The template argument

@@ -19,8 +19,8 @@ namespace {
 namespace py = pybind11;
 
 // Returns a value of Python as the text of a TOML value: True becomes true, and a list or a tuple
-// becomes a list. A text is returned unchanged, as on the command line, but a text in a list or a
-// tuple becomes a quoted string.
+// becomes a list. A str is returned unchanged and is then read like a value on the command line; a
+// str in a list or a tuple is quoted.
 std::string value_text(const py::handle& value) {
     if (py::isinstance<py::str>(value)) {
         return value.cast<std::string>();
@@ -202,8 +202,9 @@ void bind_texture(py::module_& module) {
              py::arg("threads") = 1)
         .def_property_readonly("number", &foamtex::Frame::number, "Number of the frame, from 1.")
         .def_property_readonly("time", &foamtex::Frame::time, "Foam time.")
-        .def_property_readonly(
-            "energy", &foamtex::Frame::energy, "Film tension times the length of all films.")
+        .def_property_readonly("energy",
+                               &foamtex::Frame::energy,
+                               "Film tension times the length of all films of the simulated foam.")
         .def_property_readonly("bubbles",
                                &frame_table<&foamtex::FoamRecords::bubbles>,
                                "Structured array, as Foam.bubbles; a view that cannot be written.")
@@ -217,7 +218,8 @@ void bind_texture(py::module_& module) {
         .def_property_readonly(
             "events",
             &foamtex::Frame::events,
-            "The changes of topology since the frame before, as a list of Event.")
+            "The changes of topology since the frame that the simulation returned before this "
+            "one, as a list of Event.")
         .def(
             "stress",
             [](const foamtex::Frame& self) { return matrix_of(self.stress()); },

@@ -35,6 +35,7 @@ TexelMeaning meaning_of(const ManifestMap& map) {
 }
 
 GpuEncoding encoding_of(const ManifestMap& map) {
+    // For example "X Y 0": PNG files have a third channel, which is 0 everywhere.
     const bool is_padded = map.samples && map.samples->channels.ends_with(" 0");
     return {.meaning = meaning_of(map), .used_channels = is_padded ? 2 : 0};
 }

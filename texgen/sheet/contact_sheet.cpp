@@ -124,13 +124,15 @@ Image<std::uint8_t> contact_sheet(std::span<const Thumbnail> thumbnails,
         lines.push_back(writer.lines_of(thumbnail.labels));
         most_lines = std::max(most_lines, lines.back().size());
     }
-    const int across = first.width() + kGap;
-    const int down = first.height() + static_cast<int>(most_lines) * writer.line_height() + kGap;
-    Image<std::uint8_t> sheet(columns * across + kGap, rows * down + kGap, first.channels());
+    const int cell_width = first.width() + kGap;
+    const int cell_height =
+        first.height() + static_cast<int>(most_lines) * writer.line_height() + kGap;
+    Image<std::uint8_t> sheet(
+        columns * cell_width + kGap, rows * cell_height + kGap, first.channels());
     std::ranges::fill(sheet.samples(), kBackgroundGray);
     for (int k = 0; k < count; ++k) {
-        const int left = kGap + k % columns * across;
-        int bottom = sheet.height() - kGap - k / columns * down - first.height();
+        const int left = kGap + k % columns * cell_width;
+        int bottom = sheet.height() - kGap - k / columns * cell_height - first.height();
         copy(thumbnails[static_cast<std::size_t>(k)].pixels, sheet.view(), left, bottom);
         for (const Line& line : lines[static_cast<std::size_t>(k)]) {
             bottom -= writer.line_height();

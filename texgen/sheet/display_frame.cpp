@@ -16,10 +16,10 @@ namespace {
 constexpr float kLargestCode = 255.0F;
 
 // The pixels along one axis that a pixel of the smaller image covers. `first` is the index of the
-// first covered pixel. `parts` contains the weights of all covered pixels, which add up to 1.
+// first covered pixel. `weights` contains the weights of all covered pixels, which add up to 1.
 struct Cover {
     int first = 0;
-    std::vector<float> parts;
+    std::vector<float> weights;
 };
 
 // Returns the Cover of each of the `few` pixels to which the `many` pixels along an axis are
@@ -34,7 +34,7 @@ std::vector<Cover> covers_of(int many, int few) {
         cover.first = static_cast<int>(begin);
         for (int pixel = cover.first; pixel < end; ++pixel) {
             const double part = std::min(end, pixel + 1.0) - std::max<double>(begin, pixel);
-            cover.parts.push_back(static_cast<float>(part / scale));
+            cover.weights.push_back(static_cast<float>(part / scale));
         }
     }
     return covers;
@@ -43,10 +43,10 @@ std::vector<Cover> covers_of(int many, int few) {
 // Computes the weighted mean of the covered rows, sample by sample, and writes it to `mean`.
 void average_rows(ImageView<const float> from, const Cover& cover, std::vector<float>& mean) {
     std::ranges::fill(mean, 0.0F);
-    for (std::size_t k = 0; k < cover.parts.size(); ++k) {
+    for (std::size_t k = 0; k < cover.weights.size(); ++k) {
         const auto row = from.row(cover.first + static_cast<int>(k));
         for (std::size_t i = 0; i < mean.size(); ++i) {
-            mean[i] += cover.parts[k] * row[i];
+            mean[i] += cover.weights[k] * row[i];
         }
     }
 }
@@ -54,9 +54,9 @@ void average_rows(ImageView<const float> from, const Cover& cover, std::vector<f
 // Adds the weighted mean of the covered pixels of a row to the pixel `mean`.
 void add_pixels(const std::vector<float>& row, const Cover& cover, std::span<float> mean) {
     const float* from = row.data() + static_cast<std::size_t>(cover.first) * DisplayFrame::kColors;
-    for (const float part : cover.parts) {
+    for (const float weight : cover.weights) {
         for (float& sum : mean) {
-            sum += part * *from++;
+            sum += weight * *from++;
         }
     }
 }
@@ -83,8 +83,8 @@ Image<std::uint8_t> codes_of(const DisplayFrame& frame) {
     Image<std::uint8_t> codes(frame.pixels.width(), frame.pixels.height(), DisplayFrame::kColors);
     std::ranges::transform(
         frame.pixels.samples(), codes.samples().begin(), [&](float value) -> std::uint8_t {
-            const double held = std::clamp(value, 0.0F, 1.0F);
-            const double code = frame.is_light ? linear_to_srgb(held) : held;
+            const double clamped = std::clamp(value, 0.0F, 1.0F);
+            const double code = frame.is_light ? linear_to_srgb(clamped) : clamped;
             return static_cast<std::uint8_t>(std::lround(kLargestCode * code));
         });
     return codes;

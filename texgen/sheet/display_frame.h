@@ -31,7 +31,7 @@ struct DisplayFrame {
 ///
 /// Throws InputError if the file cannot be read or lacks the layer of the map. If the samples are
 /// not codes of 8 or 16 bits, also throws InputError in these cases:
-/// - none of the channels R, X and Y exists with samples of floats;
+/// - no channel R, X or Y has samples of floats;
 /// - the map is data, and the manifest does not give its range.
 DisplayFrame read_display_frame(const MapFile& file, const ManifestMap& map);
 

@@ -37,7 +37,7 @@ std::string file_of(const Json& image) {
 }
 
 bool file_exists(const std::filesystem::path& file) {
-    std::error_code ignored;  // such as that of a name that is too long
+    std::error_code ignored;  // for example, the name may be too long
     return std::filesystem::exists(file, ignored);
 }
 

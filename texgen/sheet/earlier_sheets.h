@@ -11,7 +11,7 @@
 
 namespace foam::texgen {
 
-/// Lists images of an earlier flipbook by the names of their files, all of which exist.
+/// The names of image files that an earlier flipbook has listed. All of these files exist.
 struct EarlierSheets {
     std::vector<std::string> unlisted;  // neither kept in the list nor replaced by new sheets
     std::vector<std::string> replaced;  // made from another bake, and replaced by new sheets

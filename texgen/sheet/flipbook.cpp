@@ -79,7 +79,7 @@ std::string replaced(std::string text, std::string_view word, std::string_view r
 
 // Returns the pattern of the file names of all sheets: a name without suffix, which contains {map}
 // in place of the name of a map.
-std::string names_of(const BakedSet& set, const FlipbookOptions& options) {
+std::string name_pattern_of(const BakedSet& set, const FlipbookOptions& options) {
     const std::string kind = is_array(options) ? "array" : options.strip ? "strip" : "sheet";
     return replaced(options.names.empty() ? "{preset}_" + kind + "_{map}" : options.names,
                     "{preset}",
@@ -129,7 +129,7 @@ std::string sheet_pattern(const Preset& preset) {
 // textures, such as DDS files, or of the pixels of PNG files. EXR files contain numbers that arrays
 // cannot store. A sheet (unlike an array) cannot be made of lossy files, because they would be
 // compressed twice.
-const char* files_needed(const Preset& preset) {
+const char* needed_formats(const Preset& preset) {
     const FilePattern pattern(preset);
     if (pattern.is_vector()) {
         return "PNG or EXR files";
@@ -149,7 +149,7 @@ Flipbook write_flipbook(const BakedSet& set,
                         const ProgressCallback& on_progress) {
     const std::vector<int> frames = options.frames.empty() ? set.frames() : options.frames;
     Flipbook flipbook{{}, layout_of(set, options, frames.size()), {}};
-    const std::string names = names_of(set, options);
+    const std::string names = name_pattern_of(set, options);
     std::vector<MapSequence> sequences;
     for (const std::string& map : maps_of(set, options)) {
         sequences.push_back(map_sequence(set, folder, map, frames));
@@ -203,7 +203,7 @@ void check_sheets(const Preset& preset) {
         return;
     }
     static_cast<void>(sheet_pattern(preset));
-    const char* const needed = files_needed(preset);
+    const char* const needed = needed_formats(preset);
     if (needed != nullptr) {
         throw std::invalid_argument(fmt::format(
             "output.sheets = {} needs {}, but output.pattern is '{}'; set output.sheets to "

@@ -16,8 +16,8 @@
 namespace foam::texgen {
 
 /// The content and the layout of a flipbook. A flipbook consists of sheets and of a JSON file
-/// that describes them. There is one sheet per map: an image that contains frames of the map. With
-/// any options, the pixels of the frames are copied without a change of their values.
+/// that describes them. There is one sheet per map: an image that contains frames of the map. A
+/// sheet contains the pixels of the frames without a change of their values.
 struct FlipbookOptions {
     std::vector<std::string> maps = {};  // empty for all maps of the set
     std::vector<int> frames = {};        // frame numbers, in this order; empty for all of the set
@@ -30,7 +30,7 @@ struct FlipbookOptions {
     /// The suffix of the files of array textures, ".dds" or ".ktx2", or empty for sheets. With a
     /// suffix, array textures are written instead of sheets: each frame is a layer with its mip
     /// levels. A layer can repeat as a tile; a frame in a sheet cannot. For arrays, `gutter` must
-    /// be 0 and `columns` at most 1.
+    /// be 0 and `columns` at most 1. Frames of PNG files are encoded (array_files.h).
     std::string array_suffix = {};
     /// The names of the files without suffix, in which {preset} and {map} are replaced. If this
     /// text is empty, the name is {preset}_sheet_{map} for a sheet, {preset}_strip_{map} for a
@@ -66,11 +66,11 @@ Flipbook write_flipbook(const BakedSet& set,
                         const ProgressCallback& on_progress = {});
 
 /// Returns a preset whose sheets are written beside its images. The folder of the images replaces
-/// the default folder "out" at the start of output.sheet_pattern. An option that moves the images
+/// the default folder "out/" at the start of output.sheet_pattern. An option that moves the images
 /// thus moves the sheets, too. The preset is returned unchanged in these cases:
 /// - no sheets are written (output.sheets);
-/// - output.sheet_pattern does not begin with "out";
-/// - the file pattern of the images begins with "out".
+/// - output.sheet_pattern does not begin with "out/";
+/// - the file pattern of the images begins with "out/".
 ///
 /// Throws std::invalid_argument if the folder would be replaced, but the file pattern of the images
 /// is malformed.

@@ -14,11 +14,12 @@ namespace foam::texgen {
 
 namespace {
 
-// Displacements whose relative difference is at most this count as equal.
+// Displacements whose relative difference is at most this number count as equal.
 constexpr double kSameDisplacement = 1e-9;
 
 Json loop_value(const BakedSet& set, std::span<const int> frames) {
     return {{"kind", set.loop.kind},
+            // A description of the kind for users; the name "called" is part of the format.
             {"called", set.loop.description},
             {"closes", closes(set.loop, frames)},
             {"cross_faded", set.loop.cross_faded}};

@@ -28,7 +28,7 @@ struct SheetImage {
 
 /// Returns a JSON description of the sheets, for programs that play them. `frames` lists the
 /// numbers of the frames that a sheet contains; all sheets contain the same frames.
-/// texgen/sheet/README.md describes the members of the JSON.
+/// texgen/sheet/README.md describes the most important members of the JSON.
 Json flipbook_json(const BakedSet& set,
                    std::span<const int> frames,
                    const SheetLayout& layout,

@@ -21,21 +21,21 @@ int source_of(int position, int extent, Gutter gutter) {
     return rest < 0 ? rest + extent : rest;
 }
 
-// Writes row y of a frame, with a gutter of `margin` pixels on both sides, to `to`. Row y may be
-// above or below the frame, in the gutter.
+// Writes row y of a frame, with a gutter of `margin` pixels on both sides, to `output`. Row y may
+// be above or below the frame, in the gutter.
 template <class Sample>
-void copy_row(ImageView<const Sample> frame, int y, int margin, Gutter gutter, Sample* to) {
-    const int from = source_of(y, frame.height(), gutter);
+void copy_row(ImageView<const Sample> frame, int y, int margin, Gutter gutter, Sample* output) {
+    const int source_row = source_of(y, frame.height(), gutter);
     const auto channels = static_cast<std::size_t>(frame.channels());
     for (int x = -margin; x < 0; ++x) {
-        std::ranges::copy(frame.pixel(source_of(x, frame.width(), gutter), from), to);
-        to += channels;
+        std::ranges::copy(frame.pixel(source_of(x, frame.width(), gutter), source_row), output);
+        output += channels;
     }
-    std::ranges::copy(frame.row(from), to);
-    to += frame.row_samples();
+    std::ranges::copy(frame.row(source_row), output);
+    output += frame.row_samples();
     for (int x = frame.width(); x < frame.width() + margin; ++x) {
-        std::ranges::copy(frame.pixel(source_of(x, frame.width(), gutter), from), to);
-        to += channels;
+        std::ranges::copy(frame.pixel(source_of(x, frame.width(), gutter), source_row), output);
+        output += channels;
     }
 }
 

@@ -263,9 +263,9 @@ std::vector<std::filesystem::path> write_previews(const BakedSet& set,
     progress.begin();
     std::vector<std::filesystem::path> written;
     for (Previews& checked : previews) {
-        Previews of_map = std::move(checked);  // frees its animation before the next map
-        for (const PreviewKind kind : of_map.kinds()) {
-            written.push_back(of_map.write(kind, to, progress));
+        Previews current = std::move(checked);  // its animation is freed before the next map
+        for (const PreviewKind kind : current.kinds()) {
+            written.push_back(current.write(kind, to, progress));
         }
     }
     return written;

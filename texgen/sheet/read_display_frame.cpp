@@ -27,13 +27,13 @@ namespace {
 // Transparent colors are composited over the background (kBackgroundGray) in linear light.
 
 // Returns true if the samples of a map are colors.
-bool is_light_in(const ManifestMap& map) {
+bool stores_colors(const ManifestMap& map) {
     return map.samples->color_space != "data";
 }
 
 // Returns true if the images of a map have an opacity. The channel A of a packed image is data, not
 // opacity.
-bool has_opacity_in(const ManifestMap& map) {
+bool stores_opacity(const ManifestMap& map) {
     return map.samples->alpha != "none";
 }
 
@@ -55,9 +55,9 @@ std::vector<float> values_of_codes(bool is_light) {
 // channels, the last channel is the opacity.
 template <class Sample>
 DisplayFrame shown_codes(const Image<Sample>& image, const ManifestMap& map) {
-    const bool is_light = is_light_in(map);
+    const bool is_light = stores_colors(map);
     const std::vector<float> values = values_of_codes<Sample>(is_light);
-    const bool has_alpha = has_opacity_in(map) && image.channels() % 2 == 0;
+    const bool has_alpha = stores_opacity(map) && image.channels() % 2 == 0;
     const float background = values[kBackgroundGray * (values.size() - 1) / 255];
     DisplayFrame frame{Image<float>(image.width(), image.height(), DisplayFrame::kColors),
                        is_light};
@@ -65,14 +65,14 @@ DisplayFrame shown_codes(const Image<Sample>& image, const ManifestMap& map) {
     const auto step = static_cast<std::size_t>(image.channels());
     // The step from one color of a pixel to the next: 0 for gray, whose first sample is used for
     // all three colors.
-    const std::size_t next = step >= DisplayFrame::kColors ? 1 : 0;
+    const std::size_t color_step = step >= DisplayFrame::kColors ? 1 : 0;
     float* to = frame.pixels.samples().data();
     for (std::size_t k = 0; k < from.size(); k += step) {
         const float opacity = has_alpha ? static_cast<float>(from[k + step - 1]) /
                                               static_cast<float>(values.size() - 1)
                                         : 1.0F;
         for (std::size_t c = 0; c < DisplayFrame::kColors; ++c) {
-            *to++ = opacity * values[from[k + c * next]] + (1.0F - opacity) * background;
+            *to++ = opacity * values[from[k + c * color_step]] + (1.0F - opacity) * background;
         }
     }
     return frame;
@@ -148,7 +148,7 @@ DisplayFrame shown_numbers(const Picture& picture, const MapFile& file, const Ma
     const Channels channels = channels_of(picture);
     const std::array<const PictureChannel*, DisplayFrame::kColors> colors =
         channels_shown(channels);
-    const bool is_light = is_light_in(map);
+    const bool is_light = stores_colors(map);
     if (colors.front() == nullptr) {
         reject(file,
                fmt::format("it has no channel R, X or Y of floats; its channels are {}",
@@ -169,7 +169,7 @@ DisplayFrame shown_numbers(const Picture& picture, const MapFile& file, const Ma
         }
     }
     const PictureChannel* const opacity = find_channel(channels, "A");
-    if (has_opacity_in(map) && opacity != nullptr) {
+    if (stores_opacity(map) && opacity != nullptr) {
         add_background(frame.pixels, *opacity);
     }
     return frame;
@@ -179,7 +179,7 @@ DisplayFrame shown_numbers(const Picture& picture, const MapFile& file, const Ma
 
 DisplayFrame read_display_frame(const MapFile& file, const ManifestMap& map) {
     Picture picture = read_map_frame(file, map.name);
-    if (is_light_in(map)) {
+    if (stores_colors(map)) {
         convert_colors(picture, "", picture.metadata.primaries, Primaries::Srgb);
     }
     const Samples& samples = picture.groups.front().samples;

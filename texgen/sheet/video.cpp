@@ -106,8 +106,8 @@ Bytes encode_video(std::span<const std::byte> apng, FrameRate rate, VideoFormat 
     write_file(from, apng);
     Arguments arguments{
         "-r", fmt::format("{}/{}", rate.frames, rate.seconds), "-f", "apng", "-i", from.string()};
-    const Arguments more = format == VideoFormat::Mp4 ? mp4_arguments() : gif_arguments();
-    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Arguments encoding = format == VideoFormat::Mp4 ? mp4_arguments() : gif_arguments();
+    arguments.insert(arguments.end(), encoding.begin(), encoding.end());
     arguments.push_back(to.string());
     run_ffmpeg(std::move(arguments));
     return read_file(to, kImageInput);

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 
-# Draws up to seven charts of the tables stats.csv, sides.csv and stress.csv into the folder of the tables:
+# Draws up to seven charts from the tables stats.csv, sides.csv and stress.csv into the folder of the tables:
 #
 #     gnuplot charts.gp
 #
-# This script requires gnuplot 5.4 or newer. foamtex inserts a line above that sets `film_tension`.
+# This script requires gnuplot 5.4 or newer. foamtex inserts a line at the top that sets `film_tension`.
 
 set encoding utf8
 set datafile separator ","
@@ -30,11 +30,11 @@ black = 0x222222
 array viridis[8] = [0x440154, 0x482576, 0x404688, 0x35608d, 0x29788e, 0x20928c, 0x35b779, 0x9bd93c]
 
 frames = "stats.csv"
-kinds = "sides.csv"  # a row per frame and number of sides
-froth = 1.4          # second moment of soap froths in their scaling state ...
-froth_error = 0.1    # ... and its error
-few_bubbles = 100    # means over fewer bubbles have little meaning
-common_share = 0.01  # a pressure is shown only if at least this share of the bubbles has the number of sides
+sides_table = "sides.csv"  # a row per frame and number of sides
+froth = 1.4                # second moment measured in soap froths in their scaling state
+froth_error = 0.1          # error of this second moment
+few_bubbles = 100          # means over fewer bubbles have little meaning
+common_share = 0.01        # a pressure is shown only if at least this share of the bubbles has the number of sides
 
 # The number of bubbles in the first frame, and arrays of the numbers of bubbles and of the mean areas by
 # frame number.
@@ -122,7 +122,7 @@ if (last_time > first_time) {
     count_rows(n, sides, pressures) = n < 3 || n > 10 ? 0 : \
         (side_rows[n] = side_rows[n] + sides, pressure_rows[n] = pressure_rows[n] + pressures, \
         all_side_rows = all_side_rows + sides, all_pressure_rows = all_pressure_rows + pressures)
-    stats kinds every ::1 using (count_rows(int($3), $2 > 0 && measurable(bubbles[int($1)]), \
+    stats sides_table every ::1 using (count_rows(int($3), $2 > 0 && measurable(bubbles[int($1)]), \
         $2 > 0 && shown($1, $5)), $3) nooutput
     name(n, rows) = rows > 0 ? sprintf("n = %d", n) : ""
 
@@ -131,7 +131,7 @@ if (last_time > first_time) {
         set title "Distribution of the number of sides"
         set ylabel "share of the bubbles"
         set yrange [0:*]
-        plot for [n = 3:10] kinds every ::1 \
+        plot for [n = 3:10] sides_table every ::1 \
             using ($3 == n && $2 > 0 && measurable(bubbles[int($1)]) ? $2 : NaN):5 \
             title name(n, side_rows[n]) with lines linewidth 1.5 linecolor rgb viridis[n - 2]
     }
@@ -141,7 +141,7 @@ if (last_time > first_time) {
         set title "Mean pressure by the number of sides"
         set ylabel "mean pressure (T / √mean area)"
         set yrange [*:*]
-        plot for [n = 3:10] kinds every ::1 \
+        plot for [n = 3:10] sides_table every ::1 \
             using ($3 == n && $2 > 0 && shown($1, $5) ? $2 : NaN):($7 * sqrt(area[int($1)]) / film_tension) \
             title name(n, pressure_rows[n]) with lines linewidth 1.5 linecolor rgb viridis[n - 2]
     }
@@ -150,7 +150,7 @@ if (last_time > first_time) {
 
 # Growth rates: means over all frames, weighted by the numbers of bubbles that were measured --------
 last_sides = 0
-stats kinds every ::1 using (last_sides = $3 > last_sides ? $3 : last_sides, $3) nooutput
+stats sides_table every ::1 using (last_sides = $3 > last_sides ? $3 : last_sides, $3) nooutput
 array area_sum[last_sides]
 array area_weight[last_sides]
 array film_sum[last_sides]
@@ -164,7 +164,7 @@ add_area(n, rate, weight) = (area_sum[n] = area_sum[n] + rate * weight, \
     area_weight[n] = area_weight[n] + weight)
 add_film(n, rate, weight, law_rate) = (film_sum[n] = film_sum[n] + rate * weight, \
     film_weight[n] = film_weight[n] + weight, law[n] = law_rate)
-stats kinds every ::1 using (int($3) < 1 ? 0 : add_film(int($3), $10, $4, $11), \
+stats sides_table every ::1 using (int($3) < 1 ? 0 : add_film(int($3), $10, $4, $11), \
     int($3) > 0 && valid(9) ? add_area(int($3), $9, $8) : 0, $3) nooutput
 mean(sum, weight) = weight > 0 ? sum / weight : NaN
 
@@ -221,8 +221,8 @@ if (highest_strain > lowest_strain) {
             with lines linewidth 1 dashtype 3 linecolor rgb black
 }
 
-# Time per frame. The first row covers the simulation from its seed to the first frame, and each later
-# row covers the frames since the preceding row.
+# Time per frame. The first row covers all steps that prepare the first frame, and each later row covers
+# the frames since the preceding row.
 previous = NaN
 set output "seconds.svg"
 set title "Time of a frame over the evolution"

@@ -15,8 +15,8 @@
 namespace foam::texgen {
 
 /// The statistics of one frame. Growth is measured since the preceding record. T1s, T2s and wall
-/// time are counted since the preceding record or, in the first record, since the start of the
-/// simulation.
+/// time are counted since the preceding record or, in the first record, in all steps that prepare
+/// the first frame (FrameEffort).
 struct FrameRecord {
     int frame = 0;      // number of the frame
     double time = 0.0;  // foam time

@@ -42,7 +42,8 @@ bool is_same_secret(std::string_view a, std::string_view b) {
     return difference == 0;
 }
 
-/// Cookies are shared by all ports of a machine, so the name contains the port.
+/// Returns the name of the cookie. It contains the port, because all ports of a machine share their
+/// cookies.
 std::string cookie_name(int port) {
     return fmt::format("foamtex_{}", port);
 }
@@ -72,7 +73,9 @@ Access::Access(int port) : port_(port), token_(random_word()), secret_(random_wo
 
 std::optional<HttpResponse> Access::rejection(const HttpRequest& request) const {
     if (!is_own_host(request.host, port_)) {
-        return error_response(HttpStatus::Forbidden, "the studio has another address");
+        return error_response(HttpStatus::Forbidden,
+                              "the request names another host; open the address that 'foamtex "
+                              "studio' has printed");
     }
     if (request.method == "GET") {
         // The header field Sec-Fetch-Site is "none" if the user has typed or opened the address. If

@@ -86,10 +86,10 @@ std::vector<Assignment> assignments_of(const BakeRequest& request) {
     return assignments;
 }
 
-/// Prepends request.folder to the file name patterns of a preset, in place of the default folder.
-/// The patterns stay relative to the folder of the studio. Without a profile, images also get the
-/// suffix of the requested format. Throws PathRejected if a pattern leaves the folder of the
-/// studio.
+/// Replaces the default folder in the file name patterns of a preset by request.folder, or prepends
+/// request.folder if a pattern has no default folder. The patterns stay relative to the folder of
+/// the studio. Without a profile, images also get the suffix of the requested format. Throws
+/// PathRejected if a pattern leaves the folder of the studio.
 void place(Preset& preset, const BakeRequest& request, const StudioFolder& folder) {
     const std::filesystem::path base = request.folder;
     const auto below = [&](const std::string& pattern) {
@@ -145,17 +145,18 @@ BakePlan plan_of(const BakeRequest& request, const StudioFolder& folder) {
     PagePreset loaded = load_settings(request.settings, folder);
     BakePlan plan{.preset = std::move(loaded.base)};
     try {
-        std::vector<Assignment> later = std::move(loaded.located);
-        const std::vector<Assignment> own = assignments_of(request);
-        later.insert(later.end(), own.begin(), own.end());
+        // The changes of the page, then those of the request. They override the profile.
+        std::vector<Assignment> overrides = std::move(loaded.resolved_assignments);
+        const std::vector<Assignment> requested = assignments_of(request);
+        overrides.insert(overrides.end(), requested.begin(), requested.end());
         if (request.profile) {
             // Only shipped profiles: a page must not read other files.
-            assign(
-                plan.preset,
-                profile_assignments(
-                    std::string(find_shipped_profile(*request.profile).name), plan.preset, later));
+            assign(plan.preset,
+                   profile_assignments(std::string(find_shipped_profile(*request.profile).name),
+                                       plan.preset,
+                                       overrides));
         }
-        assign(plan.preset, later);
+        assign(plan.preset, overrides);
     } catch (const PresetError& error) {
         throw SettingsRejected(error.what(), "");
     }

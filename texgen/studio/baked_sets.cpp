@@ -97,9 +97,9 @@ int pixel_at(double fraction, int count) {
     return std::min(static_cast<int>(std::clamp(fraction, 0.0, 1.0) * count), count - 1);
 }
 
-/// Returns the channels of a map in its file, in the order of MapSamples::channels. Files of codes
-/// call them R, G and B, or Y, whatever the map calls them. Padding channels, which are called 0,
-/// are left out.
+/// Returns the channels of a map in its file, in the order of MapSamples::channels. In files of
+/// codes (integer samples) the channels have the names R, G and B, or Y, whatever their names in
+/// the map. Padding channels, which have the name 0, are left out.
 std::vector<PictureChannel> channels_of_map(const Picture& picture, const MapSamples& samples) {
     const std::vector<PictureChannel> all = channels_of(picture);
     const ChannelGroup& group = picture.groups.front();
@@ -117,9 +117,9 @@ std::vector<PictureChannel> channels_of_map(const Picture& picture, const MapSam
     return found;
 }
 
-/// The function read_numbers scales codes to the range from 0 to 1. Returns the numbers, in the
-/// unit of the map, that 0 and 1 then stand for. Numbers that are not stored as codes are not
-/// scaled: for them, returns 0 and 1.
+/// Returns the numbers, in the unit of the map, that the results 0 and 1 of read_numbers stand for.
+/// They are 0 and 1 unless the samples are codes, which read_numbers scales so that the largest
+/// code becomes 1.
 std::array<double, 2> range_of(const MapSamples& samples, const ChannelGroup& group) {
     if (!group.has_codes()) {
         return {0.0, 1.0};

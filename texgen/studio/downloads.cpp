@@ -24,8 +24,8 @@ namespace foam::texgen {
 
 namespace {
 
-/// Returns a file name for an HTTP header: every character of `name` that has a special meaning in
-/// such a header is replaced by '_'.
+/// Returns a file name for a quoted text in an HTTP header: quotation marks, backslashes and
+/// control characters are replaced by '_'.
 std::string header_word(std::string name) {
     std::ranges::replace_if(
         name,

@@ -12,9 +12,9 @@
 
 namespace foam::texgen {
 
-// The answers to /api/download (REQUESTS.md): files that the browser saves. The functions whose
-// answer shows frames let bake() draw them. If the store keeps all frames of the preset, bake()
-// takes them from the store; otherwise it simulates the foam again. These functions throw the
+// The answers to /api/download (REQUESTS.md): files that the browser saves. All functions except
+// preset_download let bake() draw frames. If the store keeps all frames of the preset, bake() takes
+// the frames from the store; otherwise it simulates the foam again. These functions throw the
 // exceptions of bake(), and SimulationFailed if the foam has no equilibrium or the loop does not
 // close.
 

@@ -28,9 +28,9 @@ class StudioFolder {
     const std::filesystem::path& path() const { return path_; }
 
     /// Returns the absolute path, without links, of a file or folder below this folder. `relative`
-    /// is its path relative to this folder; it need not exist. Throws PathRejected if `relative` is
-    /// absolute, contains ".." or control characters, leaves this folder through a link, or cannot
-    /// be resolved.
+    /// is its path relative to this folder. The file or folder need not exist. Throws PathRejected
+    /// if `relative` is absolute, contains ".." or control characters, leaves this folder through a
+    /// link, or cannot be resolved.
     std::filesystem::path below(const std::string& relative) const;
 
     /// Returns the names of the preset files in the folder, sorted.

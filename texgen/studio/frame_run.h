@@ -15,17 +15,18 @@
 
 namespace foam::texgen {
 
-/// The simulation of one foam in a FrameStore. The mutex of the store protects the members that
-/// change, from `kept` on; once the simulation has finished, `kept` and `outcome` are constant.
-/// Frames are assembled from the kept states whenever they are drawn, because the camera, which
-/// decides how a state is shown, may change without a new simulation.
+/// The simulation of one foam in a FrameStore. A frame of the animation shows one or two states of
+/// the simulation (shown_states.h). States are kept, and frames are assembled from them whenever
+/// they are drawn, because the camera, which decides how a state is shown, may change without a new
+/// simulation. The mutex of the store protects the members that change, from `kept` on; once the
+/// simulation has finished, `kept` and `outcome` are constant.
 struct FrameRun {
     Preset preset;
     std::string simulation;             // simulation_hash(preset)
     int frames = 0;                     // states of frames 1 to this number will be kept
     std::vector<int> states = {};       // ascending numbers of the states that these frames need
     std::vector<int> last_states = {};  // for each frame, the last state that it needs
-    std::map<int, SimulatedFrame> kept = {};  // the states computed so far, by number
+    std::map<int, SimulatedFrame> kept = {};  // the states computed so far, by their numbers
     std::set<std::string> pages = {};         // random words of the pages that want this run
     RunProgress progress = {};
     std::optional<RunOutcome> outcome = {};  // nullopt before the end, and after an exception

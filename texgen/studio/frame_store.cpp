@@ -23,8 +23,8 @@ namespace {
 constexpr std::size_t kBytesPerBubble = 2500;
 constexpr std::size_t kLargestRuns = 8;
 constexpr std::size_t kLargestDrafts = 48;
-// The largest memory of all drafts (FrameStore::draft), as a fraction of the memory of the runs:
-// 1 / kDraftShare.
+// All drafts (FrameStore::draft) together may use 1 / kDraftShare of the memory that the runs may
+// use.
 constexpr std::size_t kDraftShare = 4;
 
 // Stops a simulation that nobody wants any more.
@@ -42,7 +42,7 @@ std::size_t state_bytes(const Preset& preset) {
 }
 
 // Returns how many of the preset's frames, from frame 1 on, have states that fit in the given
-// number of bytes.
+// number of bytes. The result is at least 1.
 int frames_that_fit(const Preset& preset, std::size_t bytes) {
     const std::size_t states = std::max<std::size_t>(2, bytes / (state_bytes(preset) + 1));
     return static_cast<int>(std::min(static_cast<std::size_t>(preset.frames.count), states - 1));
@@ -75,21 +75,21 @@ SimulatedFrame FrameStore::frame(const Preset& preset,
     std::unique_lock lock(mutex_);
     const RunPointer run = want_run(preset, page);
     if (number > run->frames) {
-        throw SimulationFailed(fmt::format(
-            "frame {} is not shown here: the studio keeps {} of {} frames of this foam in memory; "
-            "bake it to see the others",
-            number,
-            run->frames,
-            preset.frames.count));
+        throw SimulationFailed(
+            fmt::format("frame {} cannot be shown: the studio keeps only the first {} of {} frames "
+                        "of this foam in memory; bake the preset to see the others",
+                        number,
+                        run->frames,
+                        preset.frames.count));
     }
     changed_.wait(lock, [&] {
         return is_stopped_ || run->is_dropped() || run->is_finished() || run->has_states(number);
     });
     if (is_stopped_) {
-        throw FrameReplaced("the studio ends");
+        throw SimulationStopped("the studio ends");
     }
     if (run->is_dropped() && !run->has_states(number)) {
-        throw FrameReplaced(run->drop_reason);
+        throw SimulationStopped(run->drop_reason);
     }
     if (!run->has_states(number)) {
         throw SimulationFailed(run->failure);
@@ -261,8 +261,8 @@ void FrameStore::work() {
 }
 
 // Simulates a run to its end, or until the run is dropped or the store is stopped. If another page
-// asks for another foam meanwhile, this run still goes on first, because the page that waits for it
-// would otherwise wait forever.
+// asks for another foam meanwhile, this run is finished first. Otherwise two pages that ask in turn
+// could interrupt each other's runs forever.
 void FrameStore::simulate(const RunPointer& run) {
     const auto finish = [&](std::optional<RunOutcome> outcome, std::string failure) {
         const std::scoped_lock lock(mutex_);
@@ -286,7 +286,7 @@ void FrameStore::simulate(const RunPointer& run) {
         const RunOutcome outcome = simulate_states(run->preset, 0, run->states, keep, report);
         finish(outcome, failure_of(outcome));
     } catch (const Stopped&) {
-        return;  // those who wait know that the store is stopped, or why the run is dropped
+        return;  // waiting threads see that the store is stopped, or why the run is dropped
     } catch (const std::bad_alloc&) {
         finish({}, "out of memory: use fewer bubbles or fewer frames");
     } catch (const std::exception& error) {

@@ -21,9 +21,10 @@ namespace foam::texgen {
 
 struct FrameRun;
 
-/// Reports that a frame will not be simulated. The message gives the reason: the page has asked for
-/// another foam, a foam that was wanted later needs the memory, or the studio ends.
-class FrameReplaced : public std::runtime_error {
+/// Reports that a frame will not be simulated, because its simulation was stopped. The message
+/// gives the reason: the page has asked for another foam, a foam that was asked for later needs the
+/// memory, or the studio ends.
+class SimulationStopped : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
@@ -68,7 +69,7 @@ class FrameStore {
     /// Does what `want` does, waits until a frame can be drawn, and returns this frame. With
     /// NextFrames::Included, the result also contains the next frame. The view of a patch follows
     /// the image size and the camera of the given preset. This holds even if the kept states were
-    /// simulated for a preset with another image size or camera. Throws FrameReplaced. Throws
+    /// simulated for a preset with another image size or camera. Throws SimulationStopped. Throws
     /// SimulationFailed if the foam has no equilibrium, the loop does not close, or the frame is
     /// not kept.
     SimulatedFrame frame(const Preset& preset,
@@ -80,13 +81,13 @@ class FrameStore {
     /// and the loop, which can take much longer. Throws SimulationFailed.
     SimulatedFrame draft(const Preset& preset);
 
-    /// Returns a source of the kept frames of a preset, which reports no progress. Returns an empty
-    /// function unless all frames are kept. If they are, but their simulation has not ended yet,
-    /// waits for its end.
+    /// Returns a source of the kept frames of a preset, which reports no progress. If all frames
+    /// are kept, but their simulation has not ended yet, waits for its end. Returns an empty
+    /// function unless all frames are kept and their simulation was successful.
     FrameSource source(const Preset& preset);
 
-    /// Stops all simulations except drafts. Calls of `frame` that are waiting, and later calls for
-    /// kept frames, throw FrameReplaced.
+    /// Stops all simulations except drafts. Calls of `frame` that are waiting throw
+    /// SimulationStopped, and so do later calls, unless the frame is not kept (SimulationFailed).
     void stop();
 
   private:

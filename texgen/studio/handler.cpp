@@ -52,7 +52,7 @@ HttpResponse guarded(const std::function<HttpResponse()>& answer) {
         return answer();
     } catch (const SettingsRejected& error) {
         return error_response(HttpStatus::Unprocessable, error.what(), error.key());
-    } catch (const FrameReplaced& error) {
+    } catch (const SimulationStopped& error) {
         return error_response(HttpStatus::Conflict, error.what());
     } catch (const BakeIsRunning& error) {
         return error_response(HttpStatus::Conflict, error.what());
@@ -95,13 +95,13 @@ HttpResponse Studio::answer(const HttpRequest& request) {
 HttpResponse Studio::answer_api(const HttpRequest& request) {
     const bool is_post = request.method == "POST";
     if (!access_.has_cookie(request)) {
-        HttpResponse refused = error_response(HttpStatus::Forbidden,
-                                              "open the address that 'foamtex studio' has printed");
+        HttpResponse forbidden = error_response(
+            HttpStatus::Forbidden, "open the address that 'foamtex studio' has printed");
         if (!is_post || request.target != "/api/session") {
-            return refused;
+            return forbidden;
         }
         return answer_json(request.body, [&](const JsonValue& body) {
-            return access_.exchange(body["token"].text()).value_or(std::move(refused));
+            return access_.exchange(body["token"].text()).value_or(std::move(forbidden));
         });
     }
     last_request_ = std::chrono::steady_clock::now();

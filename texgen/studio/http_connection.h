@@ -30,30 +30,32 @@ namespace http = beast::http;
 using tcp = asio::ip::tcp;
 using boost::system::error_code;
 
-/// The time in which the rest of a rejected request is read, so that the client gets the response.
+/// The longest time for which the rest of a rejected request is read, so that the client gets the
+/// response.
 inline constexpr std::chrono::seconds kDrainTime{2};
 
-/// Returns the value of a field, or an empty text if the field is missing or occurs more than once.
-inline std::string single(const http::fields& fields, std::string_view name) {
+/// Returns the value of a header field, or an empty text if the field is missing or occurs more
+/// than once.
+inline std::string field_value(const http::fields& fields, std::string_view name) {
     const boost::string_view key(name.data(), name.size());
     return fields.count(key) == 1 ? std::string(fields[key]) : std::string();
 }
 
 /// Returns a request of Boost.Beast as an HttpRequest.
-inline HttpRequest plain(http::request<http::string_body>&& request) {
+inline HttpRequest to_http_request(http::request<http::string_body>&& request) {
     return {.method = std::string(request.method_string()),
             .target = std::string(request.target()),
-            .host = single(request, "Host"),
-            .origin = single(request, "Origin"),
-            .fetch_site = single(request, "Sec-Fetch-Site"),
-            .content_type = single(request, "Content-Type"),
-            .cookie = single(request, "Cookie"),
+            .host = field_value(request, "Host"),
+            .origin = field_value(request, "Origin"),
+            .fetch_site = field_value(request, "Sec-Fetch-Site"),
+            .content_type = field_value(request, "Content-Type"),
+            .cookie = field_value(request, "Cookie"),
             .body = std::move(request.body())};
 }
 
 /// Returns the response to a request that could not be read, or nullopt if the client has closed
 /// the connection or was too slow.
-inline std::optional<HttpResponse> answer_to(const error_code& error) {
+inline std::optional<HttpResponse> response_to(const error_code& error) {
     if (error == http::error::header_limit) {
         return error_response(HttpStatus::HeaderTooLarge, "the header of the request is too large");
     }
@@ -84,7 +86,7 @@ class HttpConnectionOwner {
     virtual bool is_crowded() const = 0;
     /// Moves a connection, which begins to wait for a request, to the end of the list of
     /// connections. If a new connection is one too many, the server closes the first idle
-    /// connection before it in this list.
+    /// connection of this list, but never the new one.
     virtual void move_to_end(const HttpConnection* connection) = 0;
     /// Forgets a connection, which has ended.
     virtual void remove(const HttpConnection* connection) = 0;
@@ -114,7 +116,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
                          buffer_,
                          *parser_,
                          [self = shared_from_this()](const error_code& error, std::size_t) {
-                             self->take(error);
+                             self->on_read(error);
                          });
     }
 
@@ -127,10 +129,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     enum class Next { Read, Close, Drain };
 
     // Continues after a request has been read, or could not be read.
-    void take(const error_code& error) {
+    void on_read(const error_code& error) {
         is_idle_ = false;
         if (error) {
-            if (std::optional<HttpResponse> answer = answer_to(error)) {
+            if (std::optional<HttpResponse> answer = response_to(error)) {
                 write(with_safety_fields(*std::move(answer)), Next::Drain);
             } else {
                 owner_.remove(this);
@@ -139,15 +141,16 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
         }
         stream_.expires_never();
         const Next next = parser_->get().keep_alive() ? Next::Read : Next::Close;
-        asio::post(
-            owner_.pool(),
-            [self = shared_from_this(), request = plain(parser_->release()), next]() mutable {
-                HttpResponse response = self->owner_.handle(request);
-                asio::post(self->owner_.io(),
-                           [self, response = std::move(response), next]() mutable {
-                               self->write(std::move(response), next);
-                           });
-            });
+        asio::post(owner_.pool(),
+                   [self = shared_from_this(),
+                    request = to_http_request(parser_->release()),
+                    next]() mutable {
+                       HttpResponse response = self->owner_.handle(request);
+                       asio::post(self->owner_.io(),
+                                  [self, response = std::move(response), next]() mutable {
+                                      self->write(std::move(response), next);
+                                  });
+                   });
     }
 
     void write(HttpResponse response, Next next) {

@@ -33,13 +33,14 @@ namespace {
 // The data that the maps of a frame share is kept for several frames, whose pictures together have
 // at most this many pixels.
 constexpr std::size_t kLargestKept = 4UL * 1024 * 1024;
-// The number of pictures that are drawn from the same kept data. Each may add to the data, because
-// some of it depends on options, such as the width of films.
+// The largest number of pictures that are drawn from the same kept data. Each picture may add to
+// the data, because some of the data depends on options, such as the width of films.
 constexpr int kLargestUses = 64;
 constexpr std::size_t kLargestRanges = 1000;
 
-/// Changes the range of an image so that it holds all numbers, as fit_automatic_ranges does for all
-/// frames. `value` is the present value of the option that sets the range.
+/// Changes the range of an image so that the range contains all numbers of the image, as
+/// fit_automatic_ranges does for all frames. `value` is the present value of the option that sets
+/// the range.
 void fit_to_picture(NumberPixels& numbers, double value) {
     const NumberExtent extent = extent_of(numbers);
     const double largest =
@@ -59,10 +60,10 @@ bool includes(const DistanceNeeds& all, const DistanceNeeds& some) {
 
 }  // namespace
 
-// A frame on a grid, and what its maps share. `drawable` borrows the frame, so objects are neither
-// copied nor moved.
-struct Painter::Shown {
-    Shown(SimulatedFrame simulated, const RasterGrid& grid, const DistanceNeeds& distance)
+// A frame on a grid, and the data that its maps share. `drawable` refers to `frame`, so objects are
+// neither copied nor moved.
+struct Painter::SharedData {
+    SharedData(SimulatedFrame simulated, const RasterGrid& grid, const DistanceNeeds& distance)
         : frame(std::move(simulated)),
           needs(distance),
           drawable(frame, grid, distance, thread_count(0)) {}
@@ -75,7 +76,7 @@ struct Painter::Shown {
     SimulatedFrame frame;
     DistanceNeeds needs;
     DrawableFrame drawable;
-    int uses = 0;
+    int uses = 0;      // number of further pictures that were drawn from the data
     std::mutex mutex;  // held while a map is drawn
 };
 
@@ -88,8 +89,8 @@ struct Painter::DrawnMap {
 Painter::Painter(FrameStore& store) : store_(store) {}
 Painter::~Painter() = default;
 
-std::shared_ptr<Painter::Shown> Painter::shown(const Preset& preset,
-                                               const PictureRequest& request) {
+std::shared_ptr<Painter::SharedData> Painter::shared_data(const Preset& preset,
+                                                          const PictureRequest& request) {
     const bool is_draft = request.quality == PictureQuality::Draft;
     const ReducedImage reduced = reduced_image(preset, request.side);
     const std::string key = fmt::format("{} {} {} {}x{} {} {} {} {}",
@@ -111,7 +112,7 @@ std::shared_ptr<Painter::Shown> Painter::shown(const Preset& preset,
         const auto found = std::ranges::find(
             kept_, key, [](const auto& one) { return std::string_view(one.first); });
         if (found != kept_.end()) {
-            std::shared_ptr<Shown> kept = found->second;
+            std::shared_ptr<SharedData> kept = found->second;
             const bool has_next = kept->frame.next != nullptr;
             if (includes(kept->needs, needs) && ++kept->uses < kLargestUses &&
                 (has_next || next_frames == NextFrames::Omitted)) {
@@ -127,7 +128,7 @@ std::shared_ptr<Painter::Shown> Painter::shown(const Preset& preset,
                                ? store_.draft(preset)
                                : store_.frame(preset, request.frame, next_frames, request.page);
     const RasterGrid grid = reduced.grid(frame.view);
-    auto made = std::make_shared<Shown>(std::move(frame), grid, needs);
+    auto made = std::make_shared<SharedData>(std::move(frame), grid, needs);
     const std::scoped_lock lock(mutex_);
     kept_.emplace_front(key, made);
     std::size_t pixels = 0;
@@ -184,9 +185,9 @@ bool Painter::fit_range(const Preset& preset, const PictureRequest& request, Map
     return true;
 }
 
-Painter::DrawnMap Painter::drawn(const Preset& preset,
-                                 const PictureRequest& request,
-                                 Shown& frame) {
+Painter::DrawnMap Painter::draw_map(const Preset& preset,
+                                    const PictureRequest& request,
+                                    SharedData& frame) {
     ReducedImage reduced = reduced_image(preset, request.side);
     const bool has_range = fit_range(preset, request, reduced.options);
     const Map& map = find_map(request.map);
@@ -204,8 +205,8 @@ Painter::DrawnMap Painter::drawn(const Preset& preset,
 }
 
 HttpResponse Painter::draw(const Preset& preset, const PictureRequest& request) {
-    const std::shared_ptr<Shown> frame = shown(preset, request);
-    const DrawnMap map = drawn(preset, request, *frame);
+    const std::shared_ptr<SharedData> frame = shared_data(preset, request);
+    const DrawnMap map = draw_map(preset, request, *frame);
     const MapSize size = size_of(map.image);
     const auto* const numbers = std::get_if<NumberPixels>(&map.image);
     const Json header = {{"width", size.width},
@@ -229,8 +230,8 @@ HttpResponse Painter::draw(const Preset& preset, const PictureRequest& request) 
 }
 
 Json Painter::pick(const Preset& preset, const PictureRequest& request, int x, int y) {
-    const std::shared_ptr<Shown> frame = shown(preset, request);
-    const DrawnMap map = drawn(preset, request, *frame);
+    const std::shared_ptr<SharedData> frame = shared_data(preset, request);
+    const DrawnMap map = draw_map(preset, request, *frame);
     const MapSize size = size_of(map.image);
     x = std::clamp(x, 0, size.width - 1);
     const int row = size.height - 1 - std::clamp(y, 0, size.height - 1);

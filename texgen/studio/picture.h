@@ -56,17 +56,17 @@ class Painter {
     Json pick(const Preset& preset, const PictureRequest& request, int x, int y);
 
   private:
-    struct Shown;     // a frame, and what its maps share
-    struct DrawnMap;  // an image, and whether it is exact
+    struct SharedData;  // a frame, and the data that its maps share
+    struct DrawnMap;    // an image, and whether it is exact
 
-    std::shared_ptr<Shown> shown(const Preset& preset, const PictureRequest& request);
-    DrawnMap drawn(const Preset& preset, const PictureRequest& request, Shown& frame);
+    std::shared_ptr<SharedData> shared_data(const Preset& preset, const PictureRequest& request);
+    DrawnMap draw_map(const Preset& preset, const PictureRequest& request, SharedData& frame);
     bool fit_range(const Preset& preset, const PictureRequest& request, MapOptions& options);
 
     FrameStore& store_;
     std::mutex fitting_mutex_;  // held while a range is fitted
     std::mutex mutex_;          // protects the members below
-    std::list<std::pair<std::string, std::shared_ptr<Shown>>> kept_;  // the newest is first
+    std::list<std::pair<std::string, std::shared_ptr<SharedData>>> kept_;  // the newest is first
     std::map<std::string, double> ranges_;  // fitted ranges, by simulation, map and options
 };
 

@@ -87,18 +87,18 @@ class StudioRoutes {
     }
 
     HttpResponse picture(const JsonValue& request) const {
-        return painter_.draw(live(request), picture_request(request));
+        return painter_.draw(live_preset(request), picture_request(request));
     }
 
     HttpResponse simulation(const JsonValue& request) const {
-        return json_response(simulation_json(store_.want(live(request), page_of(request))));
+        return json_response(simulation_json(store_.want(live_preset(request), page_of(request))));
     }
 
     HttpResponse pick(const JsonValue& request) const {
         constexpr int kLargest = std::numeric_limits<int>::max();
         const auto x = static_cast<int>(request["x"].integer(0, kLargest));
         const auto y = static_cast<int>(request["y"].integer(0, kLargest));
-        return json_response(painter_.pick(live(request), picture_request(request), x, y));
+        return json_response(painter_.pick(live_preset(request), picture_request(request), x, y));
     }
 
     HttpResponse bake(const JsonValue& request) const {
@@ -138,7 +138,7 @@ class StudioRoutes {
         if (kind == "preset") {
             return preset_download(settings, load_settings(settings, folder_));
         }
-        const Preset preset = live(request);
+        const Preset preset = live_preset(request);
         const std::string map(find_map(request["map"].text()).name);
         if (kind == "frame") {
             return frame_download(preset, map, frame_of(request), store_);
@@ -173,8 +173,8 @@ class StudioRoutes {
     }
 
   private:
-    Preset live(const JsonValue& request) const {
-        return load_live(read_settings(request), folder_);
+    Preset live_preset(const JsonValue& request) const {
+        return load_live_preset(read_settings(request), folder_);
     }
 
     const StudioFolder& folder_;

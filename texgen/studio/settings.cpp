@@ -109,18 +109,18 @@ PagePreset load_settings(const PageSettings& settings, const StudioFolder& folde
             const std::vector<Assignment> events = read_events(*settings.events);
             assignments.insert(assignments.end(), events.begin(), events.end());
         }
-        loaded.located = assignments;
-        locate_files(loaded.located,
+        loaded.resolved_assignments = assignments;
+        locate_files(loaded.resolved_assignments,
                      [&](const std::string& path) { return folder.below(path).string(); });
         loaded.preset = loaded.base;
-        assign(loaded.preset, loaded.located);
+        assign(loaded.preset, loaded.resolved_assignments);
     } catch (const PresetError& error) {
         throw SettingsRejected(error.what(), key_of(error.what(), assignments));
     }
     return loaded;
 }
 
-Preset load_live(const PageSettings& settings, const StudioFolder& folder) {
+Preset load_live_preset(const PageSettings& settings, const StudioFolder& folder) {
     Preset preset = load_settings(settings, folder).preset;
     if (preset.seeding.bubbles > kLargestLiveFoam) {
         throw SettingsRejected(

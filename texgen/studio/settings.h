@@ -45,22 +45,22 @@ PageSettings read_settings(const JsonValue& request);
 
 /// A preset with the settings of a page.
 struct PagePreset {
-    Preset
-        base;  // the preset without the changes, and without its events if the page replaces them
-    std::vector<Assignment> located;  // the changes, with absolute paths of files
-    Preset preset;                    // `base` with the changes
+    // The preset without the changes of the page, and without its events if the page replaces them.
+    Preset base;
+    std::vector<Assignment> resolved_assignments;  // the changes, with absolute paths of files
+    Preset preset;                                 // `base` with the changes
     // The changes as the page gives them: paths of files are relative to the folder of the studio.
     std::vector<Assignment> assignments;
 };
 
-/// Loads the preset of a page and stores the changes of the page in it. Throws SettingsRejected if
+/// Loads the preset of a page and applies the changes of the page to it. Throws SettingsRejected if
 /// a value is not allowed or the preset does not exist. Throws PathRejected if a path is not
 /// allowed (StudioFolder::below).
 PagePreset load_settings(const PageSettings& settings, const StudioFolder& folder);
 
 /// Returns the preset of load_settings. Throws as load_settings does, and SettingsRejected if the
 /// foam is too large to be simulated while a page is open (kLargestLiveFoam).
-Preset load_live(const PageSettings& settings, const StudioFolder& folder);
+Preset load_live_preset(const PageSettings& settings, const StudioFolder& folder);
 
 /// Returns the command that bakes the images of a page. `options` are options of the command, such
 /// as {"--frames", "1"}. Returns nullopt if the command line cannot express the settings, because

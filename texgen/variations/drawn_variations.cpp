@@ -29,9 +29,9 @@ namespace {
 
 /// Returns the preset of a variation, changed so that its only image is the picture of the
 /// variation, which a bake writes to `folder`.
-Preset reduced(Preset preset,
-               const VariationDrawing& drawing,
-               const std::filesystem::path& folder) {
+Preset picture_preset(Preset preset,
+                      const VariationDrawing& drawing,
+                      const std::filesystem::path& folder) {
     reduced_image(preset, drawing.side).apply_to(preset);
     preset.image.maps = {drawing.map};
     preset.output = {};
@@ -47,11 +47,11 @@ Image<std::uint8_t> gray_picture(int width, int height) {
 
 /// Bakes the picture of a variation in a scratch folder and reads its file. If the bake is not
 /// complete, the picture is gray.
-DrawnVariation drawn(const Preset& preset,
-                     const VariationDrawing& drawing,
-                     const ProgressCallback& on_progress) {
+DrawnVariation draw_variation(const Preset& preset,
+                              const VariationDrawing& drawing,
+                              const ProgressCallback& on_progress) {
     const ScratchFolder scratch;
-    const Preset small = reduced(preset, drawing, scratch.path());
+    const Preset small = picture_preset(preset, drawing, scratch.path());
     DrawnVariation variation{.pixels = gray_picture(small.image.width, small.image.height),
                              .outcome = {}};
     variation.outcome =
@@ -91,7 +91,7 @@ std::uint64_t estimated_memory(std::span<const Preset> presets, const VariationD
     std::vector<std::uint64_t> needs;  // the memory for drawing each picture
     std::uint64_t total = 0;
     for (const Preset& preset : presets) {
-        const Preset small = reduced(preset, drawing, "");
+        const Preset small = picture_preset(preset, drawing, "");
         needs.push_back(estimated_memory(small, 1, 1));
         // The picture is kept, and copied into the sheet.
         total += std::uint64_t{2} * DisplayFrame::kColors *
@@ -113,7 +113,7 @@ std::vector<DrawnVariation> draw_variations(std::span<const Preset> presets,
     ProgressMeter meter(Phase::Previews, static_cast<int>(presets.size()), on_progress);
     meter.begin();
     parallel_for(presets.size(), 1, drawing.threads, [&](std::size_t k, std::size_t) {
-        variations[k] = drawn(presets[k], drawing, meter.for_source());
+        variations[k] = draw_variation(presets[k], drawing, meter.for_source());
         meter.add();
     });
     return variations;

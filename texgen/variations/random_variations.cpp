@@ -34,7 +34,7 @@ std::vector<KeyValues> drawn_keys(const Preset& preset) {
     return keys;
 }
 
-/// Returns the values of a list, in which a range with a count is replaced by its numbers.
+/// Returns the values of a key. Each range with a count is replaced by its numbers.
 std::vector<std::variant<Value, NumberRange>> expanded(const KeyValues& varied) {
     std::vector<std::variant<Value, NumberRange>> values;
     for (const auto& value : varied.values) {

@@ -19,7 +19,7 @@ struct RandomDraw {
     std::set<std::string> fixed = {};  // keys that do not vary
 };
 
-/// The largest seed of a foam that a random variation has, unless preset.vary lists foam.seed.
+/// The largest value of foam.seed in a random variation if preset.vary does not list foam.seed.
 inline constexpr int kLargestRandomSeed = 999;
 
 /// Returns variations with random values of foam.seed and of the keys in preset.vary, each value

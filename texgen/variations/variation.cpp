@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-void check(std::span<const Sweep> sweeps) {
+void check_sweeps(std::span<const Sweep> sweeps) {
     std::size_t count = 1;
     for (std::size_t k = 0; k < sweeps.size(); ++k) {
         count *= sweeps[k].values.size();
@@ -34,7 +34,7 @@ void check(std::span<const Sweep> sweeps) {
 }  // namespace
 
 std::vector<Variation> variations_of(std::span<const Sweep> sweeps) {
-    check(sweeps);
+    check_sweeps(sweeps);
     std::vector<Variation> variations(1);
     for (const Sweep& sweep : sweeps) {
         std::vector<Variation> extended;

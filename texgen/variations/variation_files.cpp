@@ -47,7 +47,7 @@ std::vector<std::filesystem::path> VariationFiles::earlier() const {
     std::vector<std::filesystem::path> files;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
-        if (!is_of_variation(entry.path().filename().string())) {
+        if (!is_variation_name(entry.path().filename().string())) {
             continue;
         }
         if (!has_mark(entry.path())) {
@@ -60,7 +60,7 @@ std::vector<std::filesystem::path> VariationFiles::earlier() const {
     return files;
 }
 
-bool VariationFiles::is_of_variation(const std::string& name) const {
+bool VariationFiles::is_variation_name(const std::string& name) const {
     const std::string start = stem_ + "_";
     if (!name.starts_with(start) || !name.ends_with(kSuffix) ||
         name.size() <= start.size() + kSuffix.size()) {

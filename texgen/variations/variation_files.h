@@ -27,7 +27,7 @@ class VariationFiles {
     std::vector<std::filesystem::path> earlier() const;
 
   private:
-    bool is_of_variation(const std::string& name) const;
+    bool is_variation_name(const std::string& name) const;
 
     std::filesystem::path folder_;
     std::string stem_;

@@ -75,7 +75,7 @@ namespace {
 void require_width(double width, const char* key, const char* remedy) {
     if (!(width > 0.0)) {
         throw std::invalid_argument(
-            fmt::format("outlines and walls need a width, but {} is 0; set {}", key, remedy));
+            fmt::format("outlines and walls need a width, but {} is 0; {}", key, remedy));
     }
 }
 
@@ -85,7 +85,7 @@ void check_wall_width(VectorContent content, const MapOptions& maps, const Vecto
     if (options.wall_width > 0.0) {
         return;
     }
-    constexpr const char* kRemedy = "it or vector.wall_width";
+    constexpr const char* kRemedy = "set it or vector.wall_width";
     if (content == VectorContent::Foam) {
         require_width(maps.albedo.film_width, "albedo.film_width", kRemedy);
     } else if (content == VectorContent::Contour) {
@@ -100,7 +100,7 @@ void check_width(VectorContent content, const MapOptions& maps, const VectorOpti
         return;
     }
     if (content == VectorContent::MazeSolution) {
-        require_width(maps.maze.solution_width, "maze.solution_width", "it");
+        require_width(maps.maze.solution_width, "maze.solution_width", "set it");
     }
     check_wall_width(content, maps, options);
 }

@@ -96,9 +96,9 @@ void include(const Chain& chain, Box& box) {
 }
 
 Chain circle(const Vec2& center, double radius) {
-    constexpr double kQuarter = 0.5 * std::numbers::pi;
+    constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
     const Vec2 right = center + Vec2(radius, 0.0);
-    return {right, {{center - Vec2(radius, 0.0), kQuarter}, {right, kQuarter}}, true};
+    return {right, {{center - Vec2(radius, 0.0), kQuarterTurn}, {right, kQuarterTurn}}, true};
 }
 
 namespace {

@@ -28,12 +28,12 @@ namespace {
 
 // The lines of one layer of a drawing. If they are cut at the border of the tile of a torus:
 // - `lines` contains their parts, moved into the tile;
-// - `near` contains whole copies of all lines that touch the tile when drawn with their width;
-// - `beyond` contains the parts of these copies outside of the tile.
+// - `near_lines` contains whole copies of all lines that touch the tile if drawn with their width;
+// - `parts_beyond` contains the parts of these copies outside of the tile.
 //
-// If the lines are not cut, `near` equals `lines`, and `beyond` is empty. films_work fills only the
-// members that are drawn: `near` if walls are drawn as outlines, `lines` and `beyond` if they are
-// drawn as lines.
+// If the lines are not cut, `near_lines` equals `lines`, and `parts_beyond` is empty. films_work
+// fills only the members that are drawn: `near_lines` if walls are drawn as outlines, `lines` and
+// `parts_beyond` if they are drawn as lines.
 struct LineWork {
     std::string layer;  // name of the layer
     std::string kind;   // class of the shapes in an SVG (Shape::kind)
@@ -41,20 +41,20 @@ struct LineWork {
     double width = 0.0;  // millimeters
     bool is_cut = false;
     std::vector<NetArc> lines{};
-    std::vector<NetArc> near{};
-    std::vector<DrawnArc> beyond{};
+    std::vector<NetArc> near_lines{};
+    std::vector<DrawnArc> parts_beyond{};
 };
 
 // Adds each chain of lines as a shape.
 void add_chains(const LineWork& work,
                 const std::string& name,
-                bool is_beyond,
+                bool is_beyond_tile,
                 const std::vector<Chain>& chains,
                 Drawing& drawing) {
     Layer layer{.name = name,
                 .style = {.stroke = work.color, .stroke_width = work.width},
-                .is_outline = !is_beyond,
-                .is_beyond = is_beyond};
+                .is_tool_path = !is_beyond_tile,
+                .is_beyond_tile = is_beyond_tile};
     for (const Chain& chain : chains) {
         layer.shapes.push_back({.kind = work.kind, .chains = {chain}});
     }
@@ -62,9 +62,9 @@ void add_chains(const LineWork& work,
 }
 
 void add_lines(const LineWork& work, Drawing& drawing) {
-    if (!work.beyond.empty() && work.width > 0.0) {
+    if (!work.parts_beyond.empty() && work.width > 0.0) {
         std::vector<Chain> parts;
-        for (const DrawnArc& arc : work.beyond) {
+        for (const DrawnArc& arc : work.parts_beyond) {
             parts.push_back(chain_of(std::span(&arc, 1), false));
         }
         add_chains(work, work.layer + "_beyond", true, parts, drawing);
@@ -73,14 +73,14 @@ void add_lines(const LineWork& work, Drawing& drawing) {
 }
 
 void add_outlines(const LineWork& work, Drawing& drawing) {
-    std::vector<Chain> outlines = wall_outlines(work.near, work.width);
+    std::vector<Chain> outlines = wall_outlines(work.near_lines, work.width);
     if (work.is_cut) {
         outlines = clipped_to_tile(outlines, drawing.width, drawing.height);
     }
     drawing.layers.push_back({.name = work.layer,
                               .style = {.fill = work.color},
                               .shapes = {{.kind = work.kind, .chains = std::move(outlines)}},
-                              .is_outline = true});
+                              .is_tool_path = true});
 }
 
 void add_work(const LineWork& work, VectorWalls walls, Drawing& drawing) {
@@ -103,9 +103,9 @@ LineWork films_work(const Appearance& look,
                   .is_cut = layout.is_cut()};
     if (options.walls == VectorWalls::Lines) {
         work.lines = layout.lines(look.has_line);
-        work.beyond = layout.lines_beyond_tile(look.has_line, width);
+        work.parts_beyond = layout.lines_beyond_tile(look.has_line, width);
     } else {
-        work.near = layout.lines_near_tile(look.has_line, width);
+        work.near_lines = layout.lines_near_tile(look.has_line, width);
     }
     return work;
 }
@@ -120,8 +120,8 @@ constexpr int kPiecesPerStation = 4;
 void add_solution_arc(
     const DrawnArc& arc, std::size_t k, const Page& page, NetNodes& nodes, LineWork& work) {
     if (page.domain.is_plane()) {
-        work.lines.push_back({arc, nodes.of(k, {}), nodes.of(k + 1, {})});
-        work.near.push_back(work.lines.back());
+        work.lines.push_back({arc, nodes.node_of(k, {}), nodes.node_of(k + 1, {})});
+        work.near_lines.push_back(work.lines.back());
         return;
     }
     const std::vector<CellPiece> pieces = cut_at_cells(arc, page.domain);
@@ -130,14 +130,17 @@ void add_solution_arc(
         // the two arcs that meet there may be in different cells. Moved into the tile, they then
         // end on opposite sides.
         const LatticeOffset cell = pieces[m].cell;
-        const std::uint64_t tail = m == 0 ? nodes.of(k, cell) : nodes.unique();
-        const std::uint64_t head = m + 1 == pieces.size() ? nodes.of(k + 1, cell) : nodes.unique();
+        const std::uint64_t tail = m == 0 ? nodes.node_of(k, cell) : nodes.unshared_node();
+        const std::uint64_t head =
+            m + 1 == pieces.size() ? nodes.node_of(k + 1, cell) : nodes.unshared_node();
         work.lines.push_back({pieces[m].arc, tail, head});
     }
     for (const ArcCopy& copy : copies_near_tile(arc, page, work.width)) {
-        work.near.push_back({copy.arc, nodes.of(k, copy.by), nodes.of(k + 1, copy.by)});
+        work.near_lines.push_back(
+            {copy.arc, nodes.node_of(k, copy.offset), nodes.node_of(k + 1, copy.offset)});
     }
-    std::ranges::copy(parts_beyond_tile(arc, page, work.width), std::back_inserter(work.beyond));
+    std::ranges::copy(parts_beyond_tile(arc, page, work.width),
+                      std::back_inserter(work.parts_beyond));
 }
 
 LineWork solution_work(FrameLayers& layers, const MazeOptions& options, const Page& page) {
@@ -200,8 +203,8 @@ void add_bubbles(const FrameLayers& layers,
     drawing.layers.push_back(std::move(layer));
 }
 
-// Colors the ground under the lines. If the tile cuts the bubbles, this is the whole drawing.
-// Otherwise, it is all bubbles as one shape, so that there are no seams between bubbles.
+// Colors the ground under the lines. If the tile cuts the bubbles, the ground is the whole drawing.
+// Otherwise, the ground is one shape of all bubbles, so that there are no seams between bubbles.
 void add_ground(const std::string& color, const FoamLayout& layout, Drawing& drawing) {
     if (layout.is_cut()) {
         drawing.background = color;

@@ -35,10 +35,12 @@ struct Layer {
     std::string name;
     Style style{};
     std::vector<Shape> shapes{};
-    bool is_outline = false;  // true for lines and walls, which plotters and cutters follow
-    // True if the shapes are the parts of lines outside of the tile. Such a line is drawn because
-    // its width may reach into the tile.
-    bool is_beyond = false;
+    // True for lines and walls that plotters and cutters follow; false for bubbles, for the ground,
+    // and for parts of lines beyond the tile.
+    bool is_tool_path = false;
+    // True if the shapes are those parts of lines that are outside of the tile. They are drawn
+    // because half of their stroke may reach into the tile.
+    bool is_beyond_tile = false;
 };
 
 /// A drawing of a frame. Lengths are in millimeters. The origin is the lower left corner of the

@@ -21,7 +21,7 @@ namespace {
 // black one.
 constexpr int kBlackOrWhite = 7;
 constexpr int kRed = 1;
-constexpr int kGrey = 8;
+constexpr int kGray = 8;
 
 constexpr std::string_view kModelSpace = "1F";
 constexpr std::string_view kPaperSpace = "1E";
@@ -157,11 +157,11 @@ void write_layers(const Drawing& drawing, DxfWriter& dxf) {
     };
     add("0", kBlackOrWhite);
     for (const Layer& layer : drawing.layers) {
-        if (layer.is_outline) {
+        if (layer.is_tool_path) {
             add(layer.name, layer.name == "solution" ? kRed : kBlackOrWhite);
         }
     }
-    add("junctions", kGrey);
+    add("junctions", kGray);
     dxf.end_table();
 }
 
@@ -249,7 +249,7 @@ void write_chain(const Chain& chain, std::string_view layer, DxfWriter& dxf) {
 void write_entities(const Drawing& drawing, DxfWriter& dxf) {
     dxf.section("ENTITIES");
     for (const Layer& layer : drawing.layers) {
-        for (const Shape& shape : layer.is_outline ? layer.shapes : std::vector<Shape>()) {
+        for (const Shape& shape : layer.is_tool_path ? layer.shapes : std::vector<Shape>()) {
             for (const Chain& chain : shape.chains) {
                 write_chain(chain, layer.name, dxf);
             }

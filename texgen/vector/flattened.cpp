@@ -10,7 +10,7 @@
 
 namespace foam::texgen {
 
-std::size_t parts_of(const DrawnArc& arc, double tolerance) {
+std::size_t part_count(const DrawnArc& arc, double tolerance) {
     const double length = (arc.head - arc.tail).norm();
     const double half_angle = std::abs(arc.half_angle);
     const double sine = ieee::sin(half_angle);
@@ -19,10 +19,10 @@ std::size_t parts_of(const DrawnArc& arc, double tolerance) {
     }
     // An arc of radius r and half angle a is at most r (1 - cos a) <= r a² / 2 away from its chord.
     // For each part, this distance must not exceed the tolerance, and a must not exceed
-    // kLargestPart.
-    constexpr double kLargestPart = 0.25;
+    // kLargestHalfAngle.
+    constexpr double kLargestHalfAngle = 0.25;
     const double radius = 0.5 * length / sine;
-    const double part = std::min(kLargestPart, std::sqrt(2.0 * tolerance / radius));
+    const double part = std::min(kLargestHalfAngle, std::sqrt(2.0 * tolerance / radius));
     return static_cast<std::size_t>(std::max(1.0, std::ceil(half_angle / part)));
 }
 
@@ -31,7 +31,7 @@ std::vector<Ring> flattened(std::span<const Chain> chains, double tolerance) {
     for (const Chain& chain : chains) {
         Ring ring;
         for (const DrawnArc& arc : arcs_of(chain)) {
-            const std::size_t parts = parts_of(arc, tolerance);
+            const std::size_t parts = part_count(arc, tolerance);
             ring.push_back(arc.tail);
             for (std::size_t k = 1; k < parts; ++k) {
                 const double fraction = static_cast<double>(k) / static_cast<double>(parts);

@@ -44,10 +44,10 @@ PerBubble<std::vector<Chain>> FoamLayout::bubbles() const {
             if (is_cut_) {
                 return closed_in_cells(outline, page_.domain);
             }
-            const Vec2 by = page_.domain.translation(drawn_offset(bubble));
-            outline.tail += by;
+            const Vec2 translation = page_.domain.translation(drawn_offset(bubble));
+            outline.tail += translation;
             for (Chain::Step& step : outline.steps) {
-                step.head += by;
+                step.head += translation;
             }
             return {outline};
         },
@@ -57,7 +57,7 @@ PerBubble<std::vector<Chain>> FoamLayout::bubbles() const {
 }
 
 void FoamLayout::add_lone_bubbles(std::vector<NetArc>& lines) const {
-    std::uint64_t node = std::uint64_t{3} << 62;
+    std::uint64_t node = std::uint64_t{3} << 62;  // above all nodes of NetNodes
     for (const LoneBubble& bubble : frame_.lone_bubbles) {
         const Chain outline = circle(page_(bubble.center), page_.scale * lone_radius(bubble));
         const std::vector<DrawnArc> arcs = arcs_of(outline);
@@ -84,11 +84,13 @@ std::vector<NetArc> FoamLayout::cut_lines(const FilmFilter& is_chosen) const {
             // If a junction is on the border, the part that ends at it may be in the neighboring
             // cell. Moved into the tile, this part ends on the opposite side, and therefore does
             // not share the node of the junction.
-            const bool at_tail = k == 0 && cell == LatticeOffset{};
-            const bool at_head = k + 1 == pieces.size() && cell == frame_.network.offset(side);
-            lines.push_back({pieces[k].arc,
-                             at_tail ? nodes.of(frame_.network.tail(side), {}) : nodes.unique(),
-                             at_head ? nodes.of(frame_.network.head(side), {}) : nodes.unique()});
+            const bool shares_tail = k == 0 && cell == LatticeOffset{};
+            const bool shares_head = k + 1 == pieces.size() && cell == frame_.network.offset(side);
+            lines.push_back(
+                {pieces[k].arc,
+                 shares_tail ? nodes.node_of(frame_.network.tail(side), {}) : nodes.unshared_node(),
+                 shares_head ? nodes.node_of(frame_.network.head(side), {})
+                             : nodes.unshared_node()});
         }
     }
     return lines;
@@ -101,18 +103,19 @@ std::vector<NetArc> FoamLayout::whole_lines(const FilmFilter& is_chosen) const {
     std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, bool> drawn;
     std::vector<NetArc> lines;
     for (const BubbleId bubble : frame_.network.bubbles()) {
-        LatticeOffset at = drawn_offset(bubble);
+        LatticeOffset tail_offset = drawn_offset(bubble);
         for (const HalfEdgeId h : frame_.network.around(bubble)) {
-            const LatticeOffset next = at + frame_.network.offset(h);
-            const LatticeOffset& tail = is_forward(h) ? at : next;
+            const LatticeOffset head_offset = tail_offset + frame_.network.offset(h);
+            const LatticeOffset& film_offset = is_forward(h) ? tail_offset : head_offset;
             const FilmId film = film_of(h);
             if (is_chosen(film) &&
-                drawn.try_emplace({index_of(film), tail.i, tail.j}, true).second) {
-                lines.push_back({moved_by(arc_on(page_, frame_, h), page_.domain.translation(at)),
-                                 nodes.of(frame_.network.tail(h), at),
-                                 nodes.of(frame_.network.head(h), next)});
+                drawn.try_emplace({index_of(film), film_offset.i, film_offset.j}, true).second) {
+                lines.push_back(
+                    {moved_by(arc_on(page_, frame_, h), page_.domain.translation(tail_offset)),
+                     nodes.node_of(frame_.network.tail(h), tail_offset),
+                     nodes.node_of(frame_.network.head(h), head_offset)});
             }
-            at = next;
+            tail_offset = head_offset;
         }
     }
     return lines;
@@ -135,11 +138,12 @@ std::vector<NetArc> FoamLayout::lines_near_tile(const FilmFilter& is_chosen, dou
             continue;
         }
         const HalfEdgeId side = forward_side(film);
-        for (const auto& [arc, by] : copies_near_tile(arc_on(page_, frame_, side), page_, reach)) {
+        for (const auto& [arc, offset] :
+             copies_near_tile(arc_on(page_, frame_, side), page_, reach)) {
             lines.push_back(
                 {arc,
-                 nodes.of(frame_.network.tail(side), by),
-                 nodes.of(frame_.network.head(side), by + frame_.network.offset(side))});
+                 nodes.node_of(frame_.network.tail(side), offset),
+                 nodes.node_of(frame_.network.head(side), offset + frame_.network.offset(side))});
         }
     }
     return lines;

@@ -65,11 +65,12 @@ Samples samples_along(int count, double pixel, bool repeats) {
 // repeats on both sides. Heights between the centers of pixels are interpolated.
 double height_between(const Image<float>& heights, double x) {
     const double left = std::floor(x);
-    const auto at = [&](double column) {
+    const auto height_of_column = [&](double column) {
         const double wrapped = column - std::floor(column / heights.width()) * heights.width();
         return static_cast<double>(heights.samples()[static_cast<std::size_t>(wrapped)]);
     };
-    return at(left) + (x - left) * (at(left + 1.0) - at(left));
+    return height_of_column(left) +
+           (x - left) * (height_of_column(left + 1.0) - height_of_column(left));
 }
 
 // Returns the heights at the points of the slab, row by row. On a torus, the last row of the slab
@@ -135,7 +136,7 @@ void check_triangles(std::span<const Chain> chains, const MeshOptions& options) 
     std::size_t corners = 0;
     for (const Chain& chain : chains) {
         for (const DrawnArc& arc : arcs_of(chain)) {
-            corners += parts_of(arc, options.tolerance_mm);
+            corners += part_count(arc, options.tolerance_mm);
         }
     }
     if (kTrianglesPerCorner * corners > kMaxTriangles) {

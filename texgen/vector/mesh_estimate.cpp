@@ -32,10 +32,11 @@ BytesPerTriangle bytes_per_triangle(MeshKind kind, bool is_glb) {
 // number of parts that grows as sqrt(d / tolerance). Both constants are from the measurement
 // described at BytesPerTriangle.
 double wall_triangles(const VectorSettings& settings, int bubbles) {
-    constexpr double kOfCorners = 24.0;
-    constexpr double kOfArcs = 3.1;
-    const double across = settings.drawing.width_mm / std::sqrt(static_cast<double>(bubbles));
-    return bubbles * (kOfCorners + kOfArcs * std::sqrt(across / settings.mesh.tolerance_mm));
+    constexpr double kCornerTriangles = 24.0;
+    constexpr double kArcTriangles = 3.1;
+    const double bubble_size = settings.drawing.width_mm / std::sqrt(static_cast<double>(bubbles));
+    return bubbles *
+           (kCornerTriangles + kArcTriangles * std::sqrt(bubble_size / settings.mesh.tolerance_mm));
 }
 
 }  // namespace

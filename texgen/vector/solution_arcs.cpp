@@ -20,9 +20,10 @@ double angle_between(const Vec2& a, const Vec2& b) {
 // between the ends of the handles, a + d t and b - d u. Therefore d is the positive root of
 // chord² = 2 d chord · (t + u) + 2 d² (1 - t · u).
 double handle_of(const Vec2& chord, const Vec2& t, const Vec2& u) {
-    const double across = 2.0 * (1.0 - t.dot(u));
-    const double along = chord.dot(t + u);
-    return chord.squaredNorm() / (along + std::sqrt(along * along + across * chord.squaredNorm()));
+    const double quadratic = 2.0 * (1.0 - t.dot(u));
+    const double half_linear = chord.dot(t + u);
+    return chord.squaredNorm() /
+           (half_linear + std::sqrt(half_linear * half_linear + quadratic * chord.squaredNorm()));
 }
 
 }  // namespace

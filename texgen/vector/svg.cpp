@@ -74,15 +74,15 @@ class PathWriter {
 
   private:
     void add(const DrawnArc& arc) {
-        const double size = std::abs(arc.half_angle);
-        if (size > kLargestHalfAngle) {
+        const double half_angle = std::abs(arc.half_angle);
+        if (half_angle > kLargestHalfAngle) {
             const Vec2 middle = arc.tail + point_at(arc.arc(), 0.5);
             add({arc.tail, middle, 0.5 * arc.half_angle});
             add({middle, arc.head, 0.5 * arc.half_angle});
-        } else if (size < kSmallestHalfAngle) {
+        } else if (half_angle < kSmallestHalfAngle) {
             text_ += "L" + point(arc.head);
         } else {
-            const double radius = 0.5 * (arc.head - arc.tail).norm() / ieee::sin(size);
+            const double radius = 0.5 * (arc.head - arc.tail).norm() / ieee::sin(half_angle);
             const std::string r = length_text(radius);
             text_ += "A" + r + "," + r + " 0 0," + (arc.half_angle > 0.0 ? "0 " : "1 ") +
                      point(arc.head);

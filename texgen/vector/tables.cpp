@@ -32,7 +32,7 @@ std::string integer_text(std::uint64_t number) {
     return fmt::format("{}", number);
 }
 
-// A page in foam units, on which nothing is moved.
+// Returns a page in foam units. Positions on it equal positions in the foam.
 Page foam_page(const Domain& domain) {
     return {domain.width, domain.height, 1.0, 1.0, Vec2(0.0, 0.0), domain};
 }

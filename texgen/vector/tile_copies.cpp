@@ -40,10 +40,10 @@ std::vector<ArcCopy> copies_near_tile(const DrawnArc& arc, const Page& page, dou
     const Vec2 to_middle = 0.5 * (tile - bounds.low - bounds.high);
     const double extent = 0.5 * (bounds.high - bounds.low + tile).maxCoeff() + reach;
     std::vector<ArcCopy> copies;
-    for (const LatticeOffset by : page.domain.offsets_near(to_middle, extent)) {
-        const DrawnArc copy = moved_by(arc, page.domain.translation(by));
+    for (const LatticeOffset offset : page.domain.offsets_near(to_middle, extent)) {
+        const DrawnArc copy = moved_by(arc, page.domain.translation(offset));
         if (is_near_tile(copy, page, reach)) {
-            copies.push_back({copy, by});
+            copies.push_back({copy, offset});
         }
     }
     return copies;

@@ -10,14 +10,14 @@
 namespace foam::texgen {
 
 /// Returns the arc, translated by a vector.
-inline DrawnArc moved_by(const DrawnArc& arc, const Vec2& by) {
-    return {arc.tail + by, arc.head + by, arc.half_angle};
+inline DrawnArc moved_by(const DrawnArc& arc, const Vec2& translation) {
+    return {arc.tail + translation, arc.head + translation, arc.half_angle};
 }
 
 /// A periodic copy of an arc on a torus.
 struct ArcCopy {
     DrawnArc arc;
-    LatticeOffset by;  // translation from the original arc to the copy
+    LatticeOffset offset;  // translation from the original arc to the copy
 };
 
 /// Returns the periodic copies of an arc that come within `reach` millimeters of the tile. Copies

@@ -126,7 +126,7 @@ std::vector<Cut> cuts_between(const ParameterArc& arc,
 // Moves a point from a cell of the torus, which is a translated copy of the tile (Domain), into the
 // tile. A coordinate that differs from a border only by rounding errors becomes exactly the
 // coordinate of the border.
-Vec2 moved(const Vec2& point, LatticeOffset cell, const Domain& torus) {
+Vec2 moved_into_tile(const Vec2& point, LatticeOffset cell, const Domain& torus) {
     Vec2 inside = point - torus.translation(cell);
     const Vec2 size(torus.width, torus.height);
     for (const int axis : {kX, kY}) {
@@ -142,8 +142,10 @@ Vec2 moved(const Vec2& point, LatticeOffset cell, const Domain& torus) {
 
 CellPiece piece_between(const ParameterArc& arc, const Cut& a, const Cut& b, const Domain& torus) {
     const LatticeOffset cell = torus.cell_of(arc.at(0.5 * (a.parameter + b.parameter)));
-    return {arc.part(
-                a.parameter, b.parameter, moved(a.point, cell, torus), moved(b.point, cell, torus)),
+    return {arc.part(a.parameter,
+                     b.parameter,
+                     moved_into_tile(a.point, cell, torus),
+                     moved_into_tile(b.point, cell, torus)),
             cell};
 }
 

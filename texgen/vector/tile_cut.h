@@ -9,7 +9,7 @@
 
 namespace foam::texgen {
 
-/// The part of an arc in one cell of a torus.
+/// The part of an arc in one cell of a torus. The cells are the tile and its periodic copies.
 struct CellPiece {
     DrawnArc arc;        // moved into the fundamental cell, the tile
     LatticeOffset cell;  // the cell that contains the part before it is moved

@@ -29,9 +29,9 @@ DecodedFile read_baked(const ManifestFile& file,
     return nullptr;
 }
 
-bool is_same_vector(const ManifestFile& file,
-                    const std::filesystem::path& folder,
-                    std::vector<std::string>& problems) {
+bool is_unchanged_vector_file(const ManifestFile& file,
+                              const std::filesystem::path& folder,
+                              std::vector<std::string>& problems) {
     try {
         if (file_hash(folder / file.path) == file.pixels) {
             return true;

@@ -24,8 +24,8 @@ DecodedFile read_baked(const ManifestFile& file,
 
 /// Returns true if the content of a vector file has the hash in the manifest. Otherwise adds a line
 /// to `problems` and returns false. `folder` is the folder of the manifest.
-bool is_same_vector(const ManifestFile& file,
-                    const std::filesystem::path& folder,
-                    std::vector<std::string>& problems);
+bool is_unchanged_vector_file(const ManifestFile& file,
+                              const std::filesystem::path& folder,
+                              std::vector<std::string>& problems);
 
 }  // namespace foam::texgen

@@ -46,9 +46,8 @@ bool is_map_of_colors(std::string_view map) {
     return found != maps.end() && found->kind == MapKind::Color;
 }
 
-// Converts the colors of a picture to other primaries. `map` names the map that channels without a
-// layer show; if it is empty, their channels R, G and B count as colors. The map of a layer is the
-// one that the layer is named after.
+// Converts the colors of a picture to other primaries. `map` names the map of the channels without
+// a layer. If `map` is empty, these channels count as colors. A layer is named after its map.
 void change_primaries(Picture& picture, std::string_view map, Primaries to) {
     const Primaries from = picture.metadata.primaries;
     for (const PictureChannel& channel : channels_of(picture)) {
@@ -67,13 +66,13 @@ std::vector<ComparedImage> compare_layers(const ImagePair& pair,
                                           Picture a,
                                           Picture b,
                                           const CompareOptions& options) {
-    const std::string given = first_known({pair.map, map_in_texts(a), map_in_texts(b)});
+    const std::string map_of_files = first_known({pair.map, map_in_texts(a), map_in_texts(b)});
     const std::vector<PictureLayer> left = split_into_layers(std::move(a));
     const std::vector<PictureLayer> right = split_into_layers(std::move(b));
     std::vector<ComparedImage> images;
     for (std::size_t k = 0; k < left.size(); ++k) {
         const std::string& layer = left[k].name;
-        ComparedImage image{pair, first_known({options.map, layer, given}), layer};
+        ComparedImage image{pair, first_known({options.map, layer, map_of_files}), layer};
         image.found =
             compare(left[k].picture,
                     right[k].picture,

@@ -18,7 +18,8 @@ namespace foam::texgen {
 
 /// The options of compare_pair.
 struct CompareOptions {
-    /// Returns the limits of a map, whose name is empty if it is not known. Never null.
+    /// Returns the limits of a map, whose name is empty if it is not known. This function must not
+    /// be empty (null).
     std::function<CompareLimits(std::string_view map)> limits_of = [](std::string_view) {
         return CompareLimits{};
     };

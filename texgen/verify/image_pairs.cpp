@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 // The two inputs that are compared, A and B, are called sides. A SideImage contains what is known
 // about one image of a side.
 struct SideImage {
-    std::string map{};  // empty if unknown, or if the image has several maps
+    std::string map{};  // empty if unknown, or if the file contains several maps
     std::optional<int> frame{};
 };
 

@@ -10,8 +10,9 @@
 
 namespace foam::texgen {
 
-/// Tells on which sides the image of a pair exists or, for manifests, is listed. For single images
-/// and for frames of a range the value is Both, even if a file does not exist.
+/// Tells in which of the two inputs that are compared, A and B, the image of a pair exists or, for
+/// manifests, is listed. For single images and for frames of a range the value is Both, even if a
+/// file does not exist.
 enum class Presence { Both, OnlyA, OnlyB };
 
 /// Two images to compare. The two inputs that are compared, A and B, are called sides. `a` is an
@@ -21,7 +22,7 @@ struct ImagePair {
     std::filesystem::path a;
     std::filesystem::path b;
     Presence presence = Presence::Both;
-    std::string map{};           // from a manifest; empty if unknown or if the image has several
+    std::string map{};  // from a manifest; empty if unknown or if the file contains several maps
     std::optional<int> frame{};  // from a pattern or a manifest; nullopt if it is not known
 };
 

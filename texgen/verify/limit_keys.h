@@ -28,7 +28,7 @@ const Keys<CompareLimits>& limit_keys();
 /// Returns true if the key is a limit of warnings, not of failures.
 bool is_warning_key(const KeyInfo& key);
 
-/// Returns true if the key applies only to pictures of normals.
+/// Returns true if the key is a limit of angles, which applies only to pictures of normals.
 bool is_angle_key(const KeyInfo& key);
 
 /// Returns the name of the option of the command line for a key: "--fail-rms" for fail_rms.

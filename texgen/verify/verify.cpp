@@ -43,10 +43,10 @@ class MapCheck {
     MapCheck(const ManifestMap& map, int period)
         : difference_(difference_of(map)), period_(period), found_{map.name, {}, 0, {}} {}
 
-    // Adds a frame of the map. Frames must be added in increasing order. `tiles` is true if the
-    // seams at the border of the frame are to be checked.
-    void add(const DecodedFile& file, int frame, bool tiles) {
-        if (tiles) {
+    // Adds a frame of the map. Frames must be added in increasing order. `checks_border` is true if
+    // the seams at the border of the frame are to be checked.
+    void add(const DecodedFile& file, int frame, bool checks_border) {
+        if (checks_border) {
             add_tile(tile_seams(groups_of(*file, found_.name), difference_), frame);
         }
         if (frame <= period_) {
@@ -101,10 +101,10 @@ class MapCheck {
     Difference difference_;
     int period_;
     VerifiedMap found_;
-    DecodedFile first_;  // the first frame of the period that was added
-    DecodedFile last_;   // the last frame of the period that was added
-    int first_frame_ = 0;
-    int last_frame_ = 0;
+    DecodedFile first_;    // the first of the added frames that belong to the period
+    DecodedFile last_;     // the last of the added frames that belong to the period
+    int first_frame_ = 0;  // number of the frame `first_`
+    int last_frame_ = 0;   // number of the frame `last_`
     int steps_ = 0;  // number of steps that were measured between successive frames of the period
     Seam loop_;
     WorstSeam columns_;
@@ -164,8 +164,9 @@ std::optional<NumberExtent> numbers_of(const BakedSet& set, const std::string& m
     return numbers;
 }
 
-// Returns true if the tiling of a frame is to be checked.
-bool frame_tiles(const BakedSet& set, int frame) {
+// Returns true if the border of a frame is to be checked: if the frame should tile and its images
+// are large enough.
+bool is_border_checked(const BakedSet& set, int frame) {
     const FrameStatistics* const found = set.find_frame(frame);
     return found != nullptr && found->tiles && std::min(set.width, set.height) >= kSmallestTile;
 }
@@ -178,7 +179,7 @@ VerifiedSet verify_set(const BakedSet& set,
     std::map<std::string, MapCheck> checks;
     for (const ManifestFile& file : set.files) {
         if (!set.find_map(file.maps.front())->vector_format.empty()) {
-            found.files_same += is_same_vector(file, folder, found.problems) ? 1 : 0;
+            found.files_same += is_unchanged_vector_file(file, folder, found.problems) ? 1 : 0;
             progress.add();
             continue;
         }
@@ -187,7 +188,7 @@ VerifiedSet verify_set(const BakedSet& set,
             for (const std::string& map : file.maps) {
                 auto& check =
                     checks.try_emplace(map, *set.find_map(map), set.loop.period).first->second;
-                check.add(read, file.frame, frame_tiles(set, file.frame));
+                check.add(read, file.frame, is_border_checked(set, file.frame));
             }
         }
         progress.add();

@@ -39,10 +39,10 @@ struct VerifiedMap {
     std::optional<Seam> tile;
     int tile_frame = 0;  // the frame with the largest step across this seam; 0 without `tile`
     std::optional<Seam> loop;
-    // The smallest and the largest number in all files of the map. `clipped` is the fraction of
-    // clipped samples, that is, samples outside of the range of the map, in the file in which this
-    // fraction is largest. Clipped samples do not count as a problem. nullopt if the manifest does
-    // not record these numbers.
+    // The smallest and the largest number in all files of the map. `clipped` is the largest
+    // fraction of the samples of a file that are clipped, that is, outside of the range of the map.
+    // Clipped samples do not count as a problem. nullopt if the manifest does not record these
+    // numbers.
     std::optional<NumberExtent> numbers{};
 
     /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop`, a

@@ -23,7 +23,9 @@ struct Scene {
         Polyline outline;
     };
     struct Film {
-        int left = -1;  // bubble on the left; -1 if this copy of its cell is not in `cells`
+        // The index of the bubble on each side; -1 if the copy of its cell that touches this copy
+        // of the film is not in `cells`.
+        int left = -1;
         int right = -1;
         Polyline line;
     };

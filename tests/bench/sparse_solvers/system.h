@@ -25,13 +25,14 @@ struct System {
 /// Returns the system of a foam in equilibrium.
 System relaxed_system(int bubbles, std::uint64_t seed);
 
-/// The system of a raw diagram, with the positions that its nodes have after `length` times the
-/// first step of Newton's method. No limit on the motion of films and no line search is applied, so
-/// that the foam is tangled afterwards: a step of length 1 tangles every twentieth junction, one of
-/// length 20 nearly half of them. The values of the matrix are from before the step, since a
-/// Hessian of tangled films is not quasi-definite; the order of elimination does not read them. Its
-/// entries reach 1e5 at the shortest films, and the regularization is 1e-6: without pivoting, some
-/// orders leave few digits in double precision, and no factor in single precision.
+/// Returns the system of a raw diagram, but with the positions that its nodes have after `length`
+/// times the first step of Newton's method. The step is taken without a limit on the motion of
+/// films and without a line search, so that the foam is tangled afterwards: a step of length 1
+/// tangles every twentieth junction, one of length 20 nearly half of them. The matrix is from
+/// before the step, because a Hessian of tangled films is not quasi-definite. The order of
+/// elimination does not depend on the values of the matrix. The entries of the matrix reach 1e5 at
+/// the shortest films, and the regularization is 1e-6. Without pivoting, some orders of elimination
+/// therefore leave few correct digits in double precision, and give no factor in single precision.
 System overshot_system(int bubbles, std::uint64_t seed, double length);
 
 /// Returns the system of a raw diagram, but with the same position for all nodes.

@@ -98,7 +98,7 @@ TEST(FlipShortFilms, FlipsOnlyShortFilmsOfAHoleInWhichBubblesOverlap) {
                    foam.network.head(h),
                    foam.positions[foam.network.tail(h)] + 0.04 * chord(foam, h).normalized());
     ASSERT_TRUE(is_overlapping_hole(foam, film));
-    ASSERT_FALSE(flipped_pulls_apart(foam, film));
+    ASSERT_FALSE(would_stay_open(foam, film));
     EXPECT_EQ(run(foam, part).t1, 1);
     EXPECT_TRUE(test::is_valid(foam.network));
 }

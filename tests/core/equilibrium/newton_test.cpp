@@ -111,9 +111,9 @@ TEST(Newton, LeavesAFilmThatHasCollapsedToTheT1) {
     test::Crossing c = test::crossing(25.0, 0.0024);
     const Foam before = c.foam;
     const NewtonSummary summary = run(c.foam, {});
-    EXPECT_EQ(summary.status, NewtonStatus::FilmsCollapse);
+    EXPECT_EQ(summary.status, NewtonStatus::FilmsNeedT1);
     EXPECT_EQ(summary.iterations, 0);
-    EXPECT_EQ(summary.collapsing, (std::vector<FilmId>{c.film}));
+    EXPECT_EQ(summary.films_for_t1, (std::vector<FilmId>{c.film}));
     EXPECT_TRUE(are_same(c.foam, before));
 }
 

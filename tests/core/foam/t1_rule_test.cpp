@@ -59,33 +59,33 @@ TEST(T1Length, IsATenthForADisarmedFilm) {
 
 // 2 sin(angle) > 1 for angles above 30 degrees. A film of length 1e-6 changes the directions of the
 // adjacent films by no more than that.
-TEST(FlippedPullsApart, IsTrueFromThirtyDegreesOn) {
+TEST(WouldStayOpen, IsTrueFromThirtyDegreesOn) {
     const Crossing below = crossing(29.99, 1e-6);
     const Crossing above = crossing(30.01, 1e-6);
-    EXPECT_FALSE(flipped_pulls_apart(below.foam, below.film));
-    EXPECT_TRUE(flipped_pulls_apart(above.foam, above.film));
+    EXPECT_FALSE(would_stay_open(below.foam, below.film));
+    EXPECT_TRUE(would_stay_open(above.foam, above.film));
 }
 
-TEST(FlippedPullsApart, IsTrueForAPointFromThirtyDegreesOn) {
+TEST(WouldStayOpen, IsTrueForAPointFromThirtyDegreesOn) {
     const Crossing below = crossing(29.99, 0.0);
     const Crossing above = crossing(30.01, 0.0);
-    EXPECT_FALSE(flipped_pulls_apart(below.foam, below.film));
-    EXPECT_TRUE(flipped_pulls_apart(above.foam, above.film));
+    EXPECT_FALSE(would_stay_open(below.foam, below.film));
+    EXPECT_TRUE(would_stay_open(above.foam, above.film));
 }
 
 // Bubbles 5 and 6, above and below the film, have a lower pressure than bubbles 2 and 10. The
 // adjacent films, of chord 0.6 and with s = 0.3 delta = sin(10 degrees), bulge toward 5 and 6.
 // Their tangents turn by 10 degrees away from the line of the film.
-TEST(FlippedPullsApart, FollowsTheTangentsOfTheArcs) {
+TEST(WouldStayOpen, FollowsTheTangentsOfTheArcs) {
     Crossing c = crossing(25.0, 1e-6);
     const double delta = std::sin(10.0 * std::acos(-1.0) / 180.0) / 0.3;
-    EXPECT_FALSE(flipped_pulls_apart(c.foam, c.film));
+    EXPECT_FALSE(would_stay_open(c.foam, c.film));
     c.foam.pressures[BubbleId{2}] = delta;
     c.foam.pressures[BubbleId{10}] = delta;
-    EXPECT_TRUE(flipped_pulls_apart(c.foam, c.film));
+    EXPECT_TRUE(would_stay_open(c.foam, c.film));
     c.foam.pressures[BubbleId{2}] = -delta;
     c.foam.pressures[BubbleId{10}] = -delta;
-    EXPECT_FALSE(flipped_pulls_apart(c.foam, c.film));
+    EXPECT_FALSE(would_stay_open(c.foam, c.film));
 }
 
 TEST(FlipFilm, TurnsTheFilmAboutItsMiddle) {
@@ -234,7 +234,7 @@ TEST(ApplyT1Rule, OpensACollapsedFilmEitherWay) {
 TEST(Hysteresis, AFilmThatHasFlippedDoesNotFlipBack) {
     Crossing c = crossing(45.0, 0.04);
     ASSERT_TRUE(apply_t1_rule(c.foam, c.film, {}));
-    ASSERT_TRUE(flipped_pulls_apart(c.foam, c.film));
+    ASSERT_TRUE(would_stay_open(c.foam, c.film));
     EXPECT_FALSE(apply_t1_rule(c.foam, c.film, {}));
     EXPECT_TRUE(short_films(c.foam, {}).empty());
     c.foam.t1_armed[c.film] = 1;

@@ -62,7 +62,8 @@ Film changed(Film film, int unknown, double by) {
 
 Eigen::Vector4d gradient_of(const Film& film) {
     const BulgeEnergy energy = energy_of(film);
-    return {energy.gradient.x(), energy.gradient.y(), energy.by_angle, -energy.segment_area};
+    return {
+        energy.gradient.x(), energy.gradient.y(), energy.angle_derivative, -energy.segment_area};
 }
 
 Eigen::Matrix4d hessian_of(const Film& film) {
@@ -95,7 +96,7 @@ TEST(BulgeEnergy, OfALaplaceYoungArcIsTheFilmEnergy) {
         EXPECT_NEAR(energy.value, expected.value, 1e-15);
         EXPECT_NEAR(energy.segment_area, expected.segment_area, 1e-15);
         EXPECT_LT((energy.gradient - expected.gradient).norm(), 1e-14);
-        EXPECT_NEAR(energy.by_angle, 0.0, 1e-15);
+        EXPECT_NEAR(energy.angle_derivative, 0.0, 1e-15);
     }
 }
 
@@ -132,7 +133,7 @@ TEST(BulgeEnergy, HasItsHessianByCentralDifferences) {
 TEST(BulgeEnergy, VanishesWithItsChord) {
     const BulgeEnergy energy = bulge_energy({{0.0, 0.0}, 1.0}, 3.0, 1.0);
     EXPECT_EQ(energy.value, 0.0);
-    EXPECT_EQ(energy.by_angle, 0.0);
+    EXPECT_EQ(energy.angle_derivative, 0.0);
     EXPECT_EQ(bulge_energy_hessian({{0.0, 0.0}, 1.0}, 3.0, 1.0).angle_angle, 0.0);
 }
 

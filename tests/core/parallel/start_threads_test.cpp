@@ -15,9 +15,9 @@ TEST(StartThreads, StartsTheMissingThreads) {
     std::atomic<int> started{0};
     std::vector<std::jthread> threads;
     const auto start = [&] { return std::jthread([&] { ++started; }); };
-    EXPECT_TRUE(start_up_to(2, threads, start));
-    EXPECT_TRUE(start_up_to(3, threads, start));
-    EXPECT_TRUE(start_up_to(1, threads, start));
+    EXPECT_TRUE(start_threads_up_to(2, threads, start));
+    EXPECT_TRUE(start_threads_up_to(3, threads, start));
+    EXPECT_TRUE(start_threads_up_to(1, threads, start));
     EXPECT_EQ(threads.size(), 3U);
     threads.clear();  // joins
     EXPECT_EQ(started, 3);
@@ -36,12 +36,12 @@ auto two_then(const Error& error) {
 
 TEST(StartThreads, KeepsTheThreadsThatStarted) {
     std::vector<std::jthread> threads;
-    EXPECT_FALSE(start_up_to(5,
-                             threads,
-                             two_then(std::system_error(std::make_error_code(
-                                 std::errc::resource_unavailable_try_again)))));
+    EXPECT_FALSE(start_threads_up_to(5,
+                                     threads,
+                                     two_then(std::system_error(std::make_error_code(
+                                         std::errc::resource_unavailable_try_again)))));
     EXPECT_EQ(threads.size(), 2U);
-    EXPECT_FALSE(start_up_to(6, threads, two_then(std::bad_alloc())));
+    EXPECT_FALSE(start_threads_up_to(6, threads, two_then(std::bad_alloc())));
     EXPECT_EQ(threads.size(), 4U);
 }
 

@@ -16,7 +16,7 @@ TEST(MaterialX, ShowsTheFirstFrame) {
     const std::string text =
         materialx_text(baked_material(small_material(folder, {"albedo", "roughness"}), folder));
     EXPECT_CONTAINS(text, "<materialx version=\"1.38\" colorspace=\"lin_rec709\">");
-    EXPECT_CONTAINS(text, "frame 1 of 2 frames");
+    EXPECT_CONTAINS(text, "frame 1, the first of 2 frames");
     EXPECT_CONTAINS(text,
                     "<tiledimage name=\"image_albedo\" type=\"color3\">\n"
                     "      <input name=\"file\" type=\"filename\" value=\"albedo.0001.png\" "

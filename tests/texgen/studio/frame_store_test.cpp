@@ -61,7 +61,7 @@ std::string replacement(std::future<SimulatedFrame>& waiting) {
     try {
         waiting.get();
         return "it is simulated";
-    } catch (const FrameReplaced& error) {
+    } catch (const SimulationStopped& error) {
         return error.what();
     }
 }

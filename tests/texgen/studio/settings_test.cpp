@@ -62,7 +62,7 @@ TEST(Settings, EventsReplaceThoseOfThePreset) {
 TEST(Settings, LargeFoamsAreNotLive) {
     const PageSettings settings{.preset = "sea_foam", .set = {"foam.bubbles=20001"}};
     EXPECT_EQ(load_settings(settings, any_folder()).preset.seeding.bubbles, 20001);
-    EXPECT_THROW(load_live(settings, any_folder()), SettingsRejected);
+    EXPECT_THROW(load_live_preset(settings, any_folder()), SettingsRejected);
 }
 
 TEST(Settings, TheCommandIsQuotedForAShell) {

@@ -46,7 +46,7 @@ Drawing quarter_circle() {
         {.name = "films",
          .shapes = {{.kind = "film",
                      .chains = {{{1.0, 0.0}, {{{0.0, 1.0}, 0.25 * std::numbers::pi}}, false}}}},
-         .is_outline = true});
+         .is_tool_path = true});
     drawing.layers.push_back(
         {.name = "bubbles", .shapes = {{.kind = "bubble", .chains = {circle({1.0, 1.0}, 1.0)}}}});
     drawing.junctions = {{2.0, 2.5}};

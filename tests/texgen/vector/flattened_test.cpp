@@ -14,8 +14,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 TEST(Flattened, StraightArcsHaveOnePart) {
-    EXPECT_EQ(parts_of({{0.0, 0.0}, {5.0, 0.0}, 0.0}, 0.01), 1U);
-    EXPECT_EQ(parts_of({{5.0, 0.0}, {5.0, 0.0}, 1.0}, 0.01), 1U);
+    EXPECT_EQ(part_count({{0.0, 0.0}, {5.0, 0.0}, 0.0}, 0.01), 1U);
+    EXPECT_EQ(part_count({{5.0, 0.0}, {5.0, 0.0}, 1.0}, 0.01), 1U);
 }
 
 // A circle of the radius 10 as n chords: the distance of a chord from the circle is

@@ -12,7 +12,7 @@ const Page kPage{10.0, 8.0, 1.0, 1.0, Vec2(0.0, 0.0), {10.0, 8.0, 0.0}};
 TEST(TileCopies, AnArcInTheMiddleHasOneCopy) {
     const auto copies = copies_near_tile({{4.0, 4.0}, {5.0, 5.0}, 0.2}, kPage, 1.0);
     ASSERT_EQ(copies.size(), 1U);
-    EXPECT_EQ(copies[0].by, LatticeOffset{});
+    EXPECT_EQ(copies[0].offset, LatticeOffset{});
     EXPECT_TRUE(parts_beyond_tile({{4.0, 4.0}, {5.0, 5.0}, 0.2}, kPage, 1.0).empty());
 }
 

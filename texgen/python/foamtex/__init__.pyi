@@ -186,7 +186,7 @@ class MapInfo:
     def channels(self) -> str: ...
 
 class Progress:
-    """How far a bake is."""
+    """The progress of a bake."""
 
     @property
     def phase(self) -> str: ...
@@ -198,7 +198,7 @@ class Progress:
     def frame(self) -> int: ...
 
 class Difference:
-    """The comparison of two images, or of one layer. True if no limit is exceeded."""
+    """The comparison of two images, or of one layer of two images. Its truth value is `is_within`."""
 
     def __bool__(self) -> bool: ...
     @property

@@ -12,12 +12,12 @@ namespace {
 // with the line at the coordinate `at`. Coordinates are of type Real.
 template <class Real, class Crossing>
 inline void find_of(const CrossingSolver<Real> arc,
-                    const ArcCrossings& query,
+                    const CrossingQuery& query,
                     const Crossing& crossing,
                     std::int32_t* __restrict to) {
-    for (std::size_t from = 0; from < query.count; from += ArcCrossings::kLanes) {
+    for (std::size_t from = 0; from < query.count; from += CrossingQuery::kLanes) {
         const std::int32_t first = query.first + static_cast<std::int32_t>(from) * query.step;
-        for (std::size_t k = 0; k < ArcCrossings::kLanes; ++k) {
+        for (std::size_t k = 0; k < CrossingQuery::kLanes; ++k) {
             const std::int32_t at = first + static_cast<std::int32_t>(k) * query.step;
             to[query.position + from + k] =
                 query.sign * (query.offset + rounded(crossing(arc, static_cast<Real>(at))));
@@ -27,9 +27,9 @@ inline void find_of(const CrossingSolver<Real> arc,
 
 // Computes the crossings for all queries, in floats for short arcs and in doubles for long arcs.
 template <class Crossing>
-void find(std::span<const ArcCrossings> arcs, const Crossing& crossing, std::int32_t* to) {
+void find(std::span<const CrossingQuery> queries, const Crossing& crossing, std::int32_t* to) {
     at_simd_level([=] {
-        for (const ArcCrossings& query : arcs) {
+        for (const CrossingQuery& query : queries) {
             if (query.arc.is_short()) [[likely]] {
                 find_of(query.arc.in_floats(), query, crossing, to);
             } else {
@@ -41,14 +41,14 @@ void find(std::span<const ArcCrossings> arcs, const Crossing& crossing, std::int
 
 }  // namespace
 
-void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs) {
+void find_xs(std::span<const CrossingQuery> queries, std::int32_t* xs) {
     find(
-        arcs, [](const auto& arc, auto y) { return arc.x_at(y); }, xs);
+        queries, [](const auto& arc, auto y) { return arc.x_at(y); }, xs);
 }
 
-void find_ys(std::span<const ArcCrossings> arcs, std::int32_t* ys) {
+void find_ys(std::span<const CrossingQuery> queries, std::int32_t* ys) {
     find(
-        arcs, [](const auto& arc, auto x) { return arc.y_at(x); }, ys);
+        queries, [](const auto& arc, auto x) { return arc.y_at(x); }, ys);
 }
 
 }  // namespace foam::texgen

@@ -135,7 +135,7 @@ class RoundedCrossings {
 /// of the arc, the lines are at `first`, first + step, first + 2 step, and so on. Each result is
 /// sign * (offset + crossing), where `crossing` is relative to the tail, too. All coordinates are
 /// in subpixels.
-struct ArcCrossings {
+struct CrossingQuery {
     static constexpr std::size_t kLanes = 8;  // number of crossings that are computed at once
 
     RoundedCrossings arc;
@@ -153,9 +153,9 @@ struct ArcCrossings {
 
 /// Compute the crossings of several arcs: find_xs computes the x of crossings with horizontal
 /// lines, and find_ys computes the y of crossings with vertical lines. Result k of a query is
-/// stored at the index position + k. Precondition: the array has room for arcs.back().end()
+/// stored at the index position + k. Precondition: the array has room for queries.back().end()
 /// results.
-void find_xs(std::span<const ArcCrossings> arcs, std::int32_t* xs);
-void find_ys(std::span<const ArcCrossings> arcs, std::int32_t* ys);
+void find_xs(std::span<const CrossingQuery> queries, std::int32_t* xs);
+void find_ys(std::span<const CrossingQuery> queries, std::int32_t* ys);
 
 }  // namespace foam::texgen

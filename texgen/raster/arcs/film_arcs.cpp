@@ -12,8 +12,8 @@ namespace foam::texgen {
 namespace {
 
 // Returns sin(h) / h if N is 2, or cos(h) if N is 1, from a power series in z = h². Each level of
-// the recursion adds a coefficient: the coefficient before it times -1 / (N (N + 1)), with the N of
-// the level. The error is up to 4e-15 for |h| up to 90 degrees.
+// the recursion adds a term. Its coefficient is the coefficient of the term before it, divided by
+// -N (N + 1) with the N of the level. The error is up to 4e-15 for |h| up to 90 degrees.
 template <int N>
 double series(double z) {
     if constexpr (N > 18) {

@@ -106,8 +106,7 @@ inline constexpr std::size_t kBubblesPerTask = 256;
 /// Calls append(k, batch) for each k in [0, count), and returns the arcs of all batches. The caller
 /// sets CellArcs::shear and CellArcs::ghost. Tasks run in parallel. Each task processes up to
 /// `per_task` values of k, with a function `append` of its own, which it gets from new_append().
-/// This function must add arcs to batch.arcs and the number of unclosed loops to
-/// batch.unclosed_loops.
+/// `append` must add arcs to batch.arcs and the number of unclosed loops to batch.unclosed_loops.
 template <class NewAppend>
 CellArcs make_arcs(const RasterGrid& grid,
                    std::size_t count,

@@ -47,13 +47,13 @@ void ArcSplitter::add(const MonotoneArc& arc, SubpixelPoint translation) {
     own.to = {own.sign * high.x, std::min(high.y, rows_ * kSubpixel)};
     own.half_curvature = static_cast<float>(arc.sine / Vec2(chord.x, chord.y).norm());
     const std::int32_t row = pixel_of(own.from.y);
-    row_crossings_[k] = {rising,
-                         (row + 1) * kSubpixel - low.y,
-                         kSubpixel,
-                         low.x,
-                         own.sign,
-                         static_cast<std::size_t>(pixel_of(own.to.y - 1) - row) + 1,
-                         k == 0 ? 0 : row_crossings_[k - 1].end()};
+    row_queries_[k] = {rising,
+                       (row + 1) * kSubpixel - low.y,
+                       kSubpixel,
+                       low.x,
+                       own.sign,
+                       static_cast<std::size_t>(pixel_of(own.to.y - 1) - row) + 1,
+                       k == 0 ? 0 : row_queries_[k - 1].end()};
 }
 
 // Completes each stage for all arcs before the next stage, so that the processor computes square
@@ -62,13 +62,13 @@ void ArcSplitter::split() {
     if (size_ == 0) {
         return;
     }
-    grow(xs_, row_crossings_[size_ - 1].end());
-    find_xs(std::span(row_crossings_).first(size_), xs_.data());
+    grow(xs_, row_queries_[size_ - 1].end());
+    find_xs(std::span(row_queries_).first(size_), xs_.data());
     for (std::size_t k = 0; k < size_; ++k) {
         find_columns(k);
     }
-    grow(ys_, column_crossings_[size_ - 1].end());
-    find_ys(std::span(column_crossings_).first(size_), ys_.data());
+    grow(ys_, column_queries_[size_ - 1].end());
+    find_ys(std::span(column_queries_).first(size_), ys_.data());
     const std::size_t points = arcs_[size_ - 1].first_part + arcs_[size_ - 1].parts + 1 + kLanes;
     grow(point_x_, points);
     grow(point_y_, points);
@@ -86,7 +86,7 @@ void ArcSplitter::split() {
 // whole arc.
 void ArcSplitter::find_columns(std::size_t k) {
     Arc& arc = arcs_[k];
-    const ArcCrossings& rows = row_crossings_[k];
+    const CrossingQuery& rows = row_queries_[k];
     if (arc.high.y > arc.to.y) {
         arc.to.x = std::max(arc.from.x, xs_[rows.position + rows.count - 1]);
     }
@@ -97,13 +97,13 @@ void ArcSplitter::find_columns(std::size_t k) {
     arc.rightmost = is_mirrored ? -first_column : last_column;
     arc.border = (is_mirrored ? first_column : first_column + 1) * kSubpixel;
     const auto columns = static_cast<std::size_t>(last_column - first_column);
-    column_crossings_[k] = {rows.arc,
-                            arc.sign * arc.border - arc.low.x,
-                            arc.sign * kSubpixel,
-                            arc.low.y,
-                            1,
-                            columns,
-                            k == 0 ? 0 : column_crossings_[k - 1].end()};
+    column_queries_[k] = {rows.arc,
+                          arc.sign * arc.border - arc.low.x,
+                          arc.sign * kSubpixel,
+                          arc.low.y,
+                          1,
+                          columns,
+                          k == 0 ? 0 : column_queries_[k - 1].end()};
     arc.parts = rows.count + columns;
     arc.first_part = k == 0 ? 0 : arcs_[k - 1].first_part + arcs_[k - 1].parts + 1;
 }
@@ -113,7 +113,7 @@ void ArcSplitter::find_columns(std::size_t k) {
 // from one point to the next, in spite of rounding.
 void ArcSplitter::store_row_crossings(std::size_t k) {
     const Arc arc = arcs_[k];  // a copy, which the stores below cannot change
-    const ArcCrossings& rows = row_crossings_[k];
+    const CrossingQuery& rows = row_queries_[k];
     const std::int32_t* xs = &xs_[rows.position];
     const std::int32_t first_column = column_of(arc, arc.from.x);
     std::int32_t* rows_crossed = rows_crossed_.data();
@@ -140,7 +140,7 @@ void ArcSplitter::store_row_crossings(std::size_t k) {
 // each crossing is clamped to the row in which the arc crosses the border.
 void ArcSplitter::store_column_crossings(std::size_t k) {
     const Arc& arc = arcs_[k];
-    const ArcCrossings& columns = column_crossings_[k];
+    const CrossingQuery& columns = column_queries_[k];
     const std::int32_t* ys = ys_.data() + columns.position;
     std::int32_t* rows_crossed = rows_crossed_.data();
     std::int32_t* point_x = &point_x_[arc.first_part + 1];
@@ -160,8 +160,8 @@ void ArcSplitter::store_column_crossings(std::size_t k) {
 
 // Computes the parts of all arcs, kLanes at once. Twice the area between the left border of a
 // part's pixel and the part's chord is an integer that a float represents exactly. Twice the area
-// between the chord and the arc is added to it. The middle of a part determines its pixel. The
-// lanes after the last part get no height.
+// between the chord and the arc is added to it. The middle of a part determines its pixel. In the
+// lanes after the last part of an arc, the height is set to 0.
 // NOLINTNEXTLINE(readability-function-size): a vectorized kernel keeps its loops in one function
 void ArcSplitter::measure_parts() {
     at_simd_level([arcs = std::span(arcs_).first(size_),
@@ -169,7 +169,7 @@ void ArcSplitter::measure_parts() {
                    all_x = point_x_.data(),
                    all_y = point_y_.data(),
                    all_parts = parts_.data()] {
-        constexpr float kHalf = 0.5F;  // is added, so that the truncation rounds to the nearest
+        constexpr float kHalf = 0.5F;  // makes the truncation round to the nearest
         for (const Arc& arc : arcs) {
             const std::int32_t sign = arc.sign;
             const float half_curvature = arc.half_curvature;

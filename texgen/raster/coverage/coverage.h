@@ -39,10 +39,10 @@ template <std::size_t Channels>
 using PixelSums = std::array<double, std::bit_ceil(Channels)>;
 
 /// Returns the mean value of a pixel, sum / kPixelArea, rounded to the nearest integer. The result
-/// is clamped to the range of values, because the mean may be outside of this range where rafts
-/// overlap or the foam is invalid.
+/// is clamped to the range of values, because the mean may be outside of this range where rafts, or
+/// parts of one raft, overlap, or where the foam is invalid.
 inline std::uint16_t mean_of(double sum) {
-    constexpr double kHalf = 0.5;  // added before truncation, which rounds to the nearest
+    constexpr double kHalf = 0.5;  // makes the truncation round to the nearest
     const auto mean = static_cast<std::int32_t>(sum * (1.0 / kPixelArea) + kHalf);
     return static_cast<std::uint16_t>(std::min(std::max(mean, 0), kLargestMean));
 }
@@ -138,7 +138,7 @@ class Coverage {
     using Register =
         typename std::conditional_t<Channels == 1, ScalarRegister, VectorRegister>::Type;
 
-    // Adds factor * values to sums, per channel.
+    // Adds factor * values to the sums `to`, per channel.
     [[gnu::always_inline]] static void add_times(double factor, const Sums& values, Sums& to) {
         Register summand;
         Register sums;

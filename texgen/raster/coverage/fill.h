@@ -43,8 +43,8 @@ void fill_cells(const CellArcs& cells,
 /// premultiplied, so that their means are premultiplied, too. The samples of the image are
 /// straight: each mean color is divided by the mean opacity before any rounding, and the quotient
 /// is rounded. If the mean opacity of a pixel before any rounding is 0 or negative, all its samples
-/// are 0. The opacity can be negative only where rafts overlap or the foam is invalid. In all other
-/// respects, the function behaves like fill_cells.
+/// are 0. The opacity can be negative only where rafts, or parts of one raft, overlap, or where the
+/// foam is invalid. In all other respects, the function behaves like fill_cells.
 void fill_straight(const CellArcs& cells,
                    const CellValues& values,
                    int threads,

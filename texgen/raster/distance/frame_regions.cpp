@@ -43,9 +43,9 @@ PixelRows band_rows(const RasterGrid& grid, int band) {
 
 // Calls visit(translation) for the copies of a region that overlap the rows of an image. In the
 // plane, the only copy is the region itself. On a torus, a translation is the shift of the grid
-// plus whole periods. It moves Region::first into the columns of the image. Painting wraps columns
-// outside of the image around. A copy one period up is also moved to the right by `shear`
-// subpixels.
+// plus whole periods. It moves Region::first into the columns of the image. Columns outside of the
+// image are wrapped around when the region is painted. A copy one period up is also moved to the
+// right by `shear` subpixels.
 template <class Visit>
 void for_each_copy(const Region& of,
                    const RasterGrid& grid,

@@ -25,8 +25,9 @@ namespace {
 constexpr int kRows = 8;             // number of rows whose crossings are computed at once
 constexpr double kTwoTo52 = 0x1p52;  // its sum with a smaller positive double is a whole number
 constexpr double kHalfPixel = 0.5 * kSubpixel;
-// The heights of kRows successive rows above the first of them, in subpixels. They are doubles in
-// memory, because with a conversion of row numbers GCC would use half of a 512-bit register.
+// The heights of kRows successive rows above the first of them, in subpixels. They are stored as
+// doubles. If the loop converted row numbers to doubles instead, GCC would use only half of each
+// 512-bit register.
 constexpr auto kHeights = [] {
     std::array<double, kRows> heights{};
     for (int k = 0; k < kRows; ++k) {

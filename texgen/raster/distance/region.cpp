@@ -24,7 +24,8 @@ double largest_sagitta(const OutlineArc& arc) {
     return arc.cosine > kWideCosine ? 0.5 * length * sine / (1.0 + arc.cosine) : length / sine;
 }
 
-// The negated comparison is also true for NaN, so that the recursion of add_narrow_arcs ends.
+// Returns true if an arc turns by at most 120 degrees (DistanceArc::kMinCosine). The negated
+// comparison is also true for NaN, so that the recursion of add_narrow_arcs ends.
 bool is_narrow(const PixelArc& arc) {
     return !(arc.cosine < DistanceArc::kMinCosine);
 }

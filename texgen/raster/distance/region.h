@@ -23,7 +23,8 @@ struct DistanceArc {
     Vec2 tail{0.0, 0.0};
     PixelArc shape;
     /// True if the region on the left has an inner angle of more than 180 degrees at the tail, or
-    /// if the arc begins there without another arc. The tail itself may then be the nearest point.
+    /// if the tail is a free end, at which no other arc ends. The tail itself may then be the
+    /// nearest point.
     bool corner = false;
 
     Vec2 head() const { return tail + shape.chord; }
@@ -71,7 +72,7 @@ class Boundary {
     /// cut in halves (DistanceArc::kMinCosine).
     std::span<const DistanceArc> arcs() const { return arcs_; }
     /// Returns the exact arcs without halving: one per film, or two for the circle of a lone
-    /// bubble. DistanceArc::corner is not set correctly here; arcs() has the right values.
+    /// bubble. DistanceArc::corner may be wrong here; arcs() has the right values.
     std::span<const DistanceArc> films() const { return films_.empty() ? arcs_ : films_; }
     std::span<const OutlineArc> outline() const { return outline_; }
 

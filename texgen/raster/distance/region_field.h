@@ -45,9 +45,9 @@ class RegionField {
     const Visit* visit_ = nullptr;
     const Region* region_ = nullptr;
     Vec2 offset_{0.0, 0.0};  // RegionPixels::offset
-    // The lists of arcs in the recursion over blocks, each of which consists of one or more tiles.
-    // Each block that encloses the current block and for which arcs were dropped has one list: the
-    // arcs that remain. The list of the largest block is first.
+    // The lists of arcs in the recursion over blocks of tiles. Each block that encloses the current
+    // block and for which arcs were dropped has one list: the arcs that remain. The list of the
+    // largest block is first.
     std::deque<std::vector<DistanceArc>> near_;
     ArcView view_;
     std::vector<ArcFunctions> functions_;

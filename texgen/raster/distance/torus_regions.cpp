@@ -23,10 +23,11 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::size_t kPerTask = 2048;  // films or bubbles
-// While a film is read, the film that is this many places further on is prefetched. Bubbles and
-// films are sorted by the same squares, so one of the next bubbles needs this film. A processor
-// cannot predict the order in which the films of a square are read. As many unused films follow the
-// last one, so that every prefetched film exists.
+// While a film is read, the film that is this many elements after it in films_ is prefetched.
+// Bubbles and films are sorted by the same squares, so one of the next bubbles needs this film.
+// Processors do not prefetch it themselves, because they cannot predict the order in which the
+// films of a square are read. The last film is followed by as many unused films, so that every
+// prefetched film exists.
 constexpr std::size_t kFilmsAhead = 96;
 
 SubpixelPoint whole(const Vec2& subpixels) {

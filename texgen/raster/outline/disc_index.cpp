@@ -56,7 +56,9 @@ class DiscIndex::Tree {
         return entries;
     }
 
-    bg::index::rtree<TreeEntry, bg::index::quadratic<16>> entries_;  // packed by the constructor
+    // The constructor of the tree gets all entries at once (bulk loading), which gives a faster
+    // tree than single insertions.
+    bg::index::rtree<TreeEntry, bg::index::quadratic<16>> entries_;
 };
 
 DiscIndex::DiscIndex() = default;

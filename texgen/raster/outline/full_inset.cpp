@@ -102,10 +102,11 @@ const ArcLoops* FullInset::trace(std::span<const ArcLoops::Side> loop, double di
 // Returns true only if the pieces of all other sides have at least the given distance from side k.
 // These pieces are then on the left of the offset of side k.
 //
-// Let p and q be the signed distances of the two ends of a piece from the offset, positive on its
-// left. Let c be the length of the chord of the piece, and a and b the absolute curvatures of the
-// piece and of the side. Let t be a fraction of the chord, counted from the end with the distance
-// q. The signed distance of the piece from the offset at this fraction is at least
+// Let p and q be the signed distances of the two ends of a piece from the offset of side k,
+// positive on the left of the offset. Let c be the length of the chord of the piece, and a and b
+// the absolute curvatures of the piece and of the side. Let t be a fraction of the chord, counted
+// from the end with the distance q. The signed distance of the piece from the offset at this
+// fraction is at least
 //     t p + (1 - t) q - t (1 - t) c² (a + b).
 // The term with a bounds the distance of the piece from its chord (intersecting chords theorem).
 // The term with b bounds the difference between the signed distance of the chord and its linear
@@ -113,8 +114,8 @@ const ArcLoops* FullInset::trace(std::span<const ArcLoops::Side> loop, double di
 //     c² (a + b) <= (sqrt p + sqrt q)².
 // The code compares c² (a + b) with p + q + 2 min(p, q), which is at most the right-hand side.
 //
-// The piece of an adjacent side and the offset share one end. The two do not cross again if the
-// other end of the piece is on the left of the offset.
+// The piece of an adjacent side has one end on the offset of side k. It does not cross this offset
+// again if its other end is on the left of the offset.
 bool FullInset::keeps_clear_of(std::size_t k, double distance) {
     const OffsetArc& arc = sides_[k].arc;
     double p = 0.0;

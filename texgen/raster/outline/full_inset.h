@@ -17,14 +17,15 @@ namespace foam::texgen {
 /// The reason is the test by which InsetTracer decides whether to keep a piece. The middle of the
 /// piece must have the required distance from all other sides, with a tolerance of 1e-7 pixels. The
 /// middle of a short piece is close to the offset that cuts the piece. Its distance from the side
-/// of that offset is therefore close to the required distance. If this distance is smaller, but by
-/// less than the tolerance, the test keeps the piece, which should be dropped.
+/// of that offset is therefore close to the required distance. If it is below the required
+/// distance, but by less than the tolerance, the test keeps the piece, which should be dropped.
 inline constexpr double kShortestPiece = 1e-6;
 
-/// Finds the inset of a loop (inset.h) if its boundary provably has a simple form. In this form,
-/// each side of the loop contributes exactly one piece of its offset. The piece is cut only by the
-/// offsets of the two adjacent sides. The proof is a lower bound of the distance of every piece
-/// from every other side. It succeeds for most bubbles. Buffers are reused between loops.
+/// Finds the inset of a loop (inset.h) if the boundary of the inset provably has a simple form. In
+/// this form, the inset is full: each side of the loop contributes exactly one piece of its offset.
+/// The piece is cut only by the offsets of the two adjacent sides. The proof is a lower bound of
+/// the distance of every piece from every other side. It succeeds for most bubbles. Buffers are
+/// reused between loops.
 class FullInset {
   public:
     /// Returns the inset of a closed loop, whose region is on its left. Returns null if the bounds

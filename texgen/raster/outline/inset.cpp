@@ -28,9 +28,9 @@ constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 // Tolerances in pixels. Coordinates within a bubble have errors of about 1e-11, and crossings of
 // arcs that meet at a small angle have errors of about 1e-7. A point therefore counts as far enough
 // from a side if its distance falls short of the required distance by at most kDistanceTolerance.
-// Pieces of offsets (see the class InsetTracer) are linked into loops. A piece can only be followed
-// by a piece whose tail is less than kLargestGap from its head. This limit is about one subpixel of
-// the rasterizer (1 / kSubpixel pixels).
+// Pieces of offsets (see the class InsetTracer) are linked into loops. Two pieces can be linked
+// only if the tail of the second is less than kLargestGap from the head of the first. This limit is
+// about one subpixel of the rasterizer (1 / kSubpixel pixels).
 constexpr double kDistanceTolerance = 1e-7;
 constexpr double kLargestGap = 1e-3;
 
@@ -45,9 +45,9 @@ Disc disc_around(const OffsetArc& arc, double distance) {
     return {arc.middle, extent(arc) + distance};
 }
 
-// Returns true if a boundary turns right by exactly 180 degrees. The region is then on both sides
-// of a line. The boundary runs along one side of the line to its end, and back along the other
-// side.
+// Returns true if a boundary turns right by exactly 180 degrees. This happens at the end of a slit:
+// the boundary runs along the slit to its end and back along its other side, with the region on
+// both sides.
 bool turns_back(const OffsetArc& before, const OffsetArc& after) {
     const Vec2 from = head_tangent(before);
     const Vec2 to = tail_tangent(after);

@@ -14,16 +14,16 @@ namespace foam::texgen {
 /// Finds the inset of a region: all points of the region whose distance from every side of the
 /// region is at least a given distance. The offset of a side is the arc at this distance on the
 /// left of the side. The offset of a corner with an inner angle of more than 180 degrees is a
-/// circular arc around the corner. The inner angle may be 360 degrees: then the region surrounds
-/// the end of a line, and both sides of the line belong to its boundary. Each offset is cut at its
-/// crossings with all other offsets. The middle of a piece between two cuts decides whether the
-/// piece belongs to the boundary of the inset. The middle must have at least the given distance
-/// from all other sides.
+/// circular arc around the corner. The inner angle may be 360 degrees, at the end of a slit: the
+/// boundary runs along the slit to its end and back along its other side, with the region on both
+/// sides. Each offset is cut at its crossings with all other offsets. The middle of a piece between
+/// two cuts decides whether the piece belongs to the boundary of the inset. The middle must have at
+/// least the given distance from all other sides.
 ///
 /// FullInset (full_inset.h) finds the insets of most loops faster. Its results have the same bits
-/// as the results of this class. Buffers are reused between regions. For n sides, the time is
-/// proportional to n log n if only a bounded number of sides is near each side. Otherwise it is at
-/// most proportional to n³.
+/// as the results of this class. An InsetTracer reuses its buffers between regions. For n sides, it
+/// takes time proportional to n log n if only a bounded number of sides is near each side, and
+/// otherwise at most proportional to n³.
 class InsetTracer {
   public:
     /// Returns the boundary loops of the inset of a region. Both the region and the inset are on

@@ -6,9 +6,9 @@
 
 #include <vector>
 
-/// Stands before a loop whose arrays do not overlap. GCC then vectorizes the loop without comparing
-/// the addresses of the arrays. Without this macro, GCC vectorizes only loops over few arrays, and
-/// these loops compare the addresses at run time.
+/// Tells GCC that the arrays of the loop that follows do not overlap. GCC then vectorizes the loop
+/// without comparing the addresses of the arrays. Without this macro, GCC vectorizes only loops
+/// over few arrays, and these loops compare the addresses at run time.
 #if defined(__GNUC__) && !defined(__clang__)
 #define FOAM_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
 #else

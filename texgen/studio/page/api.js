@@ -5,7 +5,7 @@
 import {Signal} from "./signal.js";
 
 const kRetry = 2000; // milliseconds between two attempts to reach a server that is gone
-const kAlive = 20000; // milliseconds between two signs of life of this page
+const kAlive = 20000; // milliseconds between two requests that tell the server that this page is open
 
 /** An answer of the server that is an error: its HTTP status, its message, and the preset key that it is about. */
 export class ApiError extends Error {

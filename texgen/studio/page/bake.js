@@ -5,7 +5,7 @@
 import {$, el} from "./dom.js";
 import {ApiError, post} from "./api.js";
 
-const kPoll = 400; // milliseconds between two questions about the progress
+const kPoll = 400; // milliseconds between two requests for the progress
 
 export class BakeDialog {
     #studio;

@@ -62,8 +62,9 @@ export class Compare {
         this.#show();
     }
 
-    // If the picture is a draft, or has not changed since the last edit, it does not show the settings before this edit.
-    // The earlier picture is then kept, and is one more change behind.
+    // Keeps the shown picture as the picture before the present edit. If the shown picture is a draft, or has not
+    // changed since the previous edit, it does not show the settings before the present edit. The earlier picture is
+    // then kept, and is one more change behind.
     #remember() {
         const {view} = this.#studio;
         const {picture} = view;

@@ -19,8 +19,8 @@ function textToToml(text) {
 }
 
 /**
- * Numbers the gestures of the user. All edits by one drag have the same number, and so have edits by arrow keys that
- * follow each other within kPause.
+ * Gives each gesture of the user a number. All edits by one drag have the same number, and so have edits by arrow keys
+ * that follow each other within kPause. `held` is true during a drag.
  */
 class Gesture {
     #number = 0;

@@ -52,12 +52,12 @@ export class Form {
      */
     showPreset(base) {
         for (const section of this.#sections) {
-            const set =
+            const differs =
                 !kClosed.has(section.name) &&
                 section.keys.some(
                     (key) => base[key.path] !== undefined && toToml(base[key.path]) !== toToml(key.default),
                 );
-            section.set(this.#chosen[section.name] ?? (set || section.name === "foam"));
+            section.set(this.#chosen[section.name] ?? (differs || section.name === "foam"));
         }
         this.#filter();
     }

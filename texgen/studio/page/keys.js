@@ -6,7 +6,8 @@ import {$, el} from "./dom.js";
 import {randomSeed} from "./field_number.js";
 import {toggleTheme} from "./theme.js";
 
-// Returns the shortcuts in groups: [group, [keys, meaning, action], ...]. Keys are values of KeyboardEvent.key.
+// Returns the shortcuts in groups: [group, [keys, meaning, action], ...]. Keys are values of KeyboardEvent.key, with
+// the prefix "Ctrl+" if the control key must be held.
 function shortcutsOf(studio) {
     const {state, ui, view, player, toolbar, transport, events, compare, variations, bake, takeHome, gallery, form} =
         studio;

@@ -35,7 +35,8 @@ export class Lane {
         this.#running?.abort.abort();
     }
 
-    // Cancels the running request as soon as it has been running for `patience` milliseconds, which may already be so.
+    // Cancels the running request when it has been running for `patience` milliseconds, or now if it already has. Does
+    // nothing if no other request waits at that time.
     #cancelWhenOverdue(running) {
         const left = running.start + this.#patience - performance.now();
         const cancel = () => {

@@ -17,13 +17,13 @@ export class Lit {
     #studio;
     #surface = null;
     #abort = null;
-    #stale = true;
+    #stale = true; // true if the maps of the current frame must be requested
     #frames = new Map(); // the maps of each frame that was loaded while the loop played
     #loading = false; // true while the frames of the loop are being loaded
     #updating = false; // true while #update loads the maps of one frame at the full width, kWidth
     #retryAt = 0; // the time, in milliseconds, from which frames may be loaded again after an error
     #wasPlaying = false;
-    #later = debounce(kRest, () => this.#update());
+    #updateSoon = debounce(kRest, () => this.#update());
 
     constructor(studio) {
         this.#studio = studio;
@@ -117,20 +117,20 @@ export class Lit {
 
     #show(images) {
         this.#surface.setImages(images);
-        this.#fail(null);
+        this.#showMessage(null);
         $("surface").dataset.version = Number($("surface").dataset.version ?? 0) + 1;
     }
 
     #report(error) {
         if (error instanceof ApiError && error.status !== 409) {
-            this.#fail(error.message);
+            this.#showMessage(error.message);
         }
     }
 
     #onChange() {
         this.#stale = true;
         if (this.#open) {
-            this.#later();
+            this.#updateSoon();
         }
     }
 
@@ -152,12 +152,12 @@ export class Lit {
             this.#showBackground();
             return true;
         } catch (error) {
-            this.#fail(`The lit surface cannot be shown: ${error.message}`);
+            this.#showMessage(`The lit surface cannot be shown: ${error.message}`);
             return false;
         }
     }
 
-    #fail(message) {
+    #showMessage(message) {
         $("lit-message").hidden = message === null;
         $("lit-message").textContent = message ?? "";
     }

@@ -27,7 +27,7 @@ export class Painter {
      * the message of the last picture's error, or null; `error` is this ApiError, if any.
      */
     status = new Signal();
-    /** Emits a full picture that was shown. */
+    /** Emits each picture of the simulated frame, not of a draft, that an edit requests, whatever its width. */
     painted = new Signal();
 
     #view;
@@ -37,9 +37,9 @@ export class Painter {
     #draft = new Lane(kPatience);
     #full = new Lane(kPatience);
     #sharp = new Lane(kPatience);
-    #order = 0;
-    #shown = [0, 0];
-    #fullTime = 0;
+    #edit = 0; // the number of the newest edit; counts the calls of `refresh`
+    #shown = [0, 0]; // the edit and the rank of the shown picture
+    #fullTime = 0; // milliseconds that the last full picture took
     #showsFrame = false;
     #rest = debounce(kRest, () => this.#paint());
     #sharpen = debounce(kSharpen, () => this.#paintSharp());
@@ -74,7 +74,7 @@ export class Painter {
      * while the control is being moved.
      */
     refresh({foam = false, live = false} = {}) {
-        this.#order += 1;
+        this.#edit += 1;
         this.#player.clear();
         this.#sharpen.cancel();
         this.#sharp.stop();
@@ -98,7 +98,7 @@ export class Painter {
 
     /** Requests a draft as well. Called when the last edit turns out to change the foam. */
     addDraft() {
-        if (this.#showsFrame && this.#shown[0] < this.#order) {
+        if (this.#showsFrame && this.#shown[0] < this.#edit) {
             this.#showsFrame = false;
             this.#paintDraft(false);
         }
@@ -112,28 +112,28 @@ export class Painter {
     }
 
     #paintDraft(live) {
-        const order = this.#order;
+        const edit = this.#edit;
         const source = this.#source;
         const width = live ? Math.min(kSmall, this.width) : Math.min(512, this.width);
-        this.#draft.run((signal) => this.#request(order, kDraft, () => source.picture(1, width, "draft", signal)));
+        this.#draft.run((signal) => this.#request(edit, kDraft, () => source.picture(1, width, "draft", signal)));
     }
 
     #paint(width = this.width, live = false) {
-        const order = this.#order;
+        const edit = this.#edit;
         const source = this.#source;
         const frame = this.#player.frame;
         this.status.emit({busy: true, message: null});
         this.#full.run(async (signal) => {
             const start = performance.now();
             const rank = width < this.width ? kSmaller : kFull;
-            // The server can fit the range of a bake to a single frame at once. The range of a loop needs all frames
-            // (Player.load).
+            // If the animation has only one frame, the server can fit the range of a bake at once. The range of a loop
+            // needs all frames (Player.load).
             const quality = live || this.#player.count > 1 ? "full" : "exact";
-            const picture = await this.#request(order, rank, () => source.picture(frame, width, quality, signal));
+            const picture = await this.#request(edit, rank, () => source.picture(frame, width, quality, signal));
             if (picture && width === this.width && source === this.#source) {
                 this.#fullTime = performance.now() - start;
             }
-            if (picture && order === this.#order) {
+            if (picture && edit === this.#edit) {
                 const first = !this.#showsFrame;
                 this.#showsFrame = true;
                 this.status.emit({busy: false, message: null});
@@ -157,16 +157,16 @@ export class Painter {
         }
     }
 
-    async #request(order, rank, ask) {
+    async #request(edit, rank, ask) {
         try {
             const picture = await ask();
-            this.#show(order, rank, picture);
+            this.#show(edit, rank, picture);
             return picture;
         } catch (error) {
             const isAnswer = error instanceof ApiError;
             if (isAnswer && error.status === 409) {
-                this.#askAgain(order);
-            } else if (isAnswer && order === this.#order) {
+                this.#askAgain(edit);
+            } else if (isAnswer && edit === this.#edit) {
                 this.status.emit({busy: false, message: error.message, error});
             } else if (!isAnswer && !(error instanceof ConnectionError) && error.name !== "AbortError") {
                 throw error;
@@ -177,32 +177,32 @@ export class Painter {
 
     // Requests the full picture again if its simulation was stopped (status 409). This can happen
     // if a request about an earlier foam reaches the server late.
-    #askAgain(order) {
+    #askAgain(edit) {
         setTimeout(() => {
-            if (order === this.#order && !this.#full.busy) {
+            if (edit === this.#edit && !this.#full.busy) {
                 this.#paint();
             }
         }, kRest);
     }
 
-    #show(order, rank, picture) {
-        if (order < this.#shown[0] || (order === this.#shown[0] && rank < this.#shown[1])) {
+    #show(edit, rank, picture) {
+        if (edit < this.#shown[0] || (edit === this.#shown[0] && rank < this.#shown[1])) {
             return;
         }
-        this.#shown = [order, rank];
+        this.#shown = [edit, rank];
         this.#view.show(picture);
     }
 
     // Shows a frame of the loop, or requests it if it is not loaded.
     #onFrame(picture) {
         if (picture) {
-            this.#shown = [this.#order, kFull];
+            this.#shown = [this.#edit, kFull];
             this.#view.show(picture);
             if (!this.#player.playing) {
                 this.#sharpen();
             }
         } else if (this.#source) {
-            this.#shown = [this.#order, kDraft];
+            this.#shown = [this.#edit, kDraft];
             this.#paint();
         }
     }
@@ -219,10 +219,10 @@ export class Painter {
         if (shown.width >= full || this.#view.deviceZoom * source.size[0] < 1.2 * shown.width) {
             return;
         }
-        const order = this.#order;
+        const edit = this.#edit;
         const frame = this.#player.frame;
         this.#sharp.run((signal) =>
-            this.#request(order, kSharp, async () => {
+            this.#request(edit, kSharp, async () => {
                 const picture = await source.picture(frame, full, "full", signal);
                 if (frame !== this.#player.frame || this.#player.playing) {
                     throw new DOMException("Another frame is shown.", "AbortError");

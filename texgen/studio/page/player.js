@@ -31,7 +31,7 @@ export class Player {
     #frames = [];
     #loaded = 0;
     #abort = null;
-    #clock = null;
+    #clock = null; // {start, frame}: `frame` was shown at the time `start`; null while the loop waits for frames
 
     /** Sets the number of frames and their rate. Keeps the current frame if it exists. */
     configure(count, framesPerSecond) {
@@ -51,7 +51,7 @@ export class Player {
     }
 
     /** Returns the picture of a frame, or undefined. */
-    at(frame) {
+    pictureOf(frame) {
         return this.#frames[frame];
     }
 

@@ -99,7 +99,7 @@ export class Readout {
         $("readout-bubble").replaceChildren(...(bubble ? factsOf(bubble) : []));
     }
 
-    // Shows the numbers that black and white stand for, if the map has numbers and these are known.
+    // Shows the numbers that black and white stand for, if the map has numbers and `picture` gives its range.
     #showLegend(picture = null) {
         const map = this.#studio.program.maps.find((one) => one.name === this.#studio.map);
         const known = picture && picture.low !== null && picture.low !== undefined && map?.kind === "number";

@@ -3,10 +3,11 @@
 // Maps the values of a preset key that is a number to positions of the key's slider, and writes numbers as text.
 
 const kPositions = 1000; // largest position of a slider that is not linear
-// A range from min >= 0 to max gets a logarithmic slider if two conditions hold (scaleOf): max - min is more than
-// kWide times the difference between the reference value (referenceOf) and min; and max - min is more than kSpan, or
-// min is positive and max / min is more than 1000. A range with min < 0 gets a symmetric slider, logarithmic on both
-// sides of 0, if max is at least 1000 and more than kWide times the reference value.
+// A range from min >= 0 to max gets a logarithmic slider if both of these conditions hold (scaleOf):
+// - max - min is more than kWide times the difference between the reference value (referenceOf) and min;
+// - max - min is more than kSpan, or min is positive and max / min is more than 1000.
+// A range with min < 0 gets a symmetric slider, logarithmic on both sides of 0, if max is at least 1000 and more than
+// kWide times the reference value.
 const kWide = 10;
 const kSpan = 5;
 const kLargestSlider = 1e9; // the widest range that has a slider

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Turns the JSON Schema of preset files into a list of keys that the form can show.
+// Turns the JSON Schema of preset files into lists of keys that the form and the editor of events can show.
 
 const kColor = "^#[0-9a-fA-F]{6}$";
 const kColorStart = "^#[0-9a-fA-F]{6}"; // also the start of the pattern of a color with a position

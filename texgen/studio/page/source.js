@@ -2,8 +2,8 @@
 
 // A source provides the pictures that the page shows: pictures drawn with the settings of the page,
 // or the images of a baked set. A source has the members `size` (the size of the preset or of the
-// baked images), `drafts` (true if the source can draw drafts), `largestWidth` and `map`, and two
-// functions:
+// baked images), `drafts` (true if the source can draw drafts), `largestWidth` (of its pictures) and
+// `map` (the name of the map that it shows), and two functions:
 //   picture(frame, width, quality, signal)
 //     returns a picture: {pixels, width, height, frame, exact, low, high, map, transparent, draft}
 //     `exact` is false for a draft, and while an automatic range of the map is provisional.
@@ -13,7 +13,8 @@
 import {page, post, postPicture} from "./api.js";
 
 /**
- * Returns a source that draws settings. `transparent` is true if pictures have pixels without foam.
+ * Returns a source that draws the preset with the given settings. `transparent` is true if pictures
+ * have pixels without foam.
  */
 export function settingsSource(settings, {size, map, largestWidth, transparent}) {
     return {

@@ -92,6 +92,7 @@ export class StudioState {
     set(key, text, gesture = null, live = false) {
         if (this.change(key) === text) {
             if (!live && gesture !== null) {
+                // A drag has ended: the picture that was only drawn as a draft, or small, is now drawn in full.
                 this.changed.emit({foam: changesFoam(key), live, keys: [key]});
             }
             return;

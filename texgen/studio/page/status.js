@@ -5,7 +5,7 @@
 import {ApiError, connectionState, page, post} from "./api.js";
 import {$} from "./dom.js";
 
-const kPoll = 300; // milliseconds between two questions about the simulation
+const kPoll = 300; // milliseconds between two requests for the progress of the simulation
 const kShown = 6000; // milliseconds for which a message stays
 
 export class StatusBar {

@@ -79,38 +79,38 @@ export class Surface {
         }
     }
 
-    // The number of tiles along the side of the plane, or along the visible half of the other shapes: 1, 2, ...
+    // Sets the number of tiles along the side of the plane, or along the visible half of the other shapes: 1, 2, ...
     setTiling(tiling) {
         this.set("tiling", Math.max(Math.round(tiling), 1));
     }
 
-    // The direction to the light in degrees, as in the map `lit`: the azimuth is counterclockwise from the right. The
-    // elevation is the angle above the plane. A round shape is lit from the side if it is 0, and from the front if 90.
+    // Sets the direction to the light in degrees, as in the map `lit`: the azimuth, counterclockwise from the right,
+    // and the elevation above the plane. At elevation 0 a round shape is lit from the side, at 90 from the front.
     setLight({azimuth, elevation}) {
         this.set("light", {azimuth, elevation});
     }
 
-    // The brightness of a white, rough surface that faces the light. The default is 0.85.
+    // Sets the brightness of a white, rough surface that faces the light. The default is 0.85.
     setLightStrength(strength) {
         this.set("lightStrength", strength);
     }
 
-    // The brightness of a white surface that faces the middle of the sky. The default is 0.4.
+    // Sets the brightness of a white surface that faces the middle of the sky. The default is 0.4.
     setAmbient(ambient) {
         this.set("ambient", ambient);
     }
 
-    // Factor on the heights and on the slopes of the normals.
+    // Sets the factor on the heights and on the slopes of the normals.
     setRelief(scale) {
         this.set("relief", scale);
     }
 
-    // The direction in which green is positive: "gl" is up, "dx" is down.
+    // Sets the direction in which green is positive: "gl" is up, "dx" is down.
     setNormalDirection(direction) {
         this.set("normalDirection", direction);
     }
 
-    // Any opaque color of CSS.
+    // Sets the background: any opaque color of CSS.
     setBackground(cssColor) {
         const painter = document.createElement("canvas").getContext("2d");
         painter.fillStyle = cssColor;
@@ -147,7 +147,7 @@ export class Surface {
         }
     }
 
-    // `ratio` is the number of pixels of the canvas per pixel of CSS.
+    // Draws now. `ratio` is the number of pixels of the canvas per pixel of CSS.
     draw(ratio) {
         const gl = this.gl;
         if (this.disposed || gl.isContextLost() || !this.resize(ratio)) {

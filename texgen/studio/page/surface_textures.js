@@ -137,11 +137,12 @@ function asFloats(image) {
 }
 
 // Returns an image with the maps occlusion, roughness and metallic in its channels R, G and B, and
-// in A the height as a fraction of the largest height. The image has the size of the largest map;
-// the pixels of smaller maps are repeated.
-function packed(images, largest) {
+// in A the height as a fraction of the largest height. `heightInfo` is the result of
+// Textures.update. The image has the size of the largest map; the pixels of smaller maps are
+// repeated.
+function packed(images, heightInfo) {
     const channels = Object.entries(kNoData).map(([name, code]) => codesOf(images[name], code));
-    channels.push(codesOf(images.height, 0, largest.heightTop / largest.heightUnit));
+    channels.push(codesOf(images.height, 0, heightInfo.heightTop / heightInfo.heightUnit));
     const width = Math.max(...channels.map((channel) => channel.width));
     const height = Math.max(...channels.map((channel) => channel.height));
     const data = new Uint8ClampedArray(width * height * 4);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Writes values in the notation of TOML, which the option --set and preset files use.
+// Writes and reads values in the notation of TOML, which the option --set and preset files use.
 
 /** Returns a string, a number, a boolean, or a list of such values in the notation of TOML. */
 export function toToml(value) {

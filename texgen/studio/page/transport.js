@@ -105,7 +105,7 @@ export class Transport {
         context.fillStyle = getComputedStyle(canvas).color;
         const {count} = this.#player;
         for (let frame = 1; frame <= count; ++frame) {
-            if (this.#player.at(frame)) {
+            if (this.#player.pictureOf(frame)) {
                 const left = Math.round(((frame - 1) / count) * width);
                 context.fillRect(left, 0, Math.round((frame / count) * width) - left, canvas.height);
             }

@@ -10,7 +10,7 @@ const kDefaults = {
     speed: 1,
     mode: "picture", // what the workspace shows: "picture", "lit" or "variations"
     compare: false,
-    gallery: true, // whether the gallery is open
+    gallery: true, // true if the gallery is open
 };
 
 /**

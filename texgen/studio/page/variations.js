@@ -35,11 +35,11 @@ export class Variations {
         }
         $("vary-key").addEventListener("change", () => this.#onKey());
         $("vary-again").addEventListener("click", () => this.#draw());
-        const again = debounce(kEdit, () => this.#draw());
+        const drawSoon = debounce(kEdit, () => this.#draw());
         studio.refreshed.on(() => {
             this.#stale = true;
             if (this.#open) {
-                again();
+                drawSoon();
             }
         });
         studio.ui.on("mode", () => (this.#open ? this.#stale && this.#draw() : this.#abort?.abort()));

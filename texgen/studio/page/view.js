@@ -8,7 +8,7 @@ import {ViewGestures} from "./view_gestures.js";
 import {clamp} from "./dom.js";
 
 const kMargin = 24; // CSS pixels around a picture that fits
-const kLargestZoom = 64; // CSS pixels per pixel of View.size
+const kLargestZoom = 64; // CSS pixels per pixel of the images (View.size)
 const kSmoothBelow = 2; // a pixel of the picture that is at least this many device pixels wide is drawn as a square
 // If the shorter side of the canvas has at most this many device pixels, pictures 512 pixels wide are sharp enough.
 const kSmallCanvas = 900;
@@ -130,10 +130,10 @@ export class View {
     }
 
     setZoom(zoom, x = this.#canvas.clientWidth / 2, y = this.#canvas.clientHeight / 2) {
-        const [u, v] = this.#toWorld(x, y);
+        const [u, v] = this.#toTilePixels(x, y);
         this.#zoom = clamp(zoom, 0.02, kLargestZoom);
-        this.#center[0] += u - this.#toWorld(x, y)[0];
-        this.#center[1] += v - this.#toWorld(x, y)[1];
+        this.#center[0] += u - this.#toTilePixels(x, y)[0];
+        this.#center[1] += v - this.#toTilePixels(x, y)[1];
         this.#fitted = false;
         this.#changed();
     }
@@ -152,7 +152,7 @@ export class View {
      * height from its upper left corner. Returns null if there is no tile.
      */
     pointAt(x, y) {
-        const point = this.#toWorld(x, y).map((value, axis) => value / this.size[axis]);
+        const point = this.#toTilePixels(x, y).map((value, axis) => value / this.size[axis]);
         const inside = point.every((value) => value >= 0 && value < this.tiling);
         return inside ? point.map((value) => value % 1) : null;
     }
@@ -193,7 +193,9 @@ export class View {
         this.#drawLayer(this.#picture, line, width);
     }
 
-    #toWorld(x, y) {
+    // Returns the point at `x`, `y` (CSS pixels of the canvas) in pixels of `size`, from the upper left corner of the
+    // first tile.
+    #toTilePixels(x, y) {
         return [
             this.#center[0] + (x - this.#canvas.clientWidth / 2) / this.#zoom,
             this.#center[1] + (y - this.#canvas.clientHeight / 2) / this.#zoom,

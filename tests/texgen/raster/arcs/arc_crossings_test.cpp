@@ -42,19 +42,19 @@ class LargestErrors {
         const std::int32_t rows = head.y / kSubpixel;
         const std::int32_t columns = head.x / kSubpixel;
         std::vector<std::int32_t> found(static_cast<std::size_t>(std::max(rows, columns)) +
-                                        ArcCrossings::kLanes);
-        ArcCrossings crossings{.arc = arc, .first = kSubpixel / 2, .step = kSubpixel, .offset = 7};
-        crossings.sign = -1;
-        crossings.count = static_cast<std::size_t>(rows);
-        find_xs({&crossings, 1}, found.data());
+                                        CrossingQuery::kLanes);
+        CrossingQuery query{.arc = arc, .first = kSubpixel / 2, .step = kSubpixel, .offset = 7};
+        query.sign = -1;
+        query.count = static_cast<std::size_t>(rows);
+        find_xs({&query, 1}, found.data());
         for (std::int32_t row = 0; row < rows; ++row) {
             const std::int32_t y = row * kSubpixel + kSubpixel / 2;
             const std::int32_t x = -found[static_cast<std::size_t>(row)] - 7;
             ASSERT_EQ(x, arc.x_at(y));
             of_xs = std::max(of_xs, std::abs(x - exact.x_at(y)));
         }
-        crossings.count = static_cast<std::size_t>(columns);
-        find_ys({&crossings, 1}, found.data());
+        query.count = static_cast<std::size_t>(columns);
+        find_ys({&query, 1}, found.data());
         for (std::int32_t column = 0; column < columns; ++column) {
             const std::int32_t x = column * kSubpixel + kSubpixel / 2;
             const std::int32_t y = -found[static_cast<std::size_t>(column)] - 7;

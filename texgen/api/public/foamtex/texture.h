@@ -22,8 +22,8 @@ namespace foamtex {
 /// Returns the version of the library, such as "1.2.3".
 FOAMTEX_EXPORT std::string version();
 
-/// Returns the version of the algorithms on which pixels depend: as long as it is the same, a
-/// preset and a seed give the same pixels.
+/// Returns the version of the algorithms on which pixels depend. As long as this number is the
+/// same, a preset and a seed give the same pixels.
 FOAMTEX_EXPORT int algorithm_version();
 
 /// Returns the names of the shipped presets.
@@ -124,9 +124,9 @@ class FOAMTEX_EXPORT Frame {
     /// one, or since the start of the simulation if there is none.
     std::vector<Event> events() const;
 
-    /// Returns the film tension times the length of all films of the simulated foam. In a loop with
-    /// a drift, a current or a shear, the foam that the frame shows is this foam, displaced; its
-    /// films may have another length.
+    /// Returns the film tension times the length of all films of the simulated foam. If the preset
+    /// has a drift, a current or a loop of the kind shear, the frame shows this foam displaced; the
+    /// displaced films may have another length.
     double energy() const;
 
     /// Returns the mean stress (E11) of the simulated foam.
@@ -223,7 +223,8 @@ struct BakeSettings {
 ///
 /// Returns the names of all images. Throws ArgumentError if an argument is not allowed, InputError
 /// if an existing manifest is unreadable, and OutputError if a file cannot be written. Throws
-/// EquilibriumError if the animation fails; the frames before the failure are then already written.
+/// EquilibriumError if the animation fails. The frames before the failure are then already written,
+/// unless the failure occurs while automatic ranges are fitted, before the first frame is written.
 FOAMTEX_EXPORT std::vector<std::string> bake(const Preset& preset,
                                              const std::string& out,
                                              const BakeSettings& settings = {});
