@@ -18,8 +18,8 @@ namespace foam {
 // paper section 4.1) on the gradient of L (E3). The merit function is the sum of squares of the
 // dimensionless residual. The chord method reuses a factor as long as, at the measured rate of
 // convergence, at most kStepsPerFactor further steps are expected. That many steps cost about as
-// much as a new factor. If films need a T1 before a step, the step is not made and the films are
-// returned to the caller.
+// much as a new factor. If films need a T1 before a step, they are returned to the caller. The step
+// is then not made, unless they are few films of a large foam (are_few).
 
 namespace {
 
@@ -36,6 +36,13 @@ constexpr double kNewFactorRatio = 0.5;
 // The foam is near equilibrium if all forces, in film tensions, and all relative area errors are
 // below this number. T1s are then predicted from the step.
 constexpr double kNearEquilibrium = 0.05;
+
+// In a foam of a million bubbles, nearly every step would bring some films to a T1. If such a step
+// were not made, the foam would make no progress. In a foam of at least kLargeFoam films, a step is
+// therefore made if at most one film in kFilmsPerT1 needs a T1. These films get their T1s after the
+// step; the limits of moves (limit_moves) keep them from collapsing in it.
+constexpr std::size_t kLargeFoam = 60'000;
+constexpr std::size_t kFilmsPerT1 = 10'000;
 
 // The residual at the foam's present state.
 struct Evaluation {
@@ -74,6 +81,12 @@ std::optional<NewtonStatus> ending(const ResidualNorms& norms,
 
 bool is_near_equilibrium(const ResidualNorms& norms) {
     return norms.force < kNearEquilibrium && norms.area < kNearEquilibrium;
+}
+
+// Returns true if the step is made although these films need a T1.
+bool are_few(const std::vector<FilmId>& films_for_t1, const Unknowns& unknowns) {
+    const std::size_t films = unknowns.films.size();
+    return films >= kLargeFoam && films_for_t1.size() <= films / kFilmsPerT1;
 }
 
 std::vector<FilmId> films_for_t1(const Foam& foam,
@@ -157,7 +170,8 @@ NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& opti
         const bool is_chord_step = system.has_factor();
         const Eigen::VectorXd step = system.step(foam, current.residual);
         summary.films_for_t1 = films_for_t1(foam, system.unknowns(), step, current.norms, options);
-        if (!summary.films_for_t1.empty()) {
+        const bool need_t1 = !summary.films_for_t1.empty();
+        if (need_t1 && !are_few(summary.films_for_t1, system.unknowns())) {
             end = NewtonStatus::FilmsNeedT1;
             break;
         }
@@ -166,9 +180,14 @@ NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& opti
         if (!is_worth_keeping(advance, is_chord_step, current.norms, options)) {
             system.drop_factor();
         }
+        const bool is_stalled = !advance.moved && !is_chord_step;
+        if (need_t1) {
+            end = is_stalled ? NewtonStatus::Stalled : NewtonStatus::FilmsNeedT1;
+            break;
+        }
         // If a step with a new factor makes no progress, the precision of the factor may be the
         // reason.
-        if (!advance.moved && !is_chord_step &&
+        if (is_stalled &&
             !(may_raise_precision(current.norms, options) && system.raise_precision(foam))) {
             end = NewtonStatus::Stalled;
             break;

@@ -40,7 +40,7 @@ struct NewtonOptions {
 /// The outcome of a run of Newton's method.
 enum class NewtonStatus {
     Converged,
-    FilmsNeedT1,  // films need a T1 before the next step
+    FilmsNeedT1,  // films need a T1, before the next step or after the last one
     Slow,         // see NewtonOptions::slow_ratio
     // A step with a new factor does not reduce the residual. The factor is in double precision,
     // unless the foam is far from equilibrium and NewtonOptions::raises_precision_far is false.

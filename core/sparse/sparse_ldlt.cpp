@@ -44,6 +44,16 @@ std::size_t threads_for(const FrontPlan& plan, int threads) {
     return static_cast<std::size_t>(is_small ? 1 : std::min(thread_count(threads), kMaxWorkers));
 }
 
+// Sets the size of a buffer whose values are no longer needed. If the buffer has to grow, its
+// memory is freed first, so that the old and the new memory do not exist at the same time.
+template <class Real>
+void set_size(std::vector<Real>& buffer, std::size_t size) {
+    if (buffer.capacity() < size) {
+        std::vector<Real>().swap(buffer);
+    }
+    buffer.resize(size);
+}
+
 }  // namespace
 
 template <class Real>
@@ -70,8 +80,8 @@ LdltAnalysis SparseLdlt<Real>::analyze(const Eigen::SparseMatrix<double>& lower_
         return LdltAnalysis::TooLarge;
     }
     plan_ = std::move(*new_plan);
-    factor_.resize(plan_.panels_size);
-    workspace_.resize(plan_.workspace_size);
+    set_size(factor_, plan_.panels_size);
+    set_size(workspace_, plan_.workspace_size);
     return LdltAnalysis::Planned;
 }
 
@@ -85,7 +95,7 @@ bool SparseLdlt<Real>::factor(const Eigen::SparseMatrix<double>& lower, int thre
     assert(lower.isCompressed());
     assert(static_cast<std::size_t>(lower.nonZeros()) == plan_.entries.size());
     const std::size_t used = threads_for(plan_, threads);
-    scratch_.resize(std::max(scratch_.size(), used * plan_.scratch_size));
+    set_size(scratch_, std::max(scratch_.size(), used * plan_.scratch_size));
     const FactorMemory<Real> memory{
         {lower.valuePtr(), plan_.entries.size()}, factor_, workspace_, scratch_};
     return factor_fronts(plan_, memory, used);

@@ -117,6 +117,27 @@ TEST(Newton, LeavesAFilmThatHasCollapsedToTheT1) {
     EXPECT_TRUE(are_same(c.foam, before));
 }
 
+// Without the step, a foam of a million bubbles would make no progress: in each step, some of its
+// films need a T1.
+TEST(Newton, MakesAStepOfALargeFoamAlthoughAFilmNeedsAT1) {
+    for (const int columns : {6, 142}) {  // 108 and 60,492 films
+        Foam foam = honeycomb(columns, columns);
+        const FilmId film = id_at<FilmId>(foam.network.film_slots() / 2);
+        foam.positions[foam.network.head(forward_side(film))] -=
+            0.999 * chord(foam, forward_side(film));
+        const double before = residual_of(foam);
+        const NewtonSummary summary = run(foam, {});
+        EXPECT_EQ(summary.status, NewtonStatus::FilmsNeedT1);
+        EXPECT_EQ(summary.films_for_t1, (std::vector<FilmId>{film}));
+        EXPECT_EQ(summary.iterations, columns == 6 ? 0 : 1);
+        if (columns == 6) {
+            EXPECT_EQ(residual_of(foam), before);
+        } else {
+            EXPECT_LT(residual_of(foam), before);
+        }
+    }
+}
+
 // Without T1s, Newton's method stalls far from equilibrium. A system that can raise its precision
 // afterwards has not done so before.
 TEST(Newton, RaisesThePrecisionFarFromEquilibriumOnlyIfAllowed) {
