@@ -14,9 +14,9 @@
 // Non-Uniform Random Variate Generation, 1986): a binary search in the cumulative sums of 1 / area
 // finds the cell, in which the point is uniformly distributed. Integrals over polygons are sums
 // over sample points (polygon_samples.h), so that a polygon need not be clipped to the cells of the
-// grid. The integral of 1 / area over a polygon is the number of bubbles in the polygon. The mean
-// area of a bubble is the area of the polygon divided by this number. The mean over a polygon is
-// therefore harmonic.
+// grid. The areas of a field are relative, so the integral of 1 / area over a polygon is
+// proportional to the number of bubbles in the polygon. The mean relative area of these bubbles is
+// the area of the polygon divided by this integral. The mean over a polygon is therefore harmonic.
 
 namespace foam {
 
@@ -77,7 +77,7 @@ double AreaField::cell_size() const {
 
 double AreaField::mean_over(std::span<const Vec2> polygon) const {
     double area = 0.0;
-    double bubbles = 0.0;
+    double bubbles = 0.0;  // proportional to the number of bubbles
     visit_polygon_samples(polygon, cell_size(), [&](const Vec2& point, double weight) {
         area += weight;
         bubbles += weight / at(point);

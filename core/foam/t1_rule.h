@@ -23,8 +23,8 @@ namespace foam {
 /// - If an outer film is at a small hole (is_small_hole with the T1 distance of the thresholds),
 ///   the hole closes, if it can.
 /// - If an outer film is at a hole in which bubbles overlap (is_overlapping_hole), the hole closes
-///   if it can. Otherwise, the film flips if it can. This case does not depend on the length of the
-///   film, so callers must apply the rule only to films that they consider short.
+///   if it can. If the hole cannot close, the film flips if it can. This case does not depend on
+///   the length of the film, so callers must apply the rule only to films that they consider short.
 /// - A collapsed film (collapsed_length) is reopened (reopen_film).
 /// - Any other film that is shorter than its T1 distance (t1_distance_at) flips if it can and if it
 ///   would stay open afterwards (would_stay_open).

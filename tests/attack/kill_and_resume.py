@@ -71,7 +71,7 @@ def main():
         one = attack_simulation if kills % 5 == 4 else attack_bake
         kills += one(lab, good, duration)
     parts = len(list(lab.root.rglob("*.part")))
-    lab.finish(f"{kills} kills; {parts} temporary files were left in the last folder")
+    lab.finish(f"{kills} kills; {parts} temporary files were left at the end")
 
 
 main()

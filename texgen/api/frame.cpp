@@ -42,32 +42,32 @@ void draw_codes(const Frame::State& frame,
 }  // namespace
 
 int Frame::number() const {
-    return state_->shown.frame->number;
+    return state_->simulated.frame->number;
 }
 
 double Frame::time() const {
-    return state_->shown.frame->time;
+    return state_->simulated.frame->time;
 }
 
 Extent Frame::extent() const {
-    return foam::extent_of(state_->shown.frame->domain);
+    return foam::extent_of(state_->simulated.frame->domain);
 }
 
 double Frame::energy() const {
-    return state_->shown.effort.energy;
+    return state_->simulated.effort.energy;
 }
 
 std::vector<Event> Frame::events() const {
-    return foam::event_records(state_->shown.effort.events);
+    return foam::event_records(state_->simulated.effort.events);
 }
 
 Stress Frame::stress() const {
-    return foam::stress_record(state_->shown.effort.stress);
+    return foam::stress_record(state_->simulated.effort.stress);
 }
 
 const FoamRecords& Frame::records() const {
     std::call_once(state_->has_records,
-                   [&] { state_->records = foam::records_of(*state_->shown.frame); });
+                   [&] { state_->records = foam::records_of(*state_->simulated.frame); });
     return state_->records;
 }
 

@@ -27,8 +27,8 @@ constexpr int kBitsPerByte = 8;
 MapImage draw_map(const foamtex::Frame::State& state, const Map& map, int threads) {
     require_threads(threads);
     const Preset& preset = state.preset.state().preset;
-    const SimulatedFrame& shown = state.shown;
-    if (map.needs_next && shown.next == nullptr) {
+    const SimulatedFrame& simulated = state.simulated;
+    if (map.needs_next && simulated.next == nullptr) {
         throw std::invalid_argument(
             fmt::format("the map '{0}' needs the next frame; list it in the key image.maps of the "
                         "preset: image.maps=[\"{0}\"]",
@@ -36,8 +36,8 @@ MapImage draw_map(const foamtex::Frame::State& state, const Map& map, int thread
     }
     const std::array names{std::string(map.name)};
     const DistanceNeeds distance = distance_needs(names, preset.maps);
-    const RasterGrid grid{preset.image.width, preset.image.height, 0, 0, shown.view};
-    DrawableFrame drawable(shown, grid, distance, thread_count(threads));
+    const RasterGrid grid{preset.image.width, preset.image.height, 0, 0, simulated.view};
+    DrawableFrame drawable(simulated, grid, distance, thread_count(threads));
     return draw(map, drawable.layers(), preset.maps);
 }
 
@@ -64,7 +64,7 @@ foamtex::ImageShape shape_of(const foamtex::Frame::State& frame,
                              bool integers) {
     const Preset& preset = frame.preset.state().preset;
     const MapTraits& map = drawn_traits(find_map(map_name), preset.maps);
-    const bool has_opacity = map.kind == MapKind::Color && frame.shown.frame->domain.is_plane();
+    const bool has_opacity = map.kind == MapKind::Color && frame.simulated.frame->domain.is_plane();
     int channels = channel_count(map) + (has_opacity ? 1 : 0);
     channels = integers && map.kind == MapKind::Number && channels == 2 ? 3 : channels;
     return {preset.image.width, preset.image.height, channels};

@@ -79,8 +79,8 @@ struct Simulation::Stream {
         changed.notify_all();
     }
 
-    void add(const foam::texgen::SimulatedFrame& shown) {
-        Frame frame(std::make_shared<const Frame::State>(shown, preset));
+    void add(const foam::texgen::SimulatedFrame& simulated) {
+        Frame frame(std::make_shared<const Frame::State>(simulated, preset));
         {
             std::unique_lock lock(mutex);
             changed.wait(lock, [&] { return stop_requested || frames.size() < kQueuedFrames; });

@@ -19,12 +19,13 @@ struct Preset::State {
 };
 
 struct Frame::State {
-    State(foam::texgen::SimulatedFrame frame, Preset simulated)
-        : shown(std::move(frame)), preset(std::move(simulated)) {}
+    State(foam::texgen::SimulatedFrame frame, Preset simulation_preset)
+        : simulated(std::move(frame)), preset(std::move(simulation_preset)) {}
 
-    foam::texgen::SimulatedFrame shown;
+    // The frame with its view, the statistics of the simulation (effort), and the frame after it.
+    foam::texgen::SimulatedFrame simulated;
     Preset preset;  // the preset of the simulation
-    // The records of `shown`, which are computed when they are first needed.
+    // The records of the frame, which are computed when they are first needed.
     mutable std::once_flag has_records;
     mutable FoamRecords records;
 };

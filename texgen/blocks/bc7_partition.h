@@ -61,9 +61,9 @@ template <class Simd>
 struct BestPartitions {
     using Floats = typename Simd::Floats;
     using Ints = typename Simd::Ints;
-    static constexpr std::size_t kMost = 8;
+    static constexpr std::size_t kMaxCount = 8;
 
-    /// Keeps at most `given` partitions. Precondition: `given` is at most kMost.
+    /// Keeps at most `given` partitions. Precondition: `given` is at most kMaxCount.
     FOAM_INLINE explicit BestPartitions(std::size_t given) : count(given) {
         for (Floats& error : errors) {
             error = 1e30F;
@@ -84,8 +84,8 @@ struct BestPartitions {
     }
 
     std::size_t count;
-    Array<Floats, kMost> errors;  // estimates
-    Array<Ints, kMost> partitions;
+    Array<Floats, kMaxCount> errors;  // estimates
+    Array<Ints, kMaxCount> partitions;
 };
 
 /// For each texel, the sums of a subset that contains only this texel.

@@ -73,9 +73,10 @@ FOAM_INLINE typename Simd::Floats code_of(const typename Simd::Floats& value,
 
 /// Rounds both endpoints of a channel, each down or up, to values of the format with given lowest
 /// bits. Chooses the pair of values with the smallest squared error. If the error does not depend
-/// on an endpoint, this endpoint is rounded to the nearest value. Returns the error, apart from a
-/// constant. Precondition: no other line has a smaller squared error (`error` is then a function of
-/// the differences from the ends of this line).
+/// on an endpoint, this endpoint is rounded to the nearest value. Returns the increase of the
+/// squared error by the rounding. Precondition: `line` has the smallest squared error of all lines.
+/// The increase is then a quadratic form in the differences between the rounded values and the ends
+/// of `line`, without linear terms.
 template <class Format, class Simd>
 FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
                                                 const LineOf<Simd, Format::kChannels>& line,
@@ -87,8 +88,8 @@ FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
     Array<Array<Floats, 2>, 2> values;
     Array<Array<Floats, 2>, 2> differences;
     for (std::size_t end = 0; end < 2; ++end) {
-        // The limit keeps `below` + 1 a valid code. The second of the codes is the neighbor of the
-        // exact code on the other side.
+        // The last argument of code_of ensures that `below` + 1 is a valid code. The two codes are
+        // `below` and `below` + 1; the code that is nearer to the unrounded code is first.
         const Floats code =
             code_of<Format, Simd>(line[end][c], lowest[end], Format::kLargestCode - 0.5F);
         const Ints below = Simd::whole(code);
@@ -113,16 +114,16 @@ FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
     return smallest;
 }
 
-/// Rounds both ends of a line to values of the format. Of the lowest bits that the format allows,
-/// those with the smallest squared error are used.
+/// Rounds both ends of a line to values of the format. Tries all lowest bits that the format allows
+/// and uses those with the smallest squared error. Precondition: as in round_channel.
 template <class Format, class Simd>
 FOAM_INLINE void round_ends(const LineOf<Simd, Format::kChannels>& line,
                             const SquaredError<Simd, Format::kChannels>& error,
                             LineOf<Simd, Format::kChannels>& rounded) {
     using Floats = typename Simd::Floats;
     using Ints = typename Simd::Ints;
-    // `bits` is a pair of lowest bits: bit 0 is that of the first end, bit 1 that of the second.
-    // If both must be equal, only 0 and 3 are tried.
+    // `bits` is a pair of lowest bits: bit 0 belongs to the first end, bit 1 to the second end. If
+    // both lowest bits must be equal, only 0 and 3 are tried.
     constexpr int kFirst = Format::kLowest == LowestBits::Ones ? 3 : 0;
     constexpr int kLast = Format::kLowest == LowestBits::None ? 0 : 3;
     constexpr int kStride = Format::kLowest == LowestBits::PerSubset ? 3 : 1;

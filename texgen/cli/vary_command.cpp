@@ -47,10 +47,10 @@ constexpr const char* kVaryExamples = R"(Examples:
 0..0.6:4 stands for 4 evenly spaced numbers from 0 to 0.6. In a grid of two sweeps, each row has one
 value of the first sweep; --seeds is a sweep, too, and comes first. --random gives every variation a
 random seed and random values of the keys in preset.vary; a key that --set sets does not vary. Every
-variation becomes a preset file beside the sheet; these files replace those of an earlier run.)";
+variation becomes a preset file beside the sheet; those of earlier runs are replaced or removed.)";
 
 constexpr int kLargestWidth = 2048;
-constexpr int kMostVariations = 400;  // limit of --random
+constexpr int kMaxVariations = 400;  // limit of --random
 
 struct VaryArguments {
     RunArguments run;
@@ -72,8 +72,8 @@ std::vector<Sweep> sweeps_of(const VaryArguments& arguments) {
     for (const std::string& sweep : arguments.sweeps) {
         sweeps.push_back(read_sweep(sweep));
     }
-    constexpr std::size_t kLargestCount = 2;
-    if (sweeps.empty() || sweeps.size() > kLargestCount) {
+    constexpr std::size_t kMaxSweeps = 2;
+    if (sweeps.empty() || sweeps.size() > kMaxSweeps) {
         throw std::invalid_argument(
             fmt::format("vary needs one or two sweeps, not {}: --seeds RANGE, --sweep KEY=VALUES; "
                         "or --random COUNT",
@@ -214,7 +214,7 @@ void add_random_options(CLI::App& command, VaryArguments& arguments) {
             .add_option("--random",
                         arguments.random,
                         "Number of variations with random values of the keys in preset.vary")
-            ->check(CLI::Range(1, kMostVariations))
+            ->check(CLI::Range(1, kMaxVariations))
             ->option_text("COUNT");
     random->excludes("--seeds")->excludes("--sweep");
     command

@@ -14,8 +14,8 @@ Keys<CollapseOptions> collapse_keys() {
         {{{"at-once", EventOrder::AtOnce}, {"in-turn", EventOrder::InTurn}}}};
     return {key("order",
                 kOrders,
-                "several bubbles collapse at the same time, or one after the other in equal parts "
-                "of the frames",
+                "several bubbles collapse at the same time, or one after the other, each in an "
+                "equal part of the frames (rounded to whole frames)",
                 &CollapseOptions::order)};
 }
 

@@ -3,6 +3,7 @@
 #include "texgen/image/data_format.h"
 
 #include "texgen/image/byte_reader.h"
+#include "texgen/image/texture_limits.h"
 
 #include <cstdint>
 
@@ -94,9 +95,7 @@ void check_straight_alpha(std::span<const std::byte> descriptor) {
     ByteReader reader(descriptor);
     reader.take(12);                                     // sizes, type and version
     const std::uint32_t flags = reader.number() >> 24U;  // after model, primaries and transfer
-    if ((flags & kAlphaIsPremultiplied) != 0) {
-        throw InputError("the KTX2 has premultiplied alpha, which foamtex does not read");
-    }
+    check_supported("KTX2", (flags & kAlphaIsPremultiplied) == 0, "has premultiplied alpha");
 }
 
 }  // namespace foam::texgen

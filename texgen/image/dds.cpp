@@ -140,13 +140,11 @@ GpuTexture decode_dds(std::span<const std::byte> content) {
         throw InputError(
             fmt::format("the DDS has the pixel format {}, which foamtex does not read", number));
     }
-    check_dds(reader.number() == kTwoDimensional, "the texture is not two-dimensional");
-    check_dds((reader.number() & kCube) == 0, "the texture is a cube");
+    check_supported("DDS", reader.number() == kTwoDimensional, "is not two-dimensional");
+    check_supported("DDS", (reader.number() & kCube) == 0, "is a cube");
     const std::uint32_t layers = reader.number();
     const std::uint32_t alpha = reader.number() & kAlphaMode;
-    if (alpha == kPremultipliedAlpha) {
-        throw InputError("the DDS has premultiplied alpha, which foamtex does not read");
-    }
+    check_supported("DDS", alpha != kPremultipliedAlpha, "has premultiplied alpha");
     const std::uint32_t levels = std::max(header[6], 1U);
     check_texture_size("DDS", header[3], header[2], levels, layers);
     require_texture_memory(

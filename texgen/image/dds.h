@@ -15,7 +15,7 @@ namespace foam::texgen {
 Bytes encode_dds(const GpuTexture& texture);
 
 /// Returns the texture in a DDS file. Throws InputError in these cases:
-/// - The stream is malformed or truncated, or has no header of Direct3D 10.
+/// - The file is malformed or truncated, or has no header of Direct3D 10.
 /// - The format of the texture is not one of PixelFormat.
 /// - The texture is a cube or not two-dimensional, or its alpha is premultiplied.
 /// - An image is above the limits in core/files/input_limits.h.

@@ -37,10 +37,13 @@ struct DifferenceLimits {
     std::optional<double> rms{};   // limit of Comparison::rms
     std::vector<PercentileLimit> percentiles{};
 
-    /// Returns the limit of the difference of a sample: `sample`, if it is given. Otherwise the
-    /// limit is kDefaultSampleLimit if none of the limits `rms`, `percentiles` and `angle` is
-    /// given. If one of them is given, the limit is infinity, because kDefaultSampleLimit would
-    /// forbid differences that the given one allows. `angle` counts only if `has_normals` is true.
+    /// Returns the limit of the difference of a sample:
+    /// - `sample`, if it is given;
+    /// - infinity, if `sample` is not given, but `rms`, `percentiles` or `angle` is, because
+    ///   kDefaultSampleLimit would forbid differences that the given limit allows;
+    /// - kDefaultSampleLimit, if none of these limits is given.
+    ///
+    /// `angle` counts only if `has_normals` is true.
     double sample_limit(bool has_normals) const;
 
     /// Returns how many of `pixels` pixels may be above the limits.

@@ -34,7 +34,7 @@ constexpr std::size_t kKtx2HeaderBytes = 80;  // everything before the index of 
 constexpr std::size_t kLevelEntryBytes = 24;  // an entry of the index of levels
 constexpr std::uint32_t kZstandard = 2;       // scheme of supercompression
 constexpr int kZstandardLevel = 5;
-constexpr std::size_t kMostLevelBytes = std::size_t{1} << 32U;  // of one level, uncompressed
+constexpr std::size_t kMaxLevelBytes = std::size_t{1} << 32U;  // of one level, uncompressed
 // The largest compression ratio of Zstandard: a block of 4 bytes can stand for 128 KiB of equal
 // bytes. Larger ratios are rejected, so that a small file cannot claim much memory.
 constexpr std::size_t kLargestRatio = 32768;
@@ -162,8 +162,8 @@ TextureAnimation animation_in(std::span<const std::byte> value) {
     ByteReader reader(value);
     const std::uint32_t duration = reader.number();
     const std::uint32_t timescale = reader.number();
-    constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
-    check_ktx2(duration > 0 && timescale > 0 && duration <= kMost && timescale <= kMost,
+    constexpr std::uint32_t kMax = std::numeric_limits<int>::max();
+    check_ktx2(duration > 0 && timescale > 0 && duration <= kMax && timescale <= kMax,
                "KTXanimData gives no frame rate");
     return {.rate = {static_cast<int>(timescale), static_cast<int>(duration)},
             .repeats = reader.number() != 1};
@@ -204,19 +204,19 @@ std::span<const std::byte> part_of(std::span<const std::byte> content,
     return content.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
-// Reads the images of all layers at one mip level.
+// Reads the images of all layers at one mip level. Needs memory for two copies of these images.
 void read_level(std::span<const std::byte> packed,
                 int level,
                 std::uint64_t uncompressed,
                 GpuTexture& texture) {
     const std::size_t image = image_bytes(
         texture.format, level_extent(texture.width, level), level_extent(texture.height, level));
-    check_ktx2(uncompressed == image * texture.layers.size() && uncompressed <= kMostLevelBytes,
-               "a mip level has another size than its images");
+    check_ktx2(uncompressed == image * texture.layers.size(), "a mip level has the wrong size");
+    check_supported("KTX2", uncompressed <= kMaxLevelBytes, "has a mip level of more than 4 GiB");
     const unsigned long long claimed = ZSTD_getFrameContentSize(packed.data(), packed.size());
     check_ktx2(claimed == uncompressed && uncompressed / kLargestRatio <= packed.size(),
                "the index of mip levels gives a wrong size for the compressed data of a level");
-    require_texture_memory(2 * uncompressed, texture.width, texture.height);  // `bytes`, layers
+    require_texture_memory(2 * uncompressed, texture.width, texture.height);
     const Bytes bytes = decompressed(packed, static_cast<std::size_t>(uncompressed));
     for (std::size_t k = 0; k < texture.layers.size(); ++k) {
         const auto part = std::span(bytes).subspan(k * image, image);
@@ -268,18 +268,18 @@ GpuTexture decode_ktx2(std::span<const std::byte> content) {
     reader.number();  // size of the data type
     const std::uint32_t width = reader.number();
     const std::uint32_t height = reader.number();
-    check_ktx2(reader.number() == 0, "the texture is a volume");
+    check_supported("KTX2", reader.number() == 0, "is a volume");
     const std::uint32_t layers = reader.number();
-    check_ktx2(reader.number() == 1, "the texture is a cube");
+    check_supported("KTX2", reader.number() == 1, "is a cube");
     const std::uint32_t levels = reader.number();
     check_texture_size("KTX2", width, height, levels, std::max(layers, 1U));
-    check_ktx2(reader.number() == kZstandard, "it is not compressed with Zstandard");
+    check_supported("KTX2", reader.number() == kZstandard, "is not compressed with Zstandard");
     const std::uint32_t descriptor_offset = reader.number();
     const std::uint32_t descriptor_bytes = reader.number();
     check_straight_alpha(part_of(content, descriptor_offset, descriptor_bytes));
     const std::uint32_t values_offset = reader.number();
     const std::uint32_t values_bytes = reader.number();
-    reader.take(16);  // position of the global data
+    reader.take(16);  // offset and size of the global data
     GpuTexture texture{
         .format = *format,
         .width = static_cast<int>(width),

@@ -18,11 +18,12 @@
 #include <utility>
 #include <variant>
 
-// Each level is computed in floating point from the level before it. Only the result is rounded to
-// codes (integer samples), so rounding errors do not add up. A level is kept as planes: images of
-// one channel. Colors with an opacity have seven planes. Three contain the colors multiplied by the
-// opacity, and one contains the opacity. The last three contain the colors alone, for pixels that
-// become completely transparent.
+// Each level is computed from the level before it, and kept as planes: images of one channel. Ids
+// are chosen among the ids of the level before, as integers. All other levels are computed in
+// floating point. They are rounded to codes (integer samples) only to be stored, so rounding errors
+// do not add up. Colors with an opacity have seven planes. Three contain the colors multiplied by
+// the opacity, and one contains the opacity. The last three contain the colors alone, for pixels
+// that become completely transparent.
 
 namespace foam::texgen {
 
@@ -65,11 +66,11 @@ struct Conversion {
     bool has_opacity() const { return color && channels > kOpacity; }
     bool is_light(std::size_t channel) const { return color && channel < kColors; }
 
-    // Returns the numbers of all codes of a channel.
+    // Returns the numbers that the codes of a channel represent. A code is the index of its number.
     std::span<const float> numbers(std::size_t channel) const {
         return is_light(channel) ? light : fractions;
     }
-    // Returns the code of a number of a channel. The number is clamped to [0, 1].
+    // Returns the code that stores a number in a channel. The number is clamped to [0, 1].
     Code code(float number, std::size_t channel) const {
         const double clamped = static_cast<double>(std::clamp(number, 0.0F, 1.0F));
         if (!is_light(channel)) {

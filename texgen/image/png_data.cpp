@@ -32,10 +32,10 @@ int rows_per_part(const PngRows& rows, Compression compression) {
 
 }  // namespace
 
-PngData::PngData(const PngRows& rows, const PngEncoding& encoding, std::size_t most_bytes)
+PngData::PngData(const PngRows& rows, const PngEncoding& encoding, std::size_t max_bytes)
     : rows_(rows),
       encoding_(encoding),
-      most_bytes_(most_bytes),
+      max_bytes_(max_bytes),
       rows_per_part_(rows_per_part(rows, encoding.compression)) {
     const int count = (rows.height() + rows_per_part_ - 1) / rows_per_part_;
     const int batch_size = std::min(thread_count(encoding.threads), count);
@@ -77,9 +77,9 @@ void PngData::add_chunks(const PngPart& part, bool first, bool last) {
     check_ = big_endian(adler32_);
     std::span<const std::byte> rest = part.deflated;
     chunks_.push_back({std::span(kZlibHeader).first(first ? kZlibHeader.size() : 0), rest, {}});
-    while (rest.size() > most_bytes_) {
-        chunks_.back().middle = rest.first(most_bytes_);
-        rest = rest.subspan(most_bytes_);
+    while (rest.size() > max_bytes_) {
+        chunks_.back().middle = rest.first(max_bytes_);
+        rest = rest.subspan(max_bytes_);
         chunks_.push_back({{}, rest, {}});
     }
     chunks_.back().end = std::span(check_).first(last ? check_.size() : 0);

@@ -29,7 +29,7 @@ class PngData {
   public:
     /// The largest number of bytes of compressed rows in a chunk. A chunk of PNG may have at most
     /// 2^31 - 1 bytes.
-    static constexpr std::size_t kMostRowBytes = std::size_t{1} << 30;
+    static constexpr std::size_t kMaxRowBytes = std::size_t{1} << 30;
 
     /// The content of an IDAT chunk in three consecutive pieces.
     struct Chunk {
@@ -39,10 +39,8 @@ class PngData {
     };
 
     /// Refers to the rows and the encoding, which must outlive this object. A chunk has at most
-    /// `most_bytes` bytes of compressed rows.
-    PngData(const PngRows& rows,
-            const PngEncoding& encoding,
-            std::size_t most_bytes = kMostRowBytes);
+    /// `max_bytes` bytes of compressed rows.
+    PngData(const PngRows& rows, const PngEncoding& encoding, std::size_t max_bytes = kMaxRowBytes);
 
     /// Returns true if next_chunks has returned all chunks of the stream.
     bool complete() const { return next_row_ == rows_.height(); }
@@ -64,7 +62,7 @@ class PngData {
 
     const PngRows& rows_;
     const PngEncoding& encoding_;
-    std::size_t most_bytes_;
+    std::size_t max_bytes_;
     std::vector<PngPart> parts_;  // the parts that one call of next_chunks compresses
     std::vector<Chunk> chunks_;   // their chunks
     int rows_per_part_;

@@ -24,21 +24,25 @@ void check_texture_size(std::string_view format,
         throw InputError(
             fmt::format("the image is {} x {} pixels, more than foamtex reads", width, height));
     }
-    const int most = full_level_count(static_cast<int>(width), static_cast<int>(height));
-    if (levels == 0 || levels > static_cast<std::uint32_t>(most)) {
+    const int max_levels = full_level_count(static_cast<int>(width), static_cast<int>(height));
+    if (levels == 0 || levels > static_cast<std::uint32_t>(max_levels)) {
         throw InputError(
-            fmt::format("malformed {}: it has {} mip levels, but {} x {} pixels have 1 to {}",
+            fmt::format("the {} has {} mip levels, but foamtex reads 1 to {} for {} x {} pixels",
                         format,
                         levels,
+                        max_levels,
                         width,
-                        height,
-                        most));
+                        height));
     }
-    if (layers == 0 || layers > kMostLayers) {
-        throw InputError(fmt::format("malformed {}: the number of layers, {}, is not from 1 to {}",
-                                     format,
-                                     layers,
-                                     kMostLayers));
+    if (layers == 0 || layers > kMaxLayers) {
+        throw InputError(fmt::format(
+            "the {} has {} layers, but foamtex reads 1 to {}", format, layers, kMaxLayers));
+    }
+}
+
+void check_supported(std::string_view format, bool holds, std::string_view property) {
+    if (!holds) {
+        throw InputError(fmt::format("the {} {}, which foamtex does not read", format, property));
     }
 }
 

@@ -9,11 +9,11 @@
 namespace foam::texgen {
 
 /// Returns the candidate that a misspelled word most likely stands for: of the similar candidates,
-/// the one with the smallest Levenshtein distance to the word. A candidate is similar if its
-/// distance is at most n / 2 and at most the larger of 2 and n / 3. Here n is the length of the
-/// word in bytes. If no candidate is similar, returns the candidate that begins with the word,
-/// provided that the word has at least three bytes and no other candidate begins with it. Otherwise
-/// returns an empty view.
+/// the one with the smallest Levenshtein distance to the word. For a word of n bytes, a candidate
+/// is similar if its distance is at most n / 3, or at most 2 if n / 3 is smaller, but never more
+/// than n / 2. If no candidate is similar, returns the candidate that begins with the word,
+/// provided that the word has at least three bytes and no other candidate begins with it. If there
+/// is no such candidate either, returns an empty view.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// Returns the end of an error message that suggests the nearest candidate, such as

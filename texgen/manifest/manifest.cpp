@@ -56,8 +56,8 @@ void merge_into(BakedSet& into, const BakedSet& more) {
     into.loop = more.loop;
     into.loop.closing_error = more.loop.closing_error ? more.loop.closing_error : closing_error;
     // The conventions contain the motion multiplier. If the multiplier is automatic, it is known
-    // only after ranges have been fitted. If the map `motion` has samples, a bake has written a
-    // file of this map, so its range has been fitted.
+    // only after ranges have been fitted. ManifestMap::samples is set when the first file of a map
+    // is written. If it is set for the map `motion` of `more`, the multiplier is known.
     const ManifestMap* const motion = more.find_map(kMotionMap.name);
     if (motion != nullptr && motion->samples) {
         into.conventions = more.conventions;

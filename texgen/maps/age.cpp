@@ -18,8 +18,8 @@ Keys<AgeOptions> age_keys() {
                 &AgeOptions::since),
             key("full",
                 RealsOrAuto{1e-6, 1e9, AgeOptions().full},
-                "age that a PNG stores as its largest code, in foam time; \"auto\" chooses a value "
-                "that suits the largest age in the whole animation",
+                "age at the value 1 (white) of a PNG, in foam time; \"auto\" fits it to the "
+                "largest age in the whole animation",
                 &AgeOptions::full)
                 .in("foam time")};
 }

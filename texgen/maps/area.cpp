@@ -14,8 +14,8 @@ Keys<AreaOptions> area_keys() {
             &AreaOptions::unit),
         key("full",
             RealsOrAuto{1e-3, 1e6, AreaOptions().full},
-            "area that a PNG stores as its largest code, in the unit area.unit; \"auto\" chooses a "
-            "value that suits the largest area in the whole animation",
+            "area at the value 1 (white) of a PNG, in the unit area.unit; \"auto\" fits it to the "
+            "largest area in the whole animation",
             &AreaOptions::full)
             .in("areas of the mean bubble, selected by area.unit")};
 }

@@ -33,8 +33,8 @@ Keys<CurvatureOptions> curvature_keys() {
                 .in(kReliefDiameters),
             key("full",
                 RealsOrAuto{1e-6, 1e6, CurvatureOptions().full},
-                "curvature that a PNG stores as its largest code; code 0 stands for -full; "
-                "\"auto\" chooses a value that suits the largest curvature in the whole animation",
+                "curvature at the value 1 (white) of a PNG, per bubble diameter; 0 (black) stands "
+                "for -full; \"auto\" fits it to the largest curvature in the whole animation",
                 &CurvatureOptions::full)
                 .in("per mean bubble diameter, selected by relief.mean_bubble")};
 }

@@ -24,8 +24,9 @@ Keys<DistanceOptions> distance_keys() {
             key("unit", kUnits, "foam units or pixels", &DistanceOptions::unit),
             key("full",
                 RealsOrAuto{1e-6, 1e6, DistanceOptions().full},
-                "distance that a PNG stores as its largest code, in the unit distance.unit; "
-                "\"auto\" chooses a value that suits the largest distance in the whole animation",
+                "distance at the value 1 (white) of a PNG, in the unit distance.unit; 0 (black) "
+                "stands for 0, or for -full if distance.kind is \"signed\"; \"auto\" fits it to "
+                "the largest distance in the whole animation",
                 &DistanceOptions::full)
                 .in("foam units or pixels, selected by distance.unit")};
 }

@@ -29,9 +29,9 @@ Keys<GrowthOptions> growth_keys() {
     return {
         key("full",
             RealsOrAuto{1e-9, 1e6, GrowthOptions().full},
-            "growth rate that a PNG stores as its largest code, in square foam units per foam "
-            "time; code 0 stands for -full; \"auto\" chooses a value that suits the fastest growth "
-            "or shrinking in the whole animation",
+            "growth rate at the value 1 (white) of a PNG, in square foam units per foam time; 0 "
+            "(black) stands for -full; \"auto\" fits it to the fastest growth or shrinking in the "
+            "whole animation",
             &GrowthOptions::full)
             .in("square foam units per foam time")};
 }

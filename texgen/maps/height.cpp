@@ -11,8 +11,8 @@ namespace foam::texgen {
 Keys<HeightOptions> height_keys() {
     return {key("full",
                 RealsOrAuto{1e-6, 1e6, HeightOptions().full},
-                "height that a PNG stores as its largest code, in bubble diameters; \"auto\" "
-                "chooses a value that suits the largest height in the whole animation",
+                "height at the value 1 (white) of a PNG, in bubble diameters; \"auto\" fits it to "
+                "the largest height in the whole animation",
                 &HeightOptions::full)
                 .in(kReliefDiameters)};
 }

@@ -224,9 +224,8 @@ Keys<MotionOptions> motion_keys() {
             key("y", kDirections, "direction of positive y", &MotionOptions::y),
             key("multiplier",
                 RealsOrAuto{1e-6, 10.0, MotionOptions().multiplier},
-                "motion that a PNG stores as its largest code, as a fraction of the image width; "
-                "code 0 stands for -multiplier; \"auto\" chooses a value that suits the largest "
-                "motion in the whole animation",
+                "motion at the value 1 of a PNG, as a fraction of the image width; 0 stands for "
+                "-multiplier; \"auto\" fits it to the largest motion in the whole animation",
                 &MotionOptions::multiplier)
                 .in("fraction of the image width")};
 }

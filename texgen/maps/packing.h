@@ -32,8 +32,7 @@ struct Packing {
     std::string name;                     // takes the place of {map} in file names
     std::vector<PackedChannel> channels;  // R, G, B and, if there are four, A
     int bits = 8;  // bits per sample of a file of codes (integer samples), 8 or 16
-    // True if R, G and B are colors. The image is then encoded as sRGB, apart from A. Otherwise all
-    // channels are data.
+    // If true, R, G and B are colors, which are encoded as sRGB. If false, all channels are data.
     bool is_color = false;
 };
 
@@ -62,9 +61,10 @@ Packing parse_packing(std::string_view text);
 /// Returns the maps of a packing, each once.
 std::vector<const Map*> maps_in(const Packing& packing);
 
-/// Draws a packed image. If packing.is_color is true, the image holds colors, and the numbers of A
-/// are clamped to 0 to 1. The colors of a patch are not multiplied by its opacity. Otherwise the
-/// image holds numbers, which are outside of 0 to 1 if they are outside the range of their map.
+/// Draws a packed image. If packing.is_color is true, the image holds colors, which are not
+/// multiplied by the opacity of a patch, and the numbers of A are clamped to 0 to 1. If
+/// packing.is_color is false, the image holds numbers, which are outside of 0 to 1 if they are
+/// outside the range of their map.
 MapImage draw_packed(const Packing& packing, ShownLayers& shown, const MapOptions& options);
 
 }  // namespace foam::texgen

@@ -30,20 +30,16 @@ Keys<ReliefOptions> relief_keys() {
             .used_with("relief.profile", {"dome"}),
         key("width",
             Reals{0.001, 10.0},
-            "width of a ridge from film to foot, or radius of Plateau borders, in bubble "
-            "diameters; "
-            "if relief.mean_bubble is \"seed\" and this width is half of maze.wall_width, ridges "
-            "are "
-            "as wide as the painted walls of a maze",
+            "distance from a film to the foot of its ridge, or radius of Plateau borders, in "
+            "bubble diameters",
             &Options::width)
             .in(kReliefDiameters)
             .used_with("relief.profile", {"ridge", "wet"}),
         key("strength", Reals{0.0, 100.0}, "factor on all heights", &Options::strength),
         key("grain",
             Reals{0.0, 10.0},
-            "height of a fine grain that moves with each bubble, in bubble diameters, scaled by "
-            "relief.strength; 0 disables it; shown by the maps height, normal, lit and "
-            "caustics",
+            "height of a fine grain that moves with each bubble, in bubble diameters, before it "
+            "is scaled by relief.strength; 0 disables the grain",
             &Options::grain)
             .in(kReliefDiameters)
             .only_for("relief.films", {"all"}),

@@ -12,10 +12,10 @@
 
 namespace foam::texgen {
 
-/// The conventions of an engine or a program for materials. They say which maps the engine needs,
-/// and how the channels of the maps are packed. They also set the direction of y in normals, and
-/// the names and formats of files. A profile is a TOML document with the keys of presets, and a
-/// description in the table [profile]:
+/// The conventions of an engine, or of a program in which artists edit materials: the maps that it
+/// needs, how the channels of the maps are packed, the direction of y in normals, and the names and
+/// formats of files. A profile is a TOML document with the keys of presets, and a description in
+/// the table [profile]:
 ///
 ///     [profile]
 ///     description = "An engine of our own"
@@ -26,7 +26,8 @@ namespace foam::texgen {
 ///     [output]
 ///     pack = ["ORM=occlusion,roughness,metallic"]
 ///
-/// It may set all keys except those that change the foam (table_affects_simulation).
+/// It may set keys of the maps and of the tables preset, image, camera, output, vector and mesh. It
+/// may not set keys of the other tables, which change the foam (table_affects_simulation).
 struct Profile {
     std::string name;  // name of the shipped profile, or name of the file without ".toml"
     std::string description;
@@ -34,8 +35,8 @@ struct Profile {
 };
 
 /// Returns the profile that a TOML document describes. `source` is the name of the document in
-/// messages. Throws PresetError if the document is malformed, or if it sets a key that changes the
-/// foam or an unknown key of the table [profile].
+/// messages. Throws PresetError if the document is malformed, or if it sets a key of a table that
+/// profiles may not set or an unknown key of the table [profile].
 Profile parse_profile(std::string_view toml, std::string name, const std::string& source);
 
 /// Loads the profile in the file with the given path, or the shipped profile with the given name.
@@ -54,18 +55,20 @@ Profile load_profile(const std::string& name_or_path);
 /// - The map emission is left out of image.maps if nothing in the preset glows (lit.glow is 0).
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
 
-/// Returns the assignments of the profile with the given name or path for a preset. `overrides` are
-/// further assignments, which will be made after the result has been assigned. The result is
-/// computed by assignments_for from a copy of the preset in which the overrides have been assigned.
-/// Only image.maps, which base_color_map reads, keeps its value in the copy. Throws the exceptions
-/// of load_profile, and PresetError if one of the overrides is not allowed.
+/// Returns the assignments of the profile with the given name or path for a preset. The caller then
+/// assigns them to the preset, and after them `overrides`, which take precedence. Since overrides
+/// may change which map has the colors of the preset and whether anything glows, assignments_for
+/// gets a copy of the preset in which they are already assigned. Only image.maps has the value of
+/// the preset in this copy, because base_color_map reads it. Throws the exceptions of load_profile,
+/// and PresetError if one of the overrides is not allowed.
 std::vector<Assignment> profile_assignments(const std::string& profile,
                                             const Preset& preset,
                                             std::span<const Assignment> overrides);
 
 /// Returns the name of the map that has the unlit colors of a preset. This is the first map of
-/// colors in image.maps, apart from emission and id_color. If that first map is `lit`, the result
-/// is the map whose colors `lit` shows. If image.maps has no such map, the result is "albedo".
+/// colors in image.maps, where the maps emission and id_color do not count. If this first map is
+/// `lit`, the result is the map whose colors `lit` shows. If image.maps has no map of colors that
+/// counts, the result is "albedo".
 std::string base_color_map(const Preset& preset);
 
 }  // namespace foam::texgen

@@ -23,7 +23,7 @@ using SideId = std::uint32_t;
 
 constexpr SideId kNoSide = std::numeric_limits<SideId>::max();
 constexpr std::size_t kCorners = 4;
-// Crossings keep this distance from the points of the grid, as a fraction of a side. Rings
+// The least distance of a crossing from the points of the grid, as a fraction of a side. Rings
 // therefore do not touch each other where a number equals the level.
 constexpr double kLeastDistance = 0.01;
 

@@ -14,7 +14,9 @@ namespace foam::texgen {
 /// number at the point (x, y) of the plane. Beyond the grid, all numbers count as 0. The last
 /// corner of a ring is joined to the first. Numbers are interpolated linearly along the sides of
 /// the squares of the grid (marching squares: W. E. Lorensen, H. E. Cline, "Marching cubes", 1987,
-/// in two dimensions). No ring crosses or touches itself or another ring. Precondition: level > 0.
+/// in two dimensions). Corners that would be nearer than 0.01 to a point of the grid are moved to
+/// this distance. Therefore no ring crosses or touches itself or another ring.
+/// Precondition: level > 0.
 std::vector<std::vector<Vec2>> contours(const Image<float>& grid, double level);
 
 }  // namespace foam::texgen

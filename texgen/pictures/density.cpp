@@ -29,7 +29,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kBuiltIn{"even", "gradient", "radial", "noise"};
 // The largest number of cells of a picture along its longer side: for seeding, and for the
 // comparison of opposite edges.
-constexpr int kMostPictureCells = 1024;
+constexpr int kMaxPictureCells = 1024;
 constexpr int kEdgeCells = 256;
 constexpr int kBuiltInCells = 512;  // cells along the longer side of a density that is built in
 constexpr int kOctaves = 3;         // number of octaves of the noise
@@ -181,7 +181,7 @@ ToneGrid built_in_tones(const DensityOptions& options, const DensityDomain& doma
 }
 
 ToneGrid picture_tones(const DensityOptions& options, bool is_torus) {
-    ToneGrid grid = darkness_of(*options.source.picture.picture, kMostPictureCells);
+    ToneGrid grid = darkness_of(*options.source.picture.picture, kMaxPictureCells);
     if (is_torus && options.edges == PictureEdges::Mirror) {
         return mirrored(grid);
     }
@@ -217,8 +217,7 @@ Keys<DensityOptions> density_keys() {
             .unused_with("foam.density", {"even"}),
         key("density_invert",
             kSwitch,
-            "on: bubbles are large where they would otherwise be small, and small where they would "
-            "be large",
+            "on: exchanges the places of large and of small bubbles",
             &Options::is_inverted)
             .unused_with("foam.density", {"even"}),
         key("density_edges",

@@ -85,9 +85,9 @@ ToneGrid darkness_of(const SourcePicture& picture, int most_cells) {
 }
 
 void stretch_tones(ToneGrid& grid) {
-    const auto [least, most] = std::ranges::minmax_element(grid.samples());
-    const double low = *least;
-    const double range = *most - *least;
+    const auto [smallest, largest] = std::ranges::minmax_element(grid.samples());
+    const double low = *smallest;
+    const double range = *largest - *smallest;
     for (double& tone : grid.samples()) {
         tone = range > 0.0 ? (tone - low) / range : 0.0;
     }

@@ -69,12 +69,12 @@ std::optional<NumberRange> range_in(std::string_view text) {
     }
     const int count = range.count.value_or(2);
     if (!std::isfinite(range.low) || !std::isfinite(range.high) || count < 2 ||
-        count > kMostValues) {
+        count > kMaxValues) {
         throw std::invalid_argument(fmt::format(
             "'{}' must be LOW..HIGH or LOW..HIGH:COUNT, such as 0.1..0.4:4, with a COUNT from 2 "
             "to {}",
             text,
-            kMostValues));
+            kMaxValues));
     }
     return range;
 }

@@ -27,11 +27,11 @@ struct KeyValues {
 
 /// The largest count of a range, the largest number of values of a sweep, and the largest number of
 /// combinations of several sweeps.
-inline constexpr int kMostValues = 400;
+inline constexpr int kMaxValues = 400;
 
 /// Parses KEY=VALUES. VALUES are separated by commas; commas within brackets or quotes do not
 /// separate. Spaces around the key and around a value are ignored. LOW..HIGH is a range of numbers,
-/// and LOW..HIGH:COUNT a range with a count from 2 to kMostValues. Throws std::invalid_argument if
+/// and LOW..HIGH:COUNT a range with a count from 2 to kMaxValues. Throws std::invalid_argument if
 /// the text has another form. Does not check whether the key exists and allows the values.
 KeyValues parse_key_values(std::string_view text);
 

@@ -25,7 +25,7 @@ namespace foam::texgen {
 
 namespace {
 
-/// Ends a bake that a page has canceled.
+/// Ends a bake that a page has canceled, or that runs while the studio ends.
 class Canceled : public std::exception {};
 
 }  // namespace
@@ -136,7 +136,8 @@ void BakeJobs::run(Job& job) {
 
 BakeJobs::Job& BakeJobs::job(int bake) {
     if (!job_ || job_->number != bake) {
-        throw std::invalid_argument(fmt::format("there is no bake {}", bake));
+        throw std::invalid_argument(
+            fmt::format("bake {} is not the last bake that was started", bake));
     }
     return *job_;
 }

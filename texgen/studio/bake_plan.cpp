@@ -145,12 +145,12 @@ BakePlan plan_of(const BakeRequest& request, const StudioFolder& folder) {
     PagePreset loaded = load_settings(request.settings, folder);
     BakePlan plan{.preset = std::move(loaded.base)};
     try {
-        // The changes of the page, then those of the request. They override the profile.
+        // The changes of the page come first, then those of the request. All override the profile.
         std::vector<Assignment> overrides = std::move(loaded.resolved_assignments);
         const std::vector<Assignment> requested = assignments_of(request);
         overrides.insert(overrides.end(), requested.begin(), requested.end());
         if (request.profile) {
-            // Only shipped profiles: a page must not read other files.
+            // Only shipped profiles are allowed, because a page must not read other files.
             assign(plan.preset,
                    profile_assignments(std::string(find_shipped_profile(*request.profile).name),
                                        plan.preset,

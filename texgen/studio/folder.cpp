@@ -16,7 +16,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kBakeDepth = 3;
-constexpr std::size_t kLargestBakes = 200;
+constexpr std::size_t kMaxBakes = 200;  // largest number of manifests that `bakes` finds
 
 }  // namespace
 
@@ -72,7 +72,7 @@ std::vector<std::filesystem::path> StudioFolder::bakes() const {
     const auto options = std::filesystem::directory_options::skip_permission_denied;
     // The iterator does not follow links, so it stays below the folder.
     std::filesystem::recursive_directory_iterator entry(path_, options, error);
-    for (; !error && entry != end(entry) && found.size() < kLargestBakes; entry.increment(error)) {
+    for (; !error && entry != end(entry) && found.size() < kMaxBakes; entry.increment(error)) {
         if (entry->path().filename() == kManifestName) {
             found.push_back(entry->path().lexically_relative(path_));
         }

@@ -21,13 +21,12 @@ namespace {
 
 // The memory of a state per bubble, in bytes, rounded up from measurements.
 constexpr std::size_t kBytesPerBubble = 2500;
-constexpr std::size_t kLargestRuns = 8;
-constexpr std::size_t kLargestDrafts = 48;
-// All drafts (FrameStore::draft) together may use 1 / kDraftShare of the memory that the runs may
-// use.
+constexpr std::size_t kMaxRuns = 8;     // largest number of kept runs
+constexpr std::size_t kMaxDrafts = 48;  // largest number of kept drafts (FrameStore::draft)
+// All drafts together may use this fraction of the memory that the runs may use: 1 / kDraftShare.
 constexpr std::size_t kDraftShare = 4;
 
-// Stops a simulation that nobody wants any more.
+// Ends a simulation whose run is dropped, or whose store is stopped.
 class Stopped : public std::exception {};
 
 std::vector<int> numbers_to(int last) {
@@ -41,8 +40,8 @@ std::size_t state_bytes(const Preset& preset) {
     return kBytesPerBubble * static_cast<std::size_t>(preset.seeding.bubbles);
 }
 
-// Returns how many of the preset's frames, from frame 1 on, have states that fit in the given
-// number of bytes. The result is at least 1.
+// Returns the approximate number of frames, from frame 1 on, whose states fit in `bytes` bytes.
+// Assumes one state per frame, and one more state after the last frame. The result is at least 1.
 int frames_that_fit(const Preset& preset, std::size_t bytes) {
     const std::size_t states = std::max<std::size_t>(2, bytes / (state_bytes(preset) + 1));
     return static_cast<int>(std::min(static_cast<std::size_t>(preset.frames.count), states - 1));
@@ -95,7 +94,7 @@ SimulatedFrame FrameStore::frame(const Preset& preset,
         throw SimulationFailed(run->failure);
     }
     const std::map<int, SimulatedFrame> states = run->states_for(preset, number, next_frames);
-    lock.unlock();  // moving the foam by a current (loop.current) takes milliseconds
+    lock.unlock();  // `assemble` may take milliseconds (loop.current); other threads need not wait
     SimulatedFrame found;
     assemble(
         states, preset, {number}, next_frames, [&](const SimulatedFrame& shown) { found = shown; });
@@ -130,14 +129,14 @@ SimulatedFrame FrameStore::draft(const Preset& preset) {
     return frame;
 }
 
-// Forgets the oldest drafts, so that the others fit in the memory of drafts (kDraftShare).
-// Precondition: the mutex is locked.
+// Forgets the oldest drafts, so that at most kMaxDrafts remain and fit in the memory of drafts. The
+// newest draft is kept even if it is too large. Precondition: the mutex is locked.
 void FrameStore::forget_old_drafts() {
     std::size_t bytes = 0;
     std::size_t kept = 0;
     for (const Draft& draft : drafts_) {
         bytes += draft.bytes;
-        if (kept == kLargestDrafts || (kept > 0 && bytes > bytes_ / kDraftShare)) {
+        if (kept == kMaxDrafts || (kept > 0 && bytes > bytes_ / kDraftShare)) {
             break;
         }
         ++kept;
@@ -206,9 +205,9 @@ FrameStore::RunPointer FrameStore::want_run(const Preset& preset, const std::str
     return runs_.front();
 }
 
-// Forgets runs until the others fit in the memory. Finished runs are forgotten before unfinished
-// runs. In each of these two groups, the run that was wanted longest ago is forgotten first. The
-// run that was wanted last is always kept.
+// Forgets runs until at most kMaxRuns remain and fit in the memory. Finished runs are forgotten
+// before unfinished runs. In each of these two groups, the run that was wanted longest ago is
+// forgotten first. The run that was wanted last is always kept. Precondition: the mutex is locked.
 void FrameStore::forget_old_runs() {
     std::vector<RunPointer> order(runs_.begin(), runs_.end());
     std::stable_partition(
@@ -217,8 +216,8 @@ void FrameStore::forget_old_runs() {
     std::size_t count = 0;
     for (const RunPointer& run : order) {
         bytes += run->states.size() * state_bytes(run->preset);
-        if (++count > 1 && (count > kLargestRuns || bytes > bytes_)) {
-            run->drop_reason = "a foam that was asked for later needs the memory";
+        if (++count > 1 && (count > kMaxRuns || bytes > bytes_)) {
+            run->drop_reason = "a foam that was asked for later has replaced this one";
         }
     }
     runs_.remove_if([](const RunPointer& run) { return run->is_dropped(); });
@@ -260,9 +259,10 @@ void FrameStore::work() {
     }
 }
 
-// Simulates a run to its end, or until the run is dropped or the store is stopped. If another page
-// asks for another foam meanwhile, this run is finished first. Otherwise two pages that ask in turn
-// could interrupt each other's runs forever.
+// Simulates a run to its end, or until the run is dropped or the store is stopped. A request of
+// another page for another foam does not interrupt the run, unless the store cannot keep both runs
+// (forget_old_runs). If each request interrupted the run, two pages that ask in turn could
+// interrupt each other's runs forever.
 void FrameStore::simulate(const RunPointer& run) {
     const auto finish = [&](std::optional<RunOutcome> outcome, std::string failure) {
         const std::scoped_lock lock(mutex_);

@@ -22,8 +22,8 @@ namespace foam::texgen {
 struct FrameRun;
 
 /// Reports that a frame will not be simulated, because its simulation was stopped. The message
-/// gives the reason: the page has asked for another foam, a foam that was asked for later needs the
-/// memory, or the studio ends.
+/// gives the reason: the page has asked for another foam, a foam that was asked for later has
+/// replaced this foam, or the studio ends.
 class SimulationStopped : public std::runtime_error {
     using runtime_error::runtime_error;
 };
@@ -54,9 +54,9 @@ struct SimulationState {
 /// forgotten first. Thread-safe.
 class FrameStore {
   public:
-    /// Keeps states of at most `bytes` bytes, approximately, and drafts (see `draft`) of at most a
-    /// quarter of that. If the states of an animation need more memory, only its first frames are
-    /// kept.
+    /// Keeps states of at most `bytes` bytes, approximately. If the states of an animation need
+    /// more memory, only its first frames are kept, at least one. Also keeps at most 48 drafts (see
+    /// `draft`), which use at most a quarter of `bytes`; the newest draft is always kept.
     explicit FrameStore(std::size_t bytes);
     ~FrameStore();
     FrameStore(const FrameStore&) = delete;

@@ -30,13 +30,13 @@ namespace foam::texgen {
 
 namespace {
 
-// The data that the maps of a frame share is kept for several frames, whose pictures together have
-// at most this many pixels.
-constexpr std::size_t kLargestKept = 4UL * 1024 * 1024;
+// The data that the maps of a frame share is kept for several frames. The pictures of these frames
+// together have at most this number of pixels, except that the newest data is always kept.
+constexpr std::size_t kMaxKeptPixels = 4UL * 1024 * 1024;
 // The largest number of pictures that are drawn from the same kept data. Each picture may add to
 // the data, because some of the data depends on options, such as the width of films.
-constexpr int kLargestUses = 64;
-constexpr std::size_t kLargestRanges = 1000;
+constexpr int kMaxUses = 64;
+constexpr std::size_t kMaxRanges = 1000;  // largest number of remembered ranges
 
 /// Changes the range of an image so that the range contains all numbers of the image, as
 /// fit_automatic_ranges does for all frames. `value` is the present value of the option that sets
@@ -114,7 +114,7 @@ std::shared_ptr<Painter::SharedData> Painter::shared_data(const Preset& preset,
         if (found != kept_.end()) {
             std::shared_ptr<SharedData> kept = found->second;
             const bool has_next = kept->frame.next != nullptr;
-            if (includes(kept->needs, needs) && ++kept->uses < kLargestUses &&
+            if (includes(kept->needs, needs) && ++kept->uses < kMaxUses &&
                 (has_next || next_frames == NextFrames::Omitted)) {
                 kept_.splice(kept_.begin(), kept_, found);
                 return kept;
@@ -134,7 +134,7 @@ std::shared_ptr<Painter::SharedData> Painter::shared_data(const Preset& preset,
     std::size_t pixels = 0;
     kept_.remove_if([&](const auto& one) {
         pixels += one.second->pixels();
-        return pixels > kLargestKept && one.second != made;
+        return pixels > kMaxKeptPixels && one.second != made;
     });
     return made;
 }
@@ -178,7 +178,7 @@ bool Painter::fit_range(const Preset& preset, const PictureRequest& request, Map
     fit_automatic_ranges(measured, source, frames_to(preset.frames.count), 0);
     range->value = range_option_of(map, measured.maps)->value;
     const std::scoped_lock lock(mutex_);
-    if (ranges_.size() >= kLargestRanges) {
+    if (ranges_.size() >= kMaxRanges) {
         ranges_.clear();
     }
     ranges_[key] = range->value;

@@ -24,7 +24,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr std::size_t kLargestSets = 1000;
+constexpr std::size_t kMaxSetArguments = 1000;  // largest number of entries of the list `set`
 
 /// Returns the path of the key that an error message concerns. Messages begin with the location of
 /// an assignment.
@@ -84,8 +84,8 @@ PageSettings read_settings(const JsonValue& request) {
     PageSettings settings{.preset = given["preset"].text()};
     for (const JsonValue& set : given["set"].items()) {
         settings.set.push_back(set.text());
-        if (settings.set.size() > kLargestSets) {
-            given["set"].reject(fmt::format("a list of at most {} texts", kLargestSets));
+        if (settings.set.size() > kMaxSetArguments) {
+            given["set"].reject(fmt::format("a list of at most {} texts", kMaxSetArguments));
         }
     }
     if (const auto events = given.find("events")) {

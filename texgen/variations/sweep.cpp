@@ -43,10 +43,10 @@ std::vector<Value> values_of(const std::variant<Value, NumberRange>& part,
 }
 
 Sweep checked(Sweep sweep, const std::string& location) {
-    if (sweep.values.size() > kMostValues) {
+    if (sweep.values.size() > kMaxValues) {
         reject(
             location,
-            fmt::format("has {} values; at most {} are allowed", sweep.values.size(), kMostValues));
+            fmt::format("has {} values; at most {} are allowed", sweep.values.size(), kMaxValues));
     }
     return sweep;
 }
@@ -73,7 +73,9 @@ Sweep read_seeds(const std::string& argument) {
             sweep.values.push_back({location, sweep.key, {static_cast<std::int64_t>(seed)}});
         }
     } catch (const std::invalid_argument&) {
-        reject(location, "must be a range of seeds from 1, such as 1-12 or 3,7,20-24");
+        reject(location,
+               fmt::format("must be a list of seeds from 1 to {}, such as 1-12 or 3,7,20-24",
+                           kLastFrame));
     }
     return checked(std::move(sweep), location);
 }

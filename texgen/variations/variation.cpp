@@ -25,9 +25,9 @@ void check_sweeps(std::span<const Sweep> sweeps) {
             }
         }
     }
-    if (count > kMostValues) {
+    if (count > kMaxValues) {
         throw PresetError(fmt::format(
-            "the sweeps have {} combinations; at most {} are allowed", count, kMostValues));
+            "the sweeps have {} combinations; at most {} are allowed", count, kMaxValues));
     }
 }
 

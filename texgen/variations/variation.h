@@ -16,7 +16,7 @@ struct Variation {
 };
 
 /// Returns all combinations of the values of sweeps. The values of the last sweep vary fastest.
-/// Throws PresetError if two sweeps have the same key, or if there are more than kMostValues
+/// Throws PresetError if two sweeps have the same key, or if there are more than kMaxValues
 /// combinations. Precondition: there is a sweep.
 std::vector<Variation> variations_of(std::span<const Sweep> sweeps);
 

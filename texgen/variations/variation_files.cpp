@@ -16,6 +16,8 @@ namespace foam::texgen {
 
 namespace {
 
+// The first line of every file of write_variation. The next run replaces or removes only files that
+// begin with exactly this line. If the text changed, it would reject the files of earlier versions.
 constexpr std::string_view kMark =
     "# Written by foamtex vary, which replaces this file the next time. Rename it to keep it.\n";
 constexpr std::string_view kSuffix = ".toml";
@@ -51,9 +53,9 @@ std::vector<std::filesystem::path> VariationFiles::earlier() const {
             continue;
         }
         if (!has_mark(entry.path())) {
-            throw OutputError(
-                fmt::format("'{}' would be replaced, but was not written by foamtex vary",
-                            entry.path().string()));
+            throw OutputError(fmt::format(
+                "'{}' would be replaced or removed, but was not written by foamtex vary",
+                entry.path().string()));
         }
         files.push_back(entry.path());
     }

@@ -34,8 +34,8 @@ class VariationFiles {
     std::size_t digits_;
 };
 
-/// Writes the preset file of a variation. Its first line says that the next run replaces the file.
-/// Throws OutputError.
+/// Writes the preset file of a variation. Its first line marks the file, so that the next run may
+/// replace or remove it. Throws OutputError.
 void write_variation(const std::filesystem::path& path, const std::string& toml);
 
 }  // namespace foam::texgen

@@ -14,8 +14,8 @@
 namespace foam::texgen {
 
 /// Returns the content of a drawing: options.content, unless it is VectorContent::Auto. For Auto,
-/// returns Maze, MazeSolution or Contour if that is the first map of the preset (image.maps),
-/// otherwise Foam. Precondition: `maps` is not empty.
+/// returns the content that the first of `maps` shows (Maze, MazeSolution or Contour), or Foam if
+/// this map shows none of them. Precondition: `maps` is not empty.
 VectorContent shown_content(const VectorOptions& options, const std::vector<std::string>& maps);
 
 /// Returns the word for the content in file names, such as "foam".

@@ -19,10 +19,10 @@ void check_mesh(const VectorSettings& settings);
 ///
 /// A relief is a slab whose surface passes through the height of each pixel of the image. On a
 /// torus, the heights of the first column and row are repeated beyond the last ones. The slab is
-/// therefore as wide as the tile, and copies of it fit together. The slab is displaced by half a
-/// pixel relative to a drawing of the frame. If the torus is sheared, the repetition of the first
-/// row is displaced by the shear. In a view of the plane, the outermost heights continue to the
-/// border.
+/// therefore as wide as the tile, and copies of it fit together. The slab of a torus is displaced
+/// by half a pixel relative to a drawing of the frame. If the torus is sheared, the repetition of
+/// the first row is displaced by the shear. In a view of the plane, the outermost heights continue
+/// to the border.
 ///
 /// Walls have the outlines of a drawing with VectorWalls::Outlines. They stand on a plate of the
 /// height MeshOptions::base_mm; if this is 0, there is no plate. On a torus with VectorWrap::Cut,

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kLargestLimit = 1e300;
 constexpr double kLargestAngle = 180.0;
-constexpr std::int64_t kMostPixels = 1'000'000'000'000;
+constexpr std::int64_t kMaxPixels = 1'000'000'000'000;
 constexpr Reals kDifferences{0.0, kLargestLimit};
 
 // Returns the number that the whole text represents, or nullopt.
@@ -54,7 +54,7 @@ Keys<DifferenceLimits> severity_keys() {
             "percentage of pixels that may exceed the limits of differences and angles (default 0)",
             &L::allowed_percent),
         key("{}_pixels",
-            Integers{0, kMostPixels},
+            Integers{0, kMaxPixels},
             "number of pixels that may exceed the limits of differences and angles (default 0)",
             &L::allowed_pixels),
         key("hard_{}",

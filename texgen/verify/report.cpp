@@ -61,8 +61,10 @@ std::string loop_line(const VerifiedSet& found) {
                            largest_loop_ratio(loop.period));
     const std::string closing =
         loop.closing_error
-            ? fmt::format("; the end of the loop is {:.1e} mean bubble diameters from its start",
-                          *loop.closing_error)
+            ? fmt::format(
+                  "; the last cycle before frame 1 ends {:.1e} mean bubble diameters from "
+                  "its start",
+                  *loop.closing_error)
             : "";
     return fmt::format("{}\n           {}{}{}",
                        measured,
@@ -96,8 +98,9 @@ std::string text_of(const VerifiedSet& found) {
                                    set.width,
                                    set.height,
                                    set.version);
-    text += fmt::format(
-        "  files    {} of {} have the recorded pixels\n", found.files_same, set.files.size());
+    text += fmt::format("  files    {} of {} match their hash in the manifest\n",
+                        found.files_same,
+                        set.files.size());
     text += "  tile     " + tile_line(found) + "\n";
     text += "  loop     " + loop_line(found) + "\n";
     text += clipped_lines(found);
@@ -131,6 +134,7 @@ Json value_of(const VerifiedSet& found) {
         maps.push_back(value_of(map, found.set.loop.period));
     }
     const BakedSet& set = found.set;
+    // "called" is a description of the kind for users. The name is part of the format.
     return {{"preset", set.preset},
             {"seed", set.seed},
             {"holds", found.holds()},

@@ -25,13 +25,13 @@ namespace {
 constexpr int kLargestStep = 30;
 
 // Simulating more bubbles takes too long for a test.
-constexpr int kMostBubbles = 1000;
+constexpr int kMaxBubbles = 1000;
 
 using BubbleColors = std::map<BubbleIdentity, Srgb8>;
 
 Preset reduced(const std::string& name) {
     Preset preset = load_preset(name);
-    preset.seeding.bubbles = std::min(preset.seeding.bubbles, kMostBubbles);
+    preset.seeding.bubbles = std::min(preset.seeding.bubbles, kMaxBubbles);
     return preset;
 }
 

@@ -78,8 +78,8 @@ TEST(VaryCommand, ReplacesTheFilesOfAnEarlierRunButNoOthers) {
     const Outcome outcome = run_program(command + " --seeds 1-2", folder);
     EXPECT_EQ(outcome.code, static_cast<int>(ExitCode::OutputFailed));
     EXPECT_EQ(outcome.err,
-              "foamtex: 'out/sea_foam_5.toml' would be replaced, but was not written by foamtex "
-              "vary\n");
+              "foamtex: 'out/sea_foam_5.toml' would be replaced or removed, but was not written by "
+              "foamtex vary\n");
 }
 
 TEST(VaryCommand, NotesKeysWithoutEffect) {

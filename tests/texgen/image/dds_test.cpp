@@ -90,7 +90,8 @@ TEST(Dds, EveryTruncationIsAnInputError) {
     EXPECT_THROW(decode_dds(longer), InputError);
 }
 
-// Each of these numbers makes the header invalid. The position is that of its lowest byte.
+// Each of these numbers makes the header malformed, or gives the file a property that foamtex does
+// not support. The position is that of the lowest byte of the number.
 TEST(Dds, RejectsInvalidHeaders) {
     struct Change {
         std::size_t position;
@@ -107,8 +108,8 @@ TEST(Dds, RejectsInvalidHeaders) {
                                          {128, 2, "pixel format 2"},
                                          {132, 4, "not two-dimensional"},
                                          {136, 4, "a cube"},
-                                         {140, 0, "number of layers"},
-                                         {140, 5000, "number of layers"},
+                                         {140, 0, "0 layers"},
+                                         {140, 5000, "5000 layers"},
                                          {144, 2, "premultiplied alpha"}};
     for (const Change& change : changes) {
         Bytes bytes = encode_dds(small_array());

@@ -147,7 +147,8 @@ TEST(Ktx2, EveryTruncationIsAnInputError) {
     }
 }
 
-// Each of these numbers makes the file invalid. The position is that of its lowest byte.
+// Each of these numbers makes the file malformed, or gives it a property that foamtex does not
+// support. The position is that of the lowest byte of the number.
 TEST(Ktx2, RejectsInvalidHeaders) {
     struct Change {
         std::size_t position;
@@ -160,14 +161,14 @@ TEST(Ktx2, RejectsInvalidHeaders) {
         {20, 0, "no pixels"},
         {24, 5'000'000, "more than foamtex reads"},
         {28, 2, "a volume"},
-        {32, 9999, "number of layers"},
+        {32, 9999, "9999 layers"},
         {36, 6, "a cube"},
         {40, 0, "mip levels"},
         {40, 9, "mip levels"},
         {44, 1, "Zstandard"},
         {56, 100'000, "outside of the file"},
         {80, 100'000, "outside of the file"},
-        {96, 63, "another size"},
+        {96, 63, "the wrong size"},
         {188, 1U << 24U | 2U << 16U | 1U << 8U | 134U, "premultiplied alpha"}};
     for (const Change& change : changes) {
         Bytes bytes = encode_ktx2(small_array());

@@ -139,7 +139,7 @@ TEST(FrameStore, AFoamOfAnotherPageMayNeedTheMemory) {
     do {
         store.want(small({"foam.bubbles=300"}), "other");
     } while (waiting.wait_for(std::chrono::milliseconds(2)) == std::future_status::timeout);
-    EXPECT_EQ(replacement(waiting), "a foam that was asked for later needs the memory");
+    EXPECT_EQ(replacement(waiting), "a foam that was asked for later has replaced this one");
 }
 
 // slow() needs the memory of 39 states of 100 bubbles. The others need that of 5 and 10 states.

@@ -43,7 +43,7 @@ TEST(VariationFiles, AFolderWithSuchANameIsNotReplaced) {
     } catch (const OutputError& error) {
         EXPECT_EQ(std::string(error.what()),
                   "'" + (folder.path() / "lava_1.toml").string() +
-                      "' would be replaced, but was not written by foamtex vary");
+                      "' would be replaced or removed, but was not written by foamtex vary");
     }
 }
 

@@ -13,15 +13,16 @@
 
 namespace foam::texgen {
 
-/// A circular arc from its tail to its head, in pixels. Unlike a FilmArc, a PixelArc stores the
-/// cosine and the sine of the half angle, not the half angle itself.
+/// A circular arc from its tail to its head. The unit of length is the pixel, unless stated
+/// otherwise. Unlike a FilmArc, a PixelArc stores the cosine and the sine of the half angle, not
+/// the half angle itself.
 struct PixelArc {
-    Vec2 chord{0.0, 0.0};  // head minus tail, pixels
+    Vec2 chord{0.0, 0.0};  // head minus tail
     double cosine = 1.0;   // cosine of half the angle by which the arc turns left
     double sine = 0.0;     // sine of the same half angle
 };
 
-/// Convert an arc to the other type. The unit of length does not change.
+/// Convert an arc to the other type, without a change of the unit of length.
 inline PixelArc pixel_arc(const FilmArc& arc) {
     const auto [sine, cosine] = ieee::sincos(arc.half_angle);
     return {arc.chord, cosine, sine};
@@ -50,16 +51,17 @@ bool turns_right(const Arc& before, const Arc& after) {
     return cross(head_tangent(before), tail_tangent(after)) < 0.0;
 }
 
-/// Returns true if an arc is monotone in x and in y. Such an arc turns by less than 180 degrees,
-/// and the tangents at its ends are in the same quadrant. Here a quadrant includes both of its
-/// axes.
+/// Returns true if an arc is monotone in x and in y: neither coordinate reverses its direction
+/// along the arc. This is the case if the arc turns by less than 180 degrees, and the tangents at
+/// its ends are in the same quadrant, where a quadrant includes both of its axes. A monotone arc
+/// therefore turns by at most 90 degrees.
 inline bool is_monotone(const PixelArc& arc) {
     const Vec2 first = tail_tangent(arc);
     const Vec2 last = head_tangent(arc);
     return arc.cosine > 0.0 && first.x() * last.x() >= 0.0 && first.y() * last.y() >= 0.0;
 }
 
-/// A piece of an arc that is monotone in x and in y, in pixels.
+/// A piece of an arc that is monotone in x and in y (is_monotone).
 struct MonotonePiece {
     Vec2 tail{0.0, 0.0};
     Vec2 head{0.0, 0.0};
