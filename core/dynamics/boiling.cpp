@@ -48,10 +48,10 @@ void lower_distances(const Domain& domain,
 
 // Returns the indices of `count` centers, chosen by farthest-point sampling. The first center is
 // random. Each further center is as far as possible from the nearest center already chosen.
-std::vector<std::size_t> spread_out(const Domain& domain,
-                                    const std::vector<Vec2>& centers,
-                                    std::size_t count,
-                                    Random& random) {
+std::vector<std::size_t> farthest_points(const Domain& domain,
+                                         const std::vector<Vec2>& centers,
+                                         std::size_t count,
+                                         Random& random) {
     std::vector<double> distances(centers.size(), std::numeric_limits<double>::infinity());
     std::vector<std::size_t> chosen{random.below(centers.size())};
     while (chosen.size() < count) {
@@ -63,7 +63,7 @@ std::vector<std::size_t> spread_out(const Domain& domain,
 }
 
 // Returns the numbers 0 to count - 1 in random order (Fisher and Yates).
-std::vector<std::size_t> shuffled(std::size_t count, Random& random) {
+std::vector<std::size_t> random_order(std::size_t count, Random& random) {
     std::vector<std::size_t> order(count);
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t other = random.below(k + 1);
@@ -116,9 +116,9 @@ std::vector<BoilingBubble> choose_boiling_bubbles(
     const double share = std::round(fraction * static_cast<double>(bubbles.size()));
     const std::size_t count =
         std::clamp<std::size_t>(static_cast<std::size_t>(share), 1, bubbles.size());
-    const std::vector<std::size_t> order = shuffled(count, random);
+    const std::vector<std::size_t> order = random_order(count, random);
     std::vector<BoilingBubble> boiling;
-    for (const std::size_t k : spread_out(foam.domain, centers, count, random)) {
+    for (const std::size_t k : farthest_points(foam.domain, centers, count, random)) {
         const double turn = (static_cast<double>(order[boiling.size()]) + random.uniform()) /
                             static_cast<double>(count);
         const double area = foam.target_areas[bubbles[k]];

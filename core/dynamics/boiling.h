@@ -33,8 +33,8 @@ struct BoilingBubble {
 /// Chooses the given fraction of the bubbles of a foam, at least one bubble, so that they are far
 /// from each other. The cycle, which has `steps` steps, is divided into as many equal parts as
 /// bubbles are chosen. In each part one of the bubbles is born, at a random step. The area rise of
-/// a bubble is `rise` times its present target area. Lone bubbles are not chosen; if all bubbles
-/// are lone bubbles, the result is empty.
+/// a bubble is `rise` times its present target area. Lone bubbles are neither counted nor chosen;
+/// if all bubbles are lone bubbles, the result is empty.
 std::vector<BoilingBubble> choose_boiling_bubbles(
     const Foam& foam, double fraction, double rise, int steps, Random& random);
 

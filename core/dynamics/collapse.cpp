@@ -91,11 +91,11 @@ void vanish_from_raft_of_two(Foam& foam, BubbleId bubble, FilmId film) {
     const HalfEdgeId h = forward_side(film);
     const bool is_left = foam.network.left(h) == bubble;
     const BubbleId other = is_left ? foam.network.right(h) : foam.network.left(h);
-    const BubbleIdentity gone = foam.identities[bubble];
+    const BubbleIdentity removed = foam.identities[bubble];
     record_t2(foam, bubble);
     foam.target_areas[other] += 0.5 * foam.target_areas[bubble];
     tear_film(foam, film);
-    std::erase_if(foam.lone_bubbles, [&](const LoneBubble& b) { return b.identity == gone; });
+    std::erase_if(foam.lone_bubbles, [&](const LoneBubble& b) { return b.identity == removed; });
 }
 
 // Flips the shortest of the bubble's films that can flip. Returns false if no film can flip.
@@ -182,11 +182,11 @@ TopologyCounts collapse_due(Foam& foam, const TopologyThresholds& thresholds) {
     // Bubbles that vanished with a negative target area may have left their neighbors with too
     // little gas. A bubble that vanishes from a raft of two leaves a lone bubble, which may be too
     // small as well.
-    for (int before = -1; counts.t2 != before;) {
+    for (int t2_before = -1; counts.t2 != t2_before;) {
         counts.t2 += collapse_lone(foam, [&](const LoneBubble& bubble) {
             return bubble.target_area <= thresholds.t2_area;
         });
-        before = counts.t2;
+        t2_before = counts.t2;
         for (const BubbleId bubble : foam.network.bubbles()) {
             if (foam.target_areas[bubble] < min_area) {
                 collapse_or_keep(foam, bubble, min_area, counts);

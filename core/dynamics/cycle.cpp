@@ -52,16 +52,16 @@ std::map<BubbleIdentity, Vec2> centers(const Foam& foam) {
     return all;
 }
 
-// Returns the largest distance from a corner in `from` to the nearest corner in `to`, modulo the
-// periods of the torus. If the whole foam has moved between the two states to which the corners
-// belong, this motion counts as distance, too.
+// Returns the largest distance from a corner in `corners` to the nearest corner in `other_corners`,
+// modulo the periods of the torus. If the whole foam has moved between the two states to which the
+// corners belong, this motion counts as distance, too.
 double largest_distance(const Domain& domain,
-                        const std::vector<Vec2>& from,
-                        const std::vector<Vec2>& to) {
+                        const std::vector<Vec2>& corners,
+                        const std::vector<Vec2>& other_corners) {
     double largest = 0.0;
-    for (const Vec2& a : from) {
+    for (const Vec2& a : corners) {
         double min_distance = std::numeric_limits<double>::infinity();
-        for (const Vec2& b : to) {
+        for (const Vec2& b : other_corners) {
             min_distance = std::min(min_distance, domain.nearest_copy(a - b).norm());
         }
         largest = std::max(largest, min_distance);
@@ -149,14 +149,14 @@ double Cycle::sine_at(int position, double phase) const {
 // function `shear` reduces the magnitude of Domain::shear, by whole widths, to at most half of the
 // width. The present strain, and so the change, is therefore known only up to multiples of width /
 // height. This function returns the change that is nearest to the change of the prescribed strain
-// since the position before. Otherwise, a step could also undo the reduction, and shear the torus
-// by a whole width.
+// since the position before. Each of the other possible changes would also shear the torus by one
+// or more whole widths.
 double Cycle::strain_to(int position, const Domain& domain) const {
     const double target = options_.strain * sine_at(position, 0.0);
-    const double before = position > 0 ? options_.strain * sine_at(position - 1, 0.0) : 0.0;
+    const double target_before = position > 0 ? options_.strain * sine_at(position - 1, 0.0) : 0.0;
     const double strain = target + (shear_ - domain.shear) / domain.height;
     const double whole_width = domain.width / domain.height;
-    return strain - whole_width * std::round((strain - (target - before)) / whole_width);
+    return strain - whole_width * std::round((strain - (target - target_before)) / whole_width);
 }
 
 // Adds the boiling bubbles that should be present at the given position of the cycle (area_at) but

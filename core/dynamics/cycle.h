@@ -14,16 +14,16 @@ namespace foam {
 /// A periodic sequence of foams, for looping animations. The equilibrium of a foam follows from its
 /// topology, its target areas and its domain. In a Cycle, the target areas and the domain change
 /// periodically. In the first cycles, T1s and T2s may keep the foam from returning to its state at
-/// the start of the cycle. After some cycles, the foam is in the same state at the end of each
-/// cycle. Bubbles may also boil, that is, vanish and be born again in every cycle (boiling.h). Some
-/// regions may then not return to the same state; `calm` weakens the periodic change there. No gas
-/// diffuses. After each step, a torus as a whole, or each raft of a patch, is moved back to the
+/// the start of the cycle. After some cycles, the foam usually is in the same state at the end of
+/// each cycle. Bubbles may also boil, that is, vanish and be born again in every cycle (boiling.h).
+/// Some regions may then not return to the same state; `calm` weakens the periodic change there. No
+/// gas diffuses. After each step, a torus as a whole, or each raft of a patch, is moved back to the
 /// place where it was when the Cycle was constructed.
 class Cycle {
   public:
-    /// Starts a cycle with a random drive (random_drive). If the drive changes target areas, the
-    /// foam is not at position 0 of the cycle until step_to has been called with the position 0.
-    /// Positions of a cycle are numbers of steps (step_to).
+    /// Starts a cycle with a random drive (random_drive). A position of the cycle is a number of
+    /// steps since its start (step_to). If the drive changes target areas, the foam is not at
+    /// position 0 until step_to has been called with the position 0.
     Cycle(const Foam& foam, const CycleOptions& options);
 
     /// Starts a cycle with the given drive, for example the drive of an earlier Cycle. Of the

@@ -15,20 +15,20 @@ CycleDrive random_drive(const Foam& foam, const CycleOptions& options) {
         drive.boiling = choose_boiling_bubbles(
             foam, options.boiling, options.boiling_rise, options.steps, random);
     }
-    std::set<BubbleIdentity> boils;
+    std::set<BubbleIdentity> boiling;
     for (const BoilingBubble& bubble : drive.boiling) {
-        boils.insert(bubble.identity);
+        boiling.insert(bubble.identity);
     }
-    const auto oscillate = [&](BubbleIdentity identity, double area) {
-        if (!boils.contains(identity)) {
+    const auto add_oscillating = [&](BubbleIdentity identity, double area) {
+        if (!boiling.contains(identity)) {
             drive.oscillating.push_back({identity, area, options.area_amplitude, random.uniform()});
         }
     };
     for (const BubbleId bubble : foam.network.bubbles()) {
-        oscillate(foam.identities[bubble], foam.target_areas[bubble]);
+        add_oscillating(foam.identities[bubble], foam.target_areas[bubble]);
     }
     for (const LoneBubble& bubble : foam.lone_bubbles) {
-        oscillate(bubble.identity, bubble.target_area);
+        add_oscillating(bubble.identity, bubble.target_area);
     }
     return drive;
 }

@@ -15,7 +15,7 @@ namespace {
 // of (1 - u²)² with u = r/R is at most 1.54. A step of less than 0.64 radii therefore does not fold
 // the plane: points keep their order along the push. The step is much smaller because films flip
 // only between steps.
-constexpr double kLargestStep = 0.1;
+constexpr double kMaxStep = 0.1;
 // The T1 distance during a push, unless the given distance is larger. This value is the upper end
 // of the range that the paper recommends (eq. 16). With the default of TopologyThresholds, 0.05,
 // hardly any film would flip.
@@ -61,7 +61,7 @@ int flip_shortened(Foam& foam, TopologyThresholds thresholds, Indexed<FilmId, do
 }  // namespace
 
 int displace(Foam& foam, const Displacement& displacement, const TopologyThresholds& thresholds) {
-    const double ratio = displacement.by.norm() / (kLargestStep * displacement.radius);
+    const double ratio = displacement.by.norm() / (kMaxStep * displacement.radius);
     const int steps = std::max(1, static_cast<int>(std::ceil(ratio)));
     Displacement step = displacement;
     step.by /= steps;

@@ -8,9 +8,9 @@
 namespace foam {
 
 /// A push around a center (E9). A junction at the distance r from the center moves by (1 - r²/R²)²
-/// times the displacement `by` if r is less than the radius R. Other junctions do not move. The
-/// push is made in small steps, and the center moves with each step. Precondition: the radius is
-/// positive and, on a torus, at most half of the shorter side of the torus.
+/// times the displacement `by` if r is less than the radius R. Other junctions move only in
+/// T1s. The push is made in small steps, and the center moves with each step. Precondition: the
+/// radius is positive and, on a torus, at most half of the shorter side of the torus.
 struct Displacement {
     Vec2 center{0.0, 0.0};  // foam units, anywhere in the plane
     double radius = 1.0;    // foam units

@@ -27,11 +27,11 @@ namespace foam {
 namespace {
 
 // Largest fraction of the gas of the surrounding bubbles that a new bubble may take.
-constexpr double kLargestGasFraction = 0.5;
+constexpr double kMaxGasFraction = 0.5;
 // Before the equilibration, a new bubble at a junction covers at most this fraction of the length
 // of each film at the junction. A new bubble on a film extends from the middle of the film by at
 // most this fraction of the whole length in each direction.
-constexpr double kLargestFilmFraction = 0.45;
+constexpr double kMaxFilmFraction = 0.45;
 
 // Returns the side of the triangle of a regular three-sided bubble of the given area.
 double triangle_side(double area) {
@@ -51,7 +51,7 @@ bool take_gas(Foam& foam, const std::set<BubbleId>& bubbles, double area) {
     for (const BubbleId bubble : bubbles) {
         sum += foam.target_areas[bubble];
     }
-    if (area > kLargestGasFraction * sum) {
+    if (area > kMaxGasFraction * sum) {
         return false;
     }
     for (const BubbleId bubble : bubbles) {
@@ -82,9 +82,9 @@ void complete(Foam& foam, double area, double pressure, BubbleIdentity identity)
     }
 }
 
-// Returns the distance as a fraction of the length of the arc, at most kLargestFilmFraction.
+// Returns the distance as a fraction of the length of the arc, at most kMaxFilmFraction.
 double fraction_of(const FilmArc& arc, double distance) {
-    return std::min(distance / arc_length(arc), kLargestFilmFraction);
+    return std::min(distance / arc_length(arc), kMaxFilmFraction);
 }
 
 // Sets the half angle of an outer film of which a new bubble has cut off a part. `whole_half_angle`
@@ -156,8 +156,7 @@ std::optional<BubbleId> nucleate_on_film(Foam& foam, FilmId film, double area) {
     }
     const FilmArc arc = film_arc(foam, h);
     const double chord_length = lens_chord(area);
-    const double half_fraction =
-        std::min(0.5 * chord_length / arc_length(arc), kLargestFilmFraction);
+    const double half_fraction = std::min(0.5 * chord_length / arc_length(arc), kMaxFilmFraction);
     const Vec2 tail = foam.positions[foam.network.tail(h)];
     const double pressure =
         mean_pressure(foam, beside) + std::numbers::sqrt3 * foam.film_tension / chord_length;

@@ -71,14 +71,14 @@ Raft raft_around(const Network& network, BubbleId first, Indexed<BubbleId, char>
 }
 
 struct RigidMotion {
-    Vec2 from{0.0, 0.0};  // center of rotation before the motion
-    Vec2 to{0.0, 0.0};    // center of rotation after the motion
+    Vec2 old_center{0.0, 0.0};  // center of rotation before the motion
+    Vec2 new_center{0.0, 0.0};  // center of rotation after the motion
     double cosine = 1.0;
     double sine = 0.0;
 
     Vec2 operator()(const Vec2& point) const {
-        const Vec2 x = point - from;
-        return to + cosine * x + sine * turned_left(x);
+        const Vec2 x = point - old_center;
+        return new_center + cosine * x + sine * turned_left(x);
     }
 };
 
@@ -87,30 +87,31 @@ struct RigidMotion {
 // has an earlier center, the raft does not move.
 RigidMotion motion_back(const Foam& patch,
                         const Raft& raft,
-                        const std::map<BubbleIdentity, Vec2>& before) {
+                        const std::map<BubbleIdentity, Vec2>& earlier_centers) {
     std::vector<std::pair<Center, Vec2>> pairs;
     RigidMotion motion;
     double weight = 0.0;
     for (const BubbleId bubble : raft) {
-        const auto earlier = before.find(patch.identities[bubble]);
-        if (earlier != before.end()) {
+        const auto earlier = earlier_centers.find(patch.identities[bubble]);
+        if (earlier != earlier_centers.end()) {
             const Center now = center_of(patch, bubble);
             pairs.emplace_back(now, earlier->second);
-            motion.from += now.weight * now.position;
-            motion.to += now.weight * earlier->second;
+            motion.old_center += now.weight * now.position;
+            motion.new_center += now.weight * earlier->second;
             weight += now.weight;
         }
     }
     if (pairs.empty()) {
         return motion;
     }
-    motion.from /= weight;
-    motion.to /= weight;
+    motion.old_center /= weight;
+    motion.new_center /= weight;
     double dot_sum = 0.0;
     double cross_sum = 0.0;
     for (const auto& [now, earlier] : pairs) {
-        dot_sum += now.weight * (now.position - motion.from).dot(earlier - motion.to);
-        cross_sum += now.weight * cross(now.position - motion.from, earlier - motion.to);
+        dot_sum += now.weight * (now.position - motion.old_center).dot(earlier - motion.new_center);
+        cross_sum +=
+            now.weight * cross(now.position - motion.old_center, earlier - motion.new_center);
     }
     const double angle = ieee::atan2(cross_sum, dot_sum);
     const auto [sine, cosine] = ieee::sincos(angle);
@@ -152,27 +153,27 @@ EquilibriumSummary equilibrate_keeping_rafts(Solver solver,
     if (foam.network.ghost() == kNone<BubbleId>) {
         return equilibrate_with(solver, foam, options);
     }
-    const std::map<BubbleIdentity, Vec2> before = bubble_centers(foam);
+    const std::map<BubbleIdentity, Vec2> earlier_centers = bubble_centers(foam);
     const EquilibriumSummary summary = equilibrate_with(solver, foam, options);
     compact(foam);  // torn films and closed holes may have left dead slots
     if (summary.converged()) {
-        restore_rafts(foam, before);
+        restore_rafts(foam, earlier_centers);
     }
     return summary;
 }
 
-void restore_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before) {
+void restore_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& earlier_centers) {
     Indexed<BubbleId, char> seen(patch.network.bubble_slots(), 0);
     std::vector<bool> moved(patch.network.junction_slots(), false);
     for (const BubbleId bubble : patch.network.bubbles()) {
         if (seen[bubble] == 0) {
             const Raft raft = raft_around(patch.network, bubble, seen);
-            move_raft(patch, raft, motion_back(patch, raft, before), moved);
+            move_raft(patch, raft, motion_back(patch, raft, earlier_centers), moved);
         }
     }
     for (LoneBubble& bubble : patch.lone_bubbles) {
-        const auto earlier = before.find(bubble.identity);
-        bubble.center = earlier != before.end() ? earlier->second : bubble.center;
+        const auto earlier = earlier_centers.find(bubble.identity);
+        bubble.center = earlier != earlier_centers.end() ? earlier->second : bubble.center;
     }
 }
 

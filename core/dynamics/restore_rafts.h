@@ -14,11 +14,10 @@ namespace foam {
 std::map<BubbleIdentity, Vec2> bubble_centers(const Foam& patch);
 
 /// Moves and rotates every raft of a patch as a rigid body so that the centers of its bubbles fit
-/// their earlier centers, `before`, by least squares. Equilibrium determines neither the position
-/// nor the rotation of a raft, so that a solver may change both, although no force moves the raft.
-/// Bubbles without an earlier center are ignored. A lone bubble returns to its earlier center, if
-/// it has one.
-void restore_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& before);
+/// `earlier_centers` by least squares. Equilibrium determines neither the position nor the rotation
+/// of a raft, so that a solver may change both, although no force moves the raft. Bubbles without
+/// an earlier center are ignored. A lone bubble returns to its earlier center, if it has one.
+void restore_rafts(Foam& patch, const std::map<BubbleIdentity, Vec2>& earlier_centers);
 
 /// Brings a foam to equilibrium (equilibrate_with). If it converges, the rafts of a patch return to
 /// their earlier positions and rotations (restore_rafts). Removes the dead slots of a patch.

@@ -11,9 +11,9 @@ namespace foam {
 namespace {
 
 // Largest fraction of a torus that driven bubbles may take if there are other bubbles.
-constexpr double kLargestDrivenFraction = 0.9;
+constexpr double kMaxDrivenFraction = 0.9;
 // Largest gain of area of a driven bubble in one substep, in units of its present target area.
-constexpr double kLargestGain = 3.0;
+constexpr double kMaxGain = 3.0;
 
 struct LiveDrivenBubble {
     BubbleId bubble;
@@ -47,8 +47,8 @@ const DrivenBubble* find_driven(const StateChange& change, BubbleIdentity bubble
     return found != change.driven.end() ? &*found : nullptr;
 }
 
-// Changes the target areas of driven lone bubbles. The function drive does the same for the bubbles
-// of the network.
+// Changes the target areas of driven lone bubbles, as `drive` changes those of driven bubbles of
+// the network.
 void drive_lone(Foam& foam, const StateChange& change, double fraction_of_rest) {
     for (LoneBubble& bubble : foam.lone_bubbles) {
         if (const DrivenBubble* driven = find_driven(change, bubble.identity)) {
@@ -58,7 +58,7 @@ void drive_lone(Foam& foam, const StateChange& change, double fraction_of_rest) 
 }
 
 // Scales the target areas of a torus so that their sum is the area of the torus. Driven bubbles
-// keep their target areas, unless they would take more than kLargestDrivenFraction of the torus;
+// keep their target areas, unless they would take more than kMaxDrivenFraction of the torus;
 // the other bubbles fill the rest. If there are no other bubbles, the driven bubbles fill the
 // torus. Does nothing if no bubble is driven.
 void scale_targets_to_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven) {
@@ -71,7 +71,7 @@ void scale_targets_to_torus(Foam& foam, const Indexed<BubbleId, char>& is_driven
         return;
     }
     const double area = foam.domain.area();
-    const double to_driven = others == 0.0 ? area : std::min(driven, kLargestDrivenFraction * area);
+    const double to_driven = others == 0.0 ? area : std::min(driven, kMaxDrivenFraction * area);
     for (const BubbleId bubble : foam.network.bubbles()) {
         foam.target_areas[bubble] *=
             is_driven[bubble] != 0 ? to_driven / driven : (area - to_driven) / others;
@@ -107,7 +107,7 @@ double max_fraction_of_change(const Foam& foam,
         const double area = foam.target_areas[live.bubble];
         const double gain = live.driven.target_area - area;
         if (gain > 0.0) {
-            fraction = std::min(fraction, kLargestGain * area / gain);
+            fraction = std::min(fraction, kMaxGain * area / gain);
         } else if (gain < 0.0 && area > vanishing_area) {
             fraction = std::min(fraction, largest_loss * area / -gain);
         }

@@ -37,7 +37,7 @@ constexpr double kVanishingAreas = 4.0;
 // bounds the number of substeps if the change is impossible, for example if every bubble of a
 // torus is to shrink.
 constexpr double kMinSubstepFraction = 0.01;
-constexpr double kLargestStrain = 0.05;  // largest strain of one substep
+constexpr double kMaxStrain = 0.05;  // largest strain of one substep
 
 // Returns the sum of the target areas of all bubbles, including lone bubbles.
 double total_target_area(const Foam& foam) {
@@ -194,19 +194,19 @@ double try_substep(Foam& foam,
     }
 }
 
-// Returns the largest fraction of a step that one substep may cover, at most `left`.
+// Returns the largest fraction of a step that one substep may cover, at most `remaining`.
 double safe_fraction(const Foam& foam,
                      double time,
                      const StateChange& change,
-                     double left,
+                     double remaining,
                      const StepOptions& options) {
     const double vanishing = kVanishingAreas * options.equilibrium.thresholds.t2_area;
     const double area_limit =
-        left * max_fraction_of_change(foam, change, options.largest_loss, vanishing);
+        remaining * max_fraction_of_change(foam, change, options.largest_loss, vanishing);
     const double strain_limit =
-        change.strain == 0.0 ? left : kLargestStrain / std::abs(change.strain);
+        change.strain == 0.0 ? remaining : kMaxStrain / std::abs(change.strain);
     const double fraction =
-        std::min({left, strain_limit, std::max(area_limit, kMinSubstepFraction)});
+        std::min({remaining, strain_limit, std::max(area_limit, kMinSubstepFraction)});
     return time > 0.0 ? std::min(fraction, safe_time(foam, options) / time) : fraction;
 }
 
@@ -214,9 +214,9 @@ double safe_fraction(const Foam& foam,
 
 StepSummary step(Foam& foam, double time, const StepOptions& options) {
     StepSummary summary;
-    for (double left = time; left > 0.0;) {
+    for (double remaining = time; remaining > 0.0;) {
         const double used = try_substep(foam,
-                                        std::min(left, safe_time(foam, options)),
+                                        std::min(remaining, safe_time(foam, options)),
                                         options,
                                         summary,
                                         [&](Foam& next, double length) {
@@ -225,7 +225,7 @@ StepSummary step(Foam& foam, double time, const StepOptions& options) {
         if (used == 0.0) {
             break;
         }
-        left -= used;
+        remaining -= used;
     }
     return summary;
 }
@@ -235,21 +235,22 @@ StepSummary step(Foam& foam, double time, const StateChange& change, const StepO
         return step(foam, time, options);
     }
     StepSummary summary;
-    for (double left = 1.0; left > 0.0;) {
-        const double used = try_substep(
-            foam,
-            safe_fraction(foam, time, change, left, options),
-            options,
-            summary,
-            [&](Foam& next, double fraction) {
-                const SubstepExtent extent{fraction * time, 1.0 - left, fraction, fraction / left};
-                return substep(next, extent, change, options);
-            });
+    for (double remaining = 1.0; remaining > 0.0;) {
+        const double used =
+            try_substep(foam,
+                        safe_fraction(foam, time, change, remaining, options),
+                        options,
+                        summary,
+                        [&](Foam& next, double fraction) {
+                            const SubstepExtent extent{
+                                fraction * time, 1.0 - remaining, fraction, fraction / remaining};
+                            return substep(next, extent, change, options);
+                        });
         if (used == 0.0) {
             break;
         }
         summary.strain += used * change.strain;
-        left -= used;
+        remaining -= used;
     }
     return summary;
 }

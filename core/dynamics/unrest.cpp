@@ -8,9 +8,9 @@
 // following cycles, the neighbors are then the same at the end of each cycle. Where neighbors
 // change again and again, the foam does not reach a periodic state, or its period is several
 // cycles. The criterion is our own: changes are counted with exponentially decreasing weights, as
-// in exponential smoothing, and compared with a threshold. With the constants below, two changes of
-// its neighbors make a bubble restless if they are at most four cycles apart. If its neighbors
-// change in every fifth cycle, it is restless from the third change on.
+// in exponential smoothing, and compared with a threshold. With the constants below, a bubble is
+// restless if its neighbors have changed twice, at most four cycles apart. If its neighbors change
+// in every fifth cycle, it is restless from the third change on.
 
 namespace foam {
 
@@ -20,7 +20,7 @@ constexpr int kTransientCycles = 2;  // changes in these first cycles do not cou
 // In each cycle, the unrest of a bubble is multiplied by kMemory. Then 1 is added if the neighbors
 // of the bubble have changed.
 constexpr double kMemory = 0.8;
-// A bubble whose neighbors have just changed is restless if its unrest is at least this.
+// A bubble whose neighbors have just changed is restless if its unrest is at least this number.
 constexpr double kRestlessUnrest = 1.4;
 
 }  // namespace

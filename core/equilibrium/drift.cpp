@@ -19,11 +19,11 @@ double median(std::vector<double>& values) {
 
 }  // namespace
 
-void undo_drift(Foam& foam, const Positions& before) {
+void undo_drift(Foam& foam, const Positions& earlier) {
     std::vector<double> along_x;
     std::vector<double> along_y;
     for (const JunctionId junction : foam.network.junctions()) {
-        const Vec2 motion = foam.domain.nearest_copy(foam.positions[junction] - before[junction]);
+        const Vec2 motion = foam.domain.nearest_copy(foam.positions[junction] - earlier[junction]);
         along_x.push_back(motion.x());
         along_y.push_back(motion.y());
     }

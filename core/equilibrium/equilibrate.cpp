@@ -20,13 +20,13 @@
 namespace foam {
 
 // The equilibration is made in rounds. A round begins with Newton's method (E3) for the whole foam.
-// The response to its result follows: T1s if films need them, or relaxation (E4) of the worst
-// regions or of the whole foam if the method has stalled. The worst regions surround the defects
-// whose force or area error is at least a fifth of the largest (worst_regions). At the end of the
-// round, the defect regions are solved. After a T1, most of the residual is in the defect regions.
-// Newton's method takes several damped steps there, while one step is enough elsewhere. The defect
-// regions are therefore solved on their own, while everything else stays fixed. README.md shows the
-// algorithm. NOTES.md has the measurements behind the constants.
+// The response to the result of the method follows: T1s if films need them, or relaxation (E4) of
+// the worst regions or of the whole foam if the method has stalled. The worst regions surround the
+// defects whose force or area error is at least a fifth of the largest (worst_regions). At the end
+// of the round, the defect regions are solved. After a T1, most of the residual is in the defect
+// regions. Newton's method takes several damped steps there, while one step is enough elsewhere.
+// The defect regions are therefore solved on their own, while everything else stays fixed.
+// README.md shows the algorithm. NOTES.md has the measurements behind the constants.
 
 namespace {
 
@@ -41,12 +41,12 @@ constexpr DefectOptions kLaterDefects{.force = 0.02, .area = 0.05};
 // of the residual. Defect regions are then assumed to limit the progress.
 constexpr double kSlowRatio = 0.1;
 // The tolerance of Newton's method for forces, in film tensions, and for relative area errors
-// (newton_tolerance). It is kNewtonTolerance in foams of usual size. In a larger foam, it is
-// kNewtonTolerancePerSize times the size of the foam, but at most kLargestToleranceRatio times the
-// tolerance of the equilibrium. It is never below kNewtonTolerance.
+// (newton_tolerance), in foams of usual size. The tolerance is never below this number.
 constexpr double kNewtonTolerance = 1e-11;
+// In a larger foam, the tolerance is this number times the size of the foam.
 constexpr double kNewtonTolerancePerSize = 1e-13;
-constexpr double kLargestToleranceRatio = 0.1;
+// The tolerance of a larger foam is at most this number times the tolerance of the equilibrium.
+constexpr double kMaxToleranceRatio = 0.1;
 // After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
 // A stall of Newton's method is counted if worst_regions returns any region and defect regions are
@@ -121,7 +121,7 @@ void relax_all(Work& work, bool restarts, Progress& progress) {
     progress.summary.sweeps += relaxation.sweeps;
     count_t1(relaxation.t1, progress);
     progress.needs_restart = true;
-    work.whole.drop_factor();  // it belongs to the state before
+    work.whole.drop_factor();  // the factor belongs to the state before the relaxation
 }
 
 // Solves the regions around defects on their own and returns their number. Does nothing and returns
@@ -183,7 +183,7 @@ double newton_tolerance(const Foam& foam, double tolerance) {
     const double unit = std::sqrt(area / static_cast<double>(foam.network.bubble_count()));
     return std::max(
         kNewtonTolerance,
-        std::min(kNewtonTolerancePerSize * largest / unit, kLargestToleranceRatio * tolerance));
+        std::min(kNewtonTolerancePerSize * largest / unit, kMaxToleranceRatio * tolerance));
 }
 
 NewtonSummary solve_whole(Work& work, Progress& progress) {
@@ -258,9 +258,9 @@ Progress next_round(Work& work, Progress progress) {
 }  // namespace
 
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
-    const Positions before = foam.positions;
+    const Positions start = foam.positions;
     if (foam.network.film_count() == 0) {  // empty, or only lone bubbles, which are circles already
-        return conclude(foam, before, options, true, {});
+        return conclude(foam, start, options, true, {});
     }
     Work work(foam, options);
     Progress progress = initial_phase(work);
@@ -271,17 +271,17 @@ EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options) {
         progress = next_round(work, progress);
     }
     const EquilibriumSummary summary =
-        conclude(foam, before, options, progress.is_at_rest, progress.summary);
+        conclude(foam, start, options, progress.is_at_rest, progress.summary);
     work.has_converged = summary.converged();
     return summary;
 }
 
 EquilibriumSummary conclude(Foam& foam,
-                            const Positions& before,
+                            const Positions& earlier,
                             const EquilibriumOptions& options,
                             bool has_stopped,
                             EquilibriumSummary summary) {
-    undo_drift(foam, before);
+    undo_drift(foam, earlier);
     center_pressures(foam);
     rearm_grown_films(foam, options.thresholds);
     const EquilibriumErrors errors = equilibrium_errors(foam);

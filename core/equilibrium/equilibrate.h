@@ -41,14 +41,14 @@ struct EquilibriumSummary {
 EquilibriumSummary equilibrate(Foam& foam, const EquilibriumOptions& options);
 
 /// Performs the last steps of an equilibration, which are the same for all solvers:
-/// - undoes the drift of the whole foam since it had the positions `before` (undo_drift),
+/// - undoes the drift of the whole foam since it had the positions `earlier` (undo_drift),
 /// - centers the pressures (center_pressures),
 /// - restores the full T1 distance of grown films (E7; rearm_grown_films).
 /// Returns the given summary with the errors and the energy of the resulting foam. `has_stopped` is
 /// true if the solver has stopped by itself; the status then becomes Converged or ToleranceMissed.
 /// It is false if the limit of rounds has stopped the solver; the status is then not changed.
 EquilibriumSummary conclude(Foam& foam,
-                            const Positions& before,
+                            const Positions& earlier,
                             const EquilibriumOptions& options,
                             bool has_stopped,
                             EquilibriumSummary summary);

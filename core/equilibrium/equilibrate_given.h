@@ -9,11 +9,12 @@
 namespace foam {
 
 /// Brings a foam that was made elsewhere to mechanical equilibrium (E2), in its own units. Its mean
-/// bubble area and its film tension may have any value. The first two attempts keep the topology.
-/// The first relaxes the whole foam (E4) at its start only if the foam is tangled (untangle.h); the
-/// second always does. If neither attempt converges, the third attempt allows T1s. Only the third
-/// attempt is made if T1s are due at many films from the start, as in a raw diagram. Many films are
-/// more than five films and more than 1 % of all films (short_films). The T1 distance is the
+/// bubble area and its film tension may have any value. Makes up to three attempts, until one
+/// converges. The first two attempts keep the topology. The first one relaxes the whole foam (E4)
+/// at its start only if the foam is tangled (untangle.h); the second one always does. The third
+/// attempt allows T1s. Only the third attempt is made if T1s are due at many films from the start,
+/// as in a raw diagram. Many films are more than five films and more than 1 % of all films
+/// (short_films). The T1 distance is the
 /// default of TopologyThresholds, in units in which the mean bubble area, without lone bubbles, is
 /// 1. If no attempt converges, the foam stays as it was given. The events of the T1s are appended
 /// to the events of the foam.

@@ -25,9 +25,10 @@ constexpr std::size_t kFilmsPerChunk = 1024;
 using FilmMatrix = Eigen::Matrix<double, 6, 6>;
 using OuterFilmMatrix = Eigen::Matrix<double, 7, 7>;
 
-// The number of rows and the first row of each node in a film's matrix. The nodes are the tail, the
-// head, the left pressure, the right pressure, and the half angle.
+// The number of rows of each node in a film's matrix. The nodes are the tail, the head, the left
+// pressure, the right pressure, and the half angle.
 constexpr std::array<int, 5> kFilmRows = {2, 2, 1, 1, 1};
+// The first row of each node in a film's matrix.
 constexpr std::array<int, 5> kFirstFilmRow = {0, 2, 4, 5, 6};
 
 // Returns the second derivatives of one film's term in L, including its polygon terms (E3). The

@@ -44,7 +44,7 @@ class Hessian {
     struct FilmSlots {
         // Element b * kMaxNodes + a belongs to the nodes a and b of the film. It is the position of
         // the first value of the block with the rows of a and the columns of b. It is negative if
-        // an element is no node, or if this block is not in the lower triangle.
+        // a or b is no node, or if this block is not in the lower triangle.
         std::array<int, kMaxNodes * kMaxNodes> blocks;
         // Element b belongs to the node b of the film and is used only if the node has two rows. It
         // is the distance, in the array of matrix values, from a value in the node's first column

@@ -33,7 +33,7 @@ class LinearSolver {
     /// Prepares the solver for some unknowns of a foam. The preparation stays valid when the foam
     /// moves, as long as its network does not change, because positions only guide the order of
     /// elimination. `threads` has the same meaning as in parallel_for. If `keeps_order` is true,
-    /// the order of elimination of the last start with this precision is repaired
+    /// the order of elimination of the last start with this precision is repaired, if possible
     /// (LdltOptions::keeps_order); this suits the same unknowns after a few T1s.
     void start(const Foam& foam,
                const Unknowns& unknowns,

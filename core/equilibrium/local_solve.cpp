@@ -22,7 +22,7 @@ namespace foam {
 
 namespace {
 
-// Force tolerance, in film tensions, and relative area tolerance. They are loose, since the
+// The tolerance of forces, in film tensions, and of relative area errors. It is loose, since the
 // surroundings of the region are held and will move later.
 constexpr double kTolerance = 1e-3;
 constexpr int kMaxIterations = 12;     // largest number of Newton steps in a round

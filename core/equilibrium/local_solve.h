@@ -29,8 +29,8 @@ struct LocalSummary {
 
 /// Runs Newton's method on each region around defects (find_defect_regions), with everything else
 /// held fixed, and applies the T1s that the method requests. If the method stalls or reaches its
-/// limit of iterations in a region, the region is relaxed once. Otherwise, the unsolved region
-/// would also stall Newton's method on the whole foam. The tolerance is loose, since the
+/// limit of iterations in a region, the region is relaxed once. Without relaxation, the unsolved
+/// region would also stall Newton's method on the whole foam. The tolerance is loose, since the
 /// surroundings of a region move later. Does nothing if find_defect_regions finds no region.
 LocalSummary solve_defect_regions(Foam& foam,
                                   const DefectOptions& defects,

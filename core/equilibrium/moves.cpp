@@ -34,9 +34,10 @@ bool would_flip_after_step(const Foam& foam,
                            FilmId film,
                            double length) {
     const HalfEdgeId h = forward_side(film);
-    const Vec2 after = chord(foam, h) + move_of(unknowns, step, foam.network.head(h)) -
-                       move_of(unknowns, step, foam.network.tail(h));
-    return after.norm() < length && can_change(foam.network, film) && would_stay_open(foam, film);
+    const Vec2 new_chord = chord(foam, h) + move_of(unknowns, step, foam.network.head(h)) -
+                           move_of(unknowns, step, foam.network.tail(h));
+    return new_chord.norm() < length && can_change(foam.network, film) &&
+           would_stay_open(foam, film);
 }
 
 // Returns the films that have collapsed, and the films below their T1 distance for which
@@ -108,9 +109,9 @@ bool limit_half_angle(const Foam& foam,
     const double angle = foam.half_angles[film];
     const double margin = std::numbers::pi - std::copysign(angle, angle * change);
     const double limit = largest * std::min(1.0, margin);
-    const bool cut = std::abs(change) > limit;
+    const bool changed = std::abs(change) > limit;
     change = std::clamp(change, -limit, limit);
-    return cut;
+    return changed;
 }
 
 }  // namespace
@@ -171,21 +172,21 @@ bool limit_moves(const Foam& foam,
                  const Unknowns& unknowns,
                  double largest,
                  Eigen::VectorXd& step) {
-    bool cut = false;
+    bool changed = false;
     for (const FilmId film : unknowns.outer_films) {
-        cut = limit_half_angle(foam, unknowns, film, largest, step) || cut;
+        changed = limit_half_angle(foam, unknowns, film, largest, step) || changed;
     }
     for (int sweep = 0; sweep < kLimitSweeps; ++sweep) {
-        bool cut_now = false;
+        bool changed_now = false;
         for (const FilmId film : unknowns.films) {
-            cut_now = limit_film(foam, unknowns, film, largest, step) || cut_now;
+            changed_now = limit_film(foam, unknowns, film, largest, step) || changed_now;
         }
-        if (!cut_now) {
+        if (!changed_now) {
             break;
         }
-        cut = true;
+        changed = true;
     }
-    return cut;
+    return changed;
 }
 
 std::vector<FilmId> collapsing_films(const Foam& foam,

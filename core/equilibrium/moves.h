@@ -11,7 +11,8 @@
 
 namespace foam {
 
-/// The saved values of some unknowns, in the order of these unknowns. Used to undo a step.
+/// The saved values of some unknowns, in the order of these unknowns. From a saved state, Newton's
+/// method tries several fractions of a step, or undoes the step.
 struct State {
     std::vector<Vec2> positions;
     std::vector<double> pressures;

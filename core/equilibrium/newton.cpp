@@ -26,7 +26,7 @@ namespace {
 // A move by the fraction f of a step must reduce the sum of squares to less than (1 - f *
 // kSufficientDecrease) times its value before.
 constexpr double kSufficientDecrease = 1e-4;
-constexpr double kSmallestStep = 1.0 / 64.0;  // smallest fraction of a step that is tried
+constexpr double kMinStep = 1.0 / 64.0;  // smallest fraction of a step that is tried
 // A factor is kept while at most this many further steps with it are expected. A new factor costs
 // about as much as this many steps.
 constexpr double kStepsPerFactor = 6.0;
@@ -106,7 +106,7 @@ bool backtrack(Foam& foam,
                const Eigen::VectorXd& step,
                Evaluation& current) {
     const State start = state_of(foam, system.unknowns());
-    for (double fraction = 1.0; fraction >= kSmallestStep; fraction *= 0.5) {
+    for (double fraction = 1.0; fraction >= kMinStep; fraction *= 0.5) {
         set_state(foam, system.unknowns(), start, step, fraction);
         Evaluation trial = evaluate(foam, system);
         if (trial.norms.squares < (1.0 - kSufficientDecrease * fraction) * current.norms.squares) {
@@ -127,13 +127,13 @@ Advance line_search(Foam& foam,
                     const Eigen::VectorXd& step,
                     double largest_move,
                     Evaluation& current) {
-    const double before = current.norms.squares;
+    const double squares_before = current.norms.squares;
     Advance advance;
     Eigen::VectorXd limited = step;
     advance.was_limited = limit_moves(foam, system.unknowns(), largest_move, limited);
     advance.moved = backtrack(foam, system, limited, current) ||
                     (advance.was_limited && backtrack(foam, system, step, current));
-    advance.ratio = std::sqrt(current.norms.squares / before);
+    advance.ratio = std::sqrt(current.norms.squares / squares_before);
     return advance;
 }
 

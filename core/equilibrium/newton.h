@@ -43,7 +43,8 @@ enum class NewtonStatus {
     FilmsNeedT1,  // films need a T1, before the next step or after the last one
     Slow,         // see NewtonOptions::slow_ratio
     // A step with a new factor does not reduce the residual. The factor is in double precision,
-    // unless the foam is far from equilibrium and NewtonOptions::raises_precision_far is false.
+    // with two exceptions: some films need a T1 (NewtonSummary::films_for_t1), or the foam is far
+    // from equilibrium and NewtonOptions::raises_precision_far is false.
     Stalled,
     IterationLimit,
 };
@@ -52,8 +53,8 @@ enum class NewtonStatus {
 struct NewtonSummary {
     NewtonStatus status = NewtonStatus::IterationLimit;
     int iterations = 0;  // number of steps that were made
-    // The larger of two numbers: the largest force, in film tensions, and the largest area error,
-    // relative to the target area.
+    // The larger of two numbers: the largest force (ResidualNorms::force), in film tensions, and
+    // the largest area error, relative to the target area.
     double residual = 0.0;
     std::vector<FilmId> films_for_t1;  // the films that need a T1, in increasing order
 };

@@ -34,8 +34,8 @@ class NewtonSystem {
     /// - the connections of the network and the number of threads are the same;
     /// - the precision has not been raised since (raise_precision).
     ///
-    /// Otherwise, the order of elimination is repaired (LinearSolver::start). In both cases, the
-    /// steps depend on earlier calls.
+    /// If one of them is not met, the order of elimination is repaired, if possible
+    /// (LdltOptions::keeps_order). In both cases, the steps depend on earlier calls.
     void start_whole(const Foam& foam, int threads);
 
     const Unknowns& unknowns() const { return unknowns_; }

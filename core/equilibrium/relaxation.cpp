@@ -31,7 +31,7 @@ namespace foam {
 namespace {
 
 constexpr int kSweepsPerUpdate = 10;  // sweeps between updates of the method of multipliers (E4)
-constexpr double kLargestBend = 0.3;  // largest change of a half angle by a call of `bend`, radians
+constexpr double kMaxBend = 0.3;      // largest change of a half angle by a call of `bend`, radians
 // Lower bound of cos alpha in the stiffness of a film against bending (`bend`), where alpha is the
 // half angle. Also the lower bound of Pull::stiffness of an outer film.
 constexpr double kMinStiffness = 0.1;
@@ -152,12 +152,12 @@ class Relaxation {
         Vec2 force = Vec2::Zero();
         Mat2 stiffness = Mat2::Zero();
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t before = (k + 2) % 3;  // the bubble's other film at the junction
+            const std::size_t other = (k + 2) % 3;  // the bubble's other film at the junction
             const BubbleId bubble = foam_.network.left(leaving[k]);
             // The gradient of the bubble's area with respect to the position of the junction.
-            const Vec2 growth = -0.5 * turned_left(chords[k] - chords[before]) -
+            const Vec2 growth = -0.5 * turned_left(chords[k] - chords[other]) -
                                 0.5 * pulls[k].segment * chords[k] +
-                                0.5 * pulls[before].segment * chords[before];
+                                0.5 * pulls[other].segment * chords[other];
             force += soft_.pressure(bubble) * growth;
             stiffness += soft_.slope(bubble) * growth * growth.transpose();
             const double c = chords[k].norm();
@@ -174,13 +174,14 @@ class Relaxation {
         return determinant > 0.0 ? Vec2(stiffness.inverse() * force) : force;
     }
 
-    // Updates the arc of a film whose squared chord length has changed from `before` to `after`.
-    void update_arc(FilmId film, double before, double after) {
+    // Updates the arc of a film after a change of its squared chord length.
+    void update_arc(FilmId film, double squared_before, double squared_after) {
         const SoftFoam::Arc& arc = soft_.arc(film);
-        const double angle = foam_.network.is_outer(film) && after > 0.0
-                                 ? half_angle_of_segment(arc.shape.segment * before / after)
-                                 : arc.half_angle;
-        soft_.set_arc(film, angle, before, after);
+        const double angle =
+            foam_.network.is_outer(film) && squared_after > 0.0
+                ? half_angle_of_segment(arc.shape.segment * squared_before / squared_after)
+                : arc.half_angle;
+        soft_.set_arc(film, angle, squared_before, squared_after);
     }
 
     // Makes a Newton step of the half angle of the film, with the junctions held. Does nothing if
@@ -200,7 +201,7 @@ class Relaxation {
             growth * (soft_.pressure(left) - soft_.pressure(right)) - tension * arc.sine;
         const double stiffness = tension * std::max(arc.cosine, kMinStiffness) +
                                  growth * growth * (soft_.slope(left) + soft_.slope(right));
-        const double step = std::clamp(force / stiffness, -kLargestBend, kLargestBend);
+        const double step = std::clamp(force / stiffness, -kMaxBend, kMaxBend);
         soft_.set_arc(film, clamped(film, arc.half_angle + step), squared, squared);
     }
 

@@ -13,11 +13,10 @@ namespace foam {
 
 namespace {
 
-// Only a two-sided bubble of two inner films, whose ends have different third films (third_film),
-// can be collapsed. It is collapsed if its area is less than this fraction of its target area.
+// A two-sided bubble is collapsed if its area is less than this fraction of its target area.
 constexpr double kCollapsedAreaFraction = 0.01;
 // Largest move of an end of a bubble, in chord lengths of the third film at this end.
-constexpr double kLargestMove = 1.0 / 3.0;
+constexpr double kMaxMove = 1.0 / 3.0;
 
 // Returns the half-edge that leaves the tail of h along the film that does not belong to the
 // two-sided bubble on the left of h.
@@ -31,7 +30,9 @@ HalfEdgeId third_film(const Network& network, HalfEdgeId h) {
     return third;
 }
 
-bool is_collapsed(const Foam& foam, BubbleId bubble) {
+// Returns true if the bubble is collapsed, has no outer film, and has different third films
+// (third_film) at its two ends.
+bool needs_reopening(const Foam& foam, BubbleId bubble) {
     const Network& network = foam.network;
     if (network.sides(bubble) != 2 ||
         bubble_area(foam, bubble) >= kCollapsedAreaFraction * foam.target_areas[bubble]) {
@@ -54,7 +55,7 @@ void move_along_third_film(Foam& foam, HalfEdgeId h, double largest) {
     const Vec2 ahead = chord(foam, third_film(foam.network, h));
     const double length = ahead.norm();
     if (length > 0.0) {
-        const double fraction = std::min(kLargestMove, largest / length);
+        const double fraction = std::min(kMaxMove, largest / length);
         const JunctionId end = foam.network.tail(h);
         place_junction(foam, end, foam.positions[end] + fraction * ahead);
     }
@@ -79,7 +80,7 @@ void reopen(Foam& foam, BubbleId bubble) {
 int reopen_collapsed_bubbles(Foam& foam) {
     int reopened = 0;
     for (const BubbleId bubble : foam.network.bubbles()) {
-        if (is_collapsed(foam, bubble)) {
+        if (needs_reopening(foam, bubble)) {
             reopen(foam, bubble);
             ++reopened;
         }

@@ -41,8 +41,8 @@ void SoftFoam::begin(double stiffness) {
 }
 
 void SoftFoam::load(BubbleId bubble) {
-    const bool is_free = foam_.network.is_live(bubble) && bubble != foam_.network.ghost();
-    if (!is_free || bubbles_[bubble].target > 0.0) {
+    const bool can_load = foam_.network.is_live(bubble) && bubble != foam_.network.ghost();
+    if (!can_load || bubbles_[bubble].target > 0.0) {
         return;
     }
     const double target = foam_.target_areas[bubble];

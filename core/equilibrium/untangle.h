@@ -15,11 +15,11 @@ bool is_tangled(const Foam& foam, JunctionId junction);
 
 /// Untangles the foam by Tutte's barycentric embedding (How to draw a graph, 1963), applied
 /// locally. Repeatedly moves each tangled junction, and each junction up to two films away, to the
-/// mean of its neighbors. If every junction is at the mean of its neighbors, each bubble is a
-/// convex polygon, whatever the positions were before. In a patch the junctions at the ghost are
-/// not moved, since otherwise the patch would shrink to a point. Areas are not kept; relaxation
-/// restores them. Returns the number of junctions that were tangled before. If no junction is
-/// tangled, no junction is moved.
+/// mean of its neighbors. If every junction of a torus, or every junction inside a fixed convex
+/// outline, is at the mean of its neighbors, each bubble is a convex polygon, whatever the
+/// positions were before. In a patch the junctions at the ghost are not moved, since otherwise the
+/// patch would shrink to a point. Areas are not kept; relaxation restores them. Returns the number
+/// of junctions that were tangled before. If no junction is tangled, no junction is moved.
 int untangle(Foam& foam);
 
 }  // namespace foam

@@ -11,9 +11,9 @@ namespace foam {
 
 namespace {
 
-// Writing a file takes less time than this. The clocks of machines that share a folder differ by
-// less than this.
-constexpr std::chrono::hours kLongestWrite{24};
+// A temporary file is abandoned if its last change is longer ago than this. Writing a file takes
+// less time, and the clocks of machines that share a folder differ by less.
+constexpr std::chrono::hours kMinAge{24};
 
 // Returns true for names such as NAME.foamtex-123-4.part (unique_sibling in file_io.cpp).
 bool is_temporary(const std::string& name) {
@@ -25,7 +25,7 @@ bool is_temporary(const std::string& name) {
 
 void remove_abandoned_files(const std::filesystem::path& folder) {
     std::error_code error;
-    const auto oldest_kept = std::filesystem::file_time_type::clock::now() - kLongestWrite;
+    const auto oldest_kept = std::filesystem::file_time_type::clock::now() - kMinAge;
     const std::filesystem::path listed = folder.empty() ? "." : folder;
     for (std::filesystem::directory_iterator entry(listed, error), end; !error && entry != end;
          entry.increment(error)) {

@@ -22,8 +22,10 @@ namespace foam {
 
 namespace {
 
-constexpr std::size_t kReadBlock = 1 << 16;     // bytes
-constexpr std::size_t kLongestPlainName = 200;  // bytes; file systems allow 255
+// The number of bytes that one call of `read` requests.
+constexpr std::size_t kReadBlock = 1 << 16;
+// The largest length of a plain name, in bytes. File systems allow names of 255 bytes.
+constexpr std::size_t kMaxPlainName = 200;
 
 std::string reason(int error) {
     return std::generic_category().message(error);
@@ -60,16 +62,16 @@ class InputFile {
 
     /// Appends the next bytes to the content. Returns false at the end of the file.
     bool append_to(Bytes& content) const {
-        const std::size_t before = content.size();
-        content.resize(before + kReadBlock);
+        const std::size_t old_size = content.size();
+        content.resize(old_size + kReadBlock);
         ssize_t count = 0;
         do {
-            count = read(file_, content.data() + before, kReadBlock);
+            count = read(file_, content.data() + old_size, kReadBlock);
         } while (count < 0 && errno == EINTR);
         if (count < 0) {
             fail_to_read(path_, reason(errno));
         }
-        content.resize(before + static_cast<std::size_t>(count));
+        content.resize(old_size + static_cast<std::size_t>(count));
         return count > 0;
     }
 
@@ -121,7 +123,7 @@ Bytes read_file(const std::filesystem::path& path, const InputKind& kind) {
 }
 
 bool is_plain_name(std::string_view name) {
-    return !name.empty() && name.size() <= kLongestPlainName && is_harmless(name) &&
+    return !name.empty() && name.size() <= kMaxPlainName && is_harmless(name) &&
            name.front() != '.' && name.find('/') == std::string_view::npos;
 }
 

@@ -103,7 +103,7 @@ bool is_existing(const std::filesystem::path& path);
 
 /// Returns the absolute path of a folder if it exists, otherwise the path of the nearest existing
 /// folder or file above it. An empty path means the working directory. Throws OutputError if the
-/// system cannot tell whether a path exists.
+/// system cannot tell whether a path exists, or what the working directory is.
 std::filesystem::path nearest_existing(const std::filesystem::path& folder);
 
 /// Throws OutputError if files cannot be written into a folder, or if a missing folder cannot be

@@ -12,10 +12,10 @@ namespace {
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD, the replacement character
 constexpr std::string_view kGap = " ... ";
 
-// A character of a text.
+// A character of a text, or a byte that is not part of valid UTF-8 (`is_valid` is false).
 struct Character {
     std::string_view bytes;
-    char32_t code = 0;  // the code point
+    char32_t code = 0;  // the code point; 0 if not valid
     bool is_valid = true;
 };
 
@@ -72,7 +72,7 @@ std::vector<Character> characters_of(std::string_view text) {
     return characters;
 }
 
-bool is_control(char32_t code) {
+bool could_control_terminal(char32_t code) {
     const bool is_ascii_control = code < 0x20 || code == 0x7f;
     const bool is_c1_control = code >= 0x80 && code < 0xa0;
     const bool separates_lines = code == 0x2028 || code == 0x2029;
@@ -82,14 +82,15 @@ bool is_control(char32_t code) {
     return is_ascii_control || is_c1_control || separates_lines || changes_direction;
 }
 
-std::string_view shown(const Character& character) {
+// Returns the bytes that are shown in place of the character.
+std::string_view safe_bytes(const Character& character) {
     if (!character.is_valid) {
         return kReplacement;
     }
     if (character.code == '\n' || character.code == '\r' || character.code == '\t') {
         return " ";
     }
-    return is_control(character.code) ? "?" : character.bytes;
+    return could_control_terminal(character.code) ? "?" : character.bytes;
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ bool is_utf8(std::string_view text) {
 
 bool is_harmless(std::string_view text) {
     return std::ranges::all_of(characters_of(text), [](const Character& character) {
-        return character.is_valid && !is_control(character.code);
+        return character.is_valid && !could_control_terminal(character.code);
     });
 }
 
@@ -112,14 +113,14 @@ std::string valid_utf8(std::string_view text) {
     return valid;
 }
 
-std::string shown_text(std::string_view text, std::size_t longest) {
+std::string shown_text(std::string_view text, std::size_t max_length) {
     const std::vector<Character> characters = characters_of(text);
-    const bool is_long = characters.size() > longest;
-    const std::size_t half = (longest - std::min(longest, kGap.size())) / 2;
+    const bool is_long = characters.size() > max_length;
+    const std::size_t half = (max_length - std::min(max_length, kGap.size())) / 2;
     std::string line;
     for (std::size_t k = 0; k < characters.size(); ++k) {
         if (!is_long || k < half || k >= characters.size() - half) {
-            line += shown(characters[k]);
+            line += safe_bytes(characters[k]);
         } else if (k == half) {
             line += kGap;
         }
@@ -130,17 +131,17 @@ std::string shown_text(std::string_view text, std::size_t longest) {
 std::string shown_lines(std::string_view text) {
     std::string lines;
     for (const Character& character : characters_of(text)) {
-        lines += character.code == '\n' ? "\n" : shown(character);
+        lines += character.code == '\n' ? "\n" : safe_bytes(character);
     }
     return lines;
 }
 
-std::string cut_text(std::string_view text, std::size_t longest) {
+std::string cut_text(std::string_view text, std::size_t max_length) {
     const std::vector<Character> characters = characters_of(text);
-    if (characters.size() <= longest) {
+    if (characters.size() <= max_length) {
         return std::string(text);
     }
-    const char* const end = characters[longest].bytes.data();
+    const char* const end = characters[max_length].bytes.data();
     return std::string(text.substr(0, static_cast<std::size_t>(end - text.data()))) + "...";
 }
 

@@ -33,8 +33,9 @@ class AreaField {
     Vec2 random_point(Random& random) const;
 
     /// Returns the area that a bubble covering a polygon should have: the harmonic mean of the
-    /// field over the polygon. The distance between sample points is about the shorter side of a
-    /// cell of the grid or, in a large polygon, 1/32 of its size (visit_polygon_samples).
+    /// field over the polygon. Sample points are at most about as far apart as the shorter side of
+    /// a cell of the grid is long. In a large polygon, they are about 1/32 of its size apart
+    /// (visit_polygon_samples).
     /// Precondition: the polygon is counter-clockwise.
     double mean_over(std::span<const Vec2> polygon) const;
 

@@ -24,10 +24,11 @@ struct AreaMoments {
 // Adds the triangle between the origin, a and b. Its moments are negative if it is clockwise.
 void add_triangle(AreaMoments& sum, const Vec2& a, const Vec2& b) {
     const double area = 0.5 * cross(a, b);
-    const Vec2 ends = a + b;
+    const Vec2 sum_of_ends = a + b;
     sum.area += area;
-    sum.first += area / 3.0 * ends;
-    sum.second += area / 12.0 * (a * a.transpose() + b * b.transpose() + ends * ends.transpose());
+    sum.first += area / 3.0 * sum_of_ends;
+    sum.second += area / 12.0 *
+                  (a * a.transpose() + b * b.transpose() + sum_of_ends * sum_of_ends.transpose());
 }
 
 // Adds the segment between an arc and its chord. `middle` is the middle of the chord. Precondition:

@@ -120,11 +120,11 @@ void set_offsets(const CellDiagram& cells, const HalfEdgeTable& table, Foam& foa
 }  // namespace
 
 double cell_area(const std::vector<CellCorner>& cell) {
-    double twice = 0.0;
+    double twice_area = 0.0;
     for (std::size_t k = 0; k + 1 < cell.size(); ++k) {
-        twice += cross(cell[k].point - cell[0].point, cell[k + 1].point - cell[0].point);
+        twice_area += cross(cell[k].point - cell[0].point, cell[k + 1].point - cell[0].point);
     }
-    return 0.5 * twice;
+    return 0.5 * twice_area;
 }
 
 std::vector<Vec2> cell_polygon(const std::vector<CellCorner>& cell) {
@@ -138,14 +138,14 @@ std::vector<Vec2> cell_polygon(const std::vector<CellCorner>& cell) {
 
 Vec2 polygon_centroid(std::span<const Vec2> polygon) {
     Vec2 weighted = Vec2::Zero();
-    double twice = 0.0;
+    double twice_area = 0.0;
     for (std::size_t k = 0; k + 1 < polygon.size(); ++k) {
         const Vec2 a = polygon[k] - polygon[0];
         const Vec2 b = polygon[k + 1] - polygon[0];
         weighted += cross(a, b) * (a + b) / 3.0;
-        twice += cross(a, b);
+        twice_area += cross(a, b);
     }
-    return polygon[0] + weighted / twice;
+    return polygon[0] + weighted / twice_area;
 }
 
 Foam foam_from_cells(const Domain& domain, const CellDiagram& cells) {

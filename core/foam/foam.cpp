@@ -15,7 +15,7 @@ namespace {
 
 // Largest half angle of an outer film, in radians. The chord of such an arc is 1e-6 of the diameter
 // of its circle. No film of a bubble above the T2 area is so close to a full circle.
-constexpr double kLargestHalfAngle = std::numbers::pi - 1e-6;
+constexpr double kMaxHalfAngle = std::numbers::pi - 1e-6;
 
 // Puts the values into the order of `ids`, and removes the values of all other ids.
 template <class Id, class T>
@@ -54,7 +54,7 @@ FilmArc film_arc(const Foam& foam, HalfEdgeId h) {
 }
 
 void set_half_angle(Foam& foam, HalfEdgeId h, double angle) {
-    const double clamped = std::clamp(angle, -kLargestHalfAngle, kLargestHalfAngle);
+    const double clamped = std::clamp(angle, -kMaxHalfAngle, kMaxHalfAngle);
     foam.half_angles[film_of(h)] = is_forward(h) ? clamped : -clamped;
 }
 

@@ -38,7 +38,8 @@ struct Frame {
 Frame snapshot(const Foam& foam, int number);
 
 /// Returns a foam in the state of the frame, with an empty list of topology events. The flags
-/// Foam::t1_armed of all films are 1, because a frame does not contain these flags.
+/// Foam::t1_armed of all films are 1, because a frame does not contain these flags. For the same
+/// reason, Foam::next_identity is one more than the largest identity in the frame.
 Foam foam_of(const Frame& frame);
 
 }  // namespace foam

@@ -25,8 +25,10 @@ int winding_number(const Foam& foam, BubbleId bubble, const Vec2& point);
 
 /// Returns the bubble that contains a point. The point may be anywhere in the plane, even if the
 /// foam is on a torus. For a point on a film, returns a bubble beside the film. In a patch, returns
-/// nothing if the point is in the ghost or in a lone bubble. On a torus, returns the first bubble
-/// if rounding errors hide which bubble contains the point. Precondition: no two bubbles overlap.
+/// nothing if the point is in the ghost or in a lone bubble. But if a bubble of the network is
+/// closer to this point than about 1e-6 foam units, may return that bubble. On a torus, returns the
+/// first bubble if rounding errors hide which bubble contains the point. Precondition: no two
+/// bubbles overlap.
 std::optional<BubbleId> bubble_at(const Foam& foam, const Vec2& point);
 
 /// Returns the identity of the bubble or lone bubble that contains a point, or nothing if no bubble

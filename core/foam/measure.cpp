@@ -51,17 +51,17 @@ bool is_at_limit(const Foam& foam, HalfEdgeId h) {
 }  // namespace
 
 double polygon_area(const Foam& foam, BubbleId bubble) {
-    double twice = 0.0;
+    double twice_area = 0.0;
     Vec2 corner = Vec2::Zero();
     const HalfEdgeId first = foam.network.first(bubble);
     HalfEdgeId h = first;
     do {
         const Vec2 d = chord(foam, h);
-        twice += cross(corner, d);
+        twice_area += cross(corner, d);
         corner += d;
         h = foam.network.next(h);
     } while (h != first);
-    return 0.5 * twice;
+    return 0.5 * twice_area;
 }
 
 double bubble_area(const Foam& foam, BubbleId bubble) {

@@ -74,8 +74,9 @@ std::string reason_of(bg::validity_failure_type failure) {
         case bg::failure_spikes:
             return "the polygon has no area, or a part of it has none";
         case bg::failure_self_intersections:
-        case bg::failure_wrong_orientation:  // remains after bg::correct only if the polygon
-                                             // crosses itself
+        case bg::failure_wrong_orientation:
+            // bg::correct has oriented the rings. This failure remains only if the polygon crosses
+            // itself.
             return "the polygon crosses or touches itself";
         case bg::failure_interior_rings_outside:
             return "a hole is outside of the polygon";

@@ -11,9 +11,10 @@ namespace foam {
 
 /// Options for seeding a patch.
 struct PatchOptions {
-    int bubbles = 100;             // number of random sites, at least 2; the number of bubbles may
-                                   // differ: the share of each part of the outline is rounded, the
-                                   // outline may divide cells, and small cells are merged
+    // The intended number of bubbles, at least 2. The patch may have another number: the share of
+    // each part of the outline is rounded, the outline may divide cells, and small cells are merged
+    // with their neighbors.
+    int bubbles = 100;
     int lloyd_iterations = 0;      // iterations of Lloyd's algorithm; 0 keeps the random sites
     double area_ratio = 0.0;       // see SeedingOptions (seeding.h)
     double surface_tension = 0.5;  // gamma; a film has two surfaces, so its tension is 2 gamma

@@ -28,11 +28,11 @@ namespace {
 
 constexpr int kMaxPatchDraws = 8;
 // Smallest share of all bubbles that a part of the outline may have, as a number of bubbles. Cells
-// that are smaller than this are slivers, too (kSliverArea in clipped_cells.cpp).
+// smaller than the same fraction of the mean area are slivers (kSliverArea in clipped_cells.cpp).
 constexpr double kMinShare = 0.1;
 
-// At most kMaxPoints + kMaxPointsPerBubble * bubbles random points are drawn for a part with this
-// number of bubbles. If too few of these points are inside the part, it is too narrow.
+// For a part with b bubbles, at most kMaxPoints + kMaxPointsPerBubble * b random points are drawn.
+// If fewer than b of these points are inside the part, the part is too narrow.
 constexpr int kMaxPoints = 100'000;
 constexpr int kMaxPointsPerBubble = 1'000;
 

@@ -87,11 +87,12 @@ class PatchBuilder {
 
     double area_of(const PolygonMesh::Cell& corners) const {
         const Vec2 start = mesh_.points[corners.front()];
-        double twice = 0.0;
+        double twice_area = 0.0;
         for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
-            twice += cross(mesh_.points[corners[k]] - start, mesh_.points[corners[k + 1]] - start);
+            twice_area +=
+                cross(mesh_.points[corners[k]] - start, mesh_.points[corners[k + 1]] - start);
         }
-        return 0.5 * twice;
+        return 0.5 * twice_area;
     }
 
     // Adds a film for each chain of sides from junction to junction. Stores the half-edges around

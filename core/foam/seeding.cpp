@@ -112,11 +112,11 @@ Foam seed_foam(const SeedingOptions& options) {
     check(options);
     Random random(options.seed);
     const Domain domain = torus_for(options);
-    SeedingOptions placed = options;
+    SeedingOptions stretched = options;
     if (options.areas) {
-        placed.areas = options.areas->stretched_over({0.0, 0.0}, {domain.width, domain.height});
+        stretched.areas = options.areas->stretched_over({0.0, 0.0}, {domain.width, domain.height});
     }
-    Foam foam = draw_foam(placed, domain, random);
+    Foam foam = draw_foam(stretched, domain, random);
     foam.film_tension = 2.0 * options.surface_tension;
     sort_if_large(foam);
     return foam;

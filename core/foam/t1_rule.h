@@ -64,9 +64,9 @@ void flip_film(Foam& foam, FilmId film);
 
 /// Opens a film that has collapsed to a point where four films meet. Flips the film if it can flip
 /// and if the four neighboring films would pull harder on the flipped film than on the present
-/// film. Gives the film the direction of the pull and the given chord length, and keeps its
-/// midpoint. A flip is recorded as a T1 and disarms the film, as in flip_film. Returns true if the
-/// film was flipped.
+/// film. Gives the film the direction of the pull (of the x axis if the pull is zero) and the given
+/// chord length, and keeps its midpoint. A flip is recorded as a T1 and disarms the film, as in
+/// flip_film. Returns true if the film was flipped.
 bool reopen_film(Foam& foam, FilmId film, double length);
 
 /// Returns true if the film has the ghost at both ends (split.h) and both bubbles beside it have

@@ -27,10 +27,10 @@ namespace {
 using Diagram = boost::polygon::voronoi_diagram<double>;
 using GridPoint = boost::polygon::point_data<std::int32_t>;
 
-// kGridPoints is the number of grid points along the longer period. kMaxRings is the largest number
-// of copies of the fundamental cell on each side. Coordinates are then at most 2^30, within the
-// 32-bit coordinates of Boost's builder.
+// Number of grid points along the longer period of the torus.
 constexpr double kGridPoints = 0x1.0p26;
+// Largest number of copies of the fundamental cell on each side of it. Coordinates of grid points
+// are then at most 2^30, within the 32-bit coordinates of Boost's builder.
 constexpr int kMaxRings = 15;
 
 struct Grid {

@@ -18,9 +18,9 @@ namespace foam {
 namespace {
 
 // If |s| is below this limit, series replace the closed forms, which lose accuracy by cancellation.
-// After 14 terms, the truncation error is less than 1e-17, or less than 2e-16 for
-// kShapeSecondDerivative.
 constexpr double kSeriesLimit = 0.25;
+// Number of terms of each series. The truncation error is less than 1e-17, or less than 2e-16 for
+// kShapeSecondDerivative.
 constexpr int kSeriesTerms = 14;
 
 constexpr double kHalfPi = 0.5 * std::numbers::pi;
@@ -45,15 +45,17 @@ constexpr Series weighted_series(Weight weight) {
     return series;
 }
 
-// The series of segment_shape(s) / s and of segment_shape_derivative(s).
+// The series of segment_shape(s) / s.
 constexpr Series kShape = weighted_series([](int k) { return 2.0 / (2 * k + 3); });
+// The series of segment_shape_derivative(s).
 constexpr Series kShapeDerivative =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) / (2 * k + 3); });
 // The series of (d/ds segment_shape_derivative(s)) / s.
 constexpr Series kShapeSecondDerivative =
     weighted_series([](int k) { return 2.0 * (2 * k + 1) * (2 * k + 3) / (2 * k + 5); });
-// The series of xx / s and of yy / s³, where xx and yy are the results of second_moment_shape.
+// The series of xx / s, where xx is the first result of second_moment_shape.
 constexpr Series kXxShape = weighted_series([](int k) { return 2.0 / (3 * (2 * k + 5)); });
+// The series of yy / s³, where yy is the second result of second_moment_shape.
 constexpr Series kYyShape =
     weighted_series([](int k) { return 4.0 * (2 * k + 1) / (3.0 * (2 * k + 5) * (2 * k + 7)); });
 

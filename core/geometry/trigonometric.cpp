@@ -94,7 +94,7 @@ detail::ReducedAngle detail::reduced_large(double x) {
 double tan(double x) {
     const double size = magnitude(x);
     const detail::ReducedAngle reduced =
-        size > detail::kLargestAngle ? detail::reduced_large(size) : detail::reduced(size);
+        size > detail::kMaxModerateAngle ? detail::reduced_large(size) : detail::reduced(size);
     const TwoDoubles sine = detail::sine_of_small(reduced.angle);
     const TwoDoubles cosine = detail::cosine_of_small(reduced.angle);
     const bool is_odd = reduced.quarters % 2 != 0;

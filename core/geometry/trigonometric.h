@@ -31,15 +31,15 @@ struct ReducedAngle {
 };
 
 // Angles up to this magnitude are reduced without integer arithmetic.
-inline constexpr double kLargestAngle = 0x1p20;
+inline constexpr double kMaxModerateAngle = 0x1p20;
 
-// Reduces an angle of at least kLargestAngle. The result is NaN if x is infinite or NaN.
+// Reduces an angle above kMaxModerateAngle. The result is NaN if x is infinite or NaN.
 ReducedAngle reduced_large(double x);
 
-// Reduces an angle in [0, kLargestAngle] by subtraction of k pi/2, where k is a whole number (W. J.
-// Cody and W. Waite, "Software Manual for the Elementary Functions", 1980). The number pi/2 is the
-// sum of three numbers of at most 33 bits and a small remainder. The products of the three numbers
-// with k are exact.
+// Reduces an angle in [0, kMaxModerateAngle] by subtraction of k pi/2, where k is a whole number
+// (W. J. Cody and W. Waite, "Software Manual for the Elementary Functions", 1980). The number pi/2
+// is the sum of three numbers of at most 33 bits and a small remainder. The products of the three
+// numbers with k are exact.
 [[gnu::always_inline]] inline ReducedAngle reduced(double x) {
     const double shifted = x * (2.0 / std::numbers::pi) + kRounder;
     const double k = shifted - kRounder;
@@ -95,9 +95,9 @@ struct Arcsine {
     double rest;
 };
 
-// Uses asin s = s + s z A(z), z = s², for s in [0, 1/2]. Otherwise uses asin s = pi/2 - 2 asin t,
-// where t² = z = (1 - s) / 2. In this case, `root` consists of the upper bits of t, and `rest` is
-// asin t - root.
+// Returns asin s for s in [0, 1], or NaN for s > 1. Up to 1/2, asin s = s + s z A(z) with z = s².
+// Above 1/2, asin s = pi/2 - 2 asin t with t² = z = (1 - s) / 2. In the second case, `root`
+// consists of the upper bits of t, and `rest` is asin t - root.
 [[gnu::always_inline]] inline Arcsine arcsine(double s) {
     constexpr std::array kArcsine = {0x1.5555555555578p-3,
                                      0x1.333333332df7cp-4,
@@ -137,7 +137,7 @@ inline SineAndCosine sincos(double x) {
         return {with_sign(detail::sine_of_small({size, 0.0}).high, x),
                 detail::cosine_of_small({size, 0.0}).high};
     }
-    if (size > detail::kLargestAngle) {
+    if (size > detail::kMaxModerateAngle) {
         return detail::sine_and_cosine(detail::reduced_large(size), x);
     }
     return sincos_of_moderate(x);

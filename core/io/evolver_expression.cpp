@@ -13,7 +13,9 @@ namespace foam::evolver {
 
 namespace {
 
-constexpr int kDeepestNesting = 100;  // far below the depth at which the stack would overflow
+// Largest number of nested levels of an expression, far below the depth at which the stack would
+// overflow.
+constexpr int kMaxNesting = 100;
 
 using Function = double (*)(double);
 
@@ -135,10 +137,10 @@ class Parser {
     // Returns inner(). Throws FormatError if the nesting is too deep.
     template <class Inner>
     double nested(Inner inner) {
-        if (++depth_ > kDeepestNesting) {
+        if (++depth_ > kMaxNesting) {
             tokens_.fail(
                 tokens_.peek().line,
-                fmt::format("the expression is nested more than {} levels deep", kDeepestNesting));
+                fmt::format("the expression is nested more than {} levels deep", kMaxNesting));
         }
         const double value = inner();
         --depth_;

@@ -11,7 +11,7 @@ namespace foam::evolver {
 
 namespace {
 
-// Largest shear of a torus, in widths of the torus. More would leave few digits for coordinates.
+// Largest |shear| of a torus, in widths of the torus. More would leave few digits for coordinates.
 constexpr double kMaxShear = 1e6;
 
 // Returns the rejected keywords in lower case. Each has a text, which follows the keyword in the

@@ -29,9 +29,10 @@ struct Header {
 /// - the file is not a string model in the plane or on a torus whose first period is along x;
 /// - the width or the height of the torus is not positive, or they differ too much
 ///   (has_moderate_shape);
-/// - the shear is more than 1e6 widths;
+/// - the magnitude of the shear is more than 1e6 widths;
 /// - the file adds an energy other than the length of all edges;
-/// - the file has a statement that README.md lists as rejected.
+/// - the file has a statement that README.md lists as rejected;
+/// - a statement is malformed, or the file has no section of vertices.
 Header read_header(TokenReader& tokens);
 
 }  // namespace foam::evolver

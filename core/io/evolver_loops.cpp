@@ -178,14 +178,14 @@ class LoopBuilder {
     }
 
     double polygon_area(const Loop& loop) const {
-        double twice = 0.0;
+        double twice_area = 0.0;
         Vec2 corner = Vec2::Zero();
         for (const EdgeSide& side : loop) {
             const Vec2 d = chord(side);
-            twice += cross(corner, d);
+            twice_area += cross(corner, d);
             corner += d;
         }
-        return 0.5 * twice;
+        return 0.5 * twice_area;
     }
 
     // Reverses all loops if their total area is negative. If all loops have the same direction,

@@ -17,7 +17,8 @@ namespace foam::evolver {
 
 namespace {
 
-constexpr std::size_t kLongestShown = 40;  // characters of a token in an error message
+// Largest number of characters of a token that an error message quotes.
+constexpr std::size_t kMaxQuoted = 40;
 // The byte order mark of UTF-8, with which some editors begin a file.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
@@ -64,8 +65,8 @@ std::string described(const Token& token) {
     if (token.kind == TokenKind::End) {
         return "the end of the file";
     }
-    const bool cut = token.text.size() > kLongestShown;
-    return fmt::format("'{}{}'", token.text.substr(0, kLongestShown), cut ? "..." : "");
+    const bool cut = token.text.size() > kMaxQuoted;
+    return fmt::format("'{}{}'", token.text.substr(0, kMaxQuoted), cut ? "..." : "");
 }
 
 }  // namespace

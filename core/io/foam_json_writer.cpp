@@ -19,8 +19,8 @@ namespace {
 // point or an exponent. The text "-0", which has neither, would be read as the integer 0, and the
 // sign would be lost. Precondition: the number is finite.
 std::string real(double number) {
-    constexpr std::size_t kLongest = 32;  // characters; the longest doubles have 24
-    std::array<char, kLongest> digits{};
+    constexpr std::size_t kMaxDigits = 32;  // the text of a double has at most 24 characters
+    std::array<char, kMaxDigits> digits{};
     const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
     const std::string text(static_cast<const char*>(digits.data()), end);
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;

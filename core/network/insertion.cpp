@@ -33,7 +33,7 @@ BubbleId add_bubble_along(Network& network, HalfEdgeId first, int sides) {
 
 BubbleId insert_triangle(Network& network, JunctionId junction) {
     const auto [a, b, c] = network.leaving(junction);  // clockwise
-    const std::array<HalfEdgeId, 3> outward{a, c, b};
+    const std::array<HalfEdgeId, 3> outward{a, c, b};  // counter-clockwise
     std::array<JunctionId, 3> corners{junction, network.add_junction(), network.add_junction()};
     std::array<HalfEdgeId, 3> loop{};
     for (HalfEdgeId& side : loop) {
@@ -55,28 +55,30 @@ BubbleId insert_triangle(Network& network, JunctionId junction) {
 }
 
 BubbleId insert_lens(Network& network, HalfEdgeId h) {
-    const HalfEdgeId before = network.previous(h);
-    const HalfEdgeId after = network.next(twin(h));
+    const HalfEdgeId previous = network.previous(h);
+    const HalfEdgeId next_of_twin = network.next(twin(h));
     const JunctionId old_tail = network.tail(h);
-    const JunctionId near = network.add_junction();
-    const JunctionId far = network.add_junction();
-    const HalfEdgeId lead = forward_side(network.add_film());   // old tail to near
-    const HalfEdgeId left = forward_side(network.add_film());   // near to far, left of the lens
-    const HalfEdgeId right = forward_side(network.add_film());  // far to near, right of the lens
+    const JunctionId near_corner = network.add_junction();
+    const JunctionId far_corner = network.add_junction();
+    // `lead` runs from the old tail to the near corner. `left` runs from the near to the far
+    // corner, along the left side of the lens. `right` runs back along its right side.
+    const HalfEdgeId lead = forward_side(network.add_film());
+    const HalfEdgeId left = forward_side(network.add_film());
+    const HalfEdgeId right = forward_side(network.add_film());
     const BubbleId lens = add_bubble_along(network, twin(left), 2);
     network.set_tail(lead, old_tail);
-    network.set_tail(twin(lead), near);
-    network.set_tail(left, near);
-    network.set_tail(twin(right), near);
-    network.set_tail(twin(left), far);
-    network.set_tail(right, far);
-    network.set_tail(h, far);
-    join(network, before, lead);
+    network.set_tail(twin(lead), near_corner);
+    network.set_tail(left, near_corner);
+    network.set_tail(twin(right), near_corner);
+    network.set_tail(twin(left), far_corner);
+    network.set_tail(right, far_corner);
+    network.set_tail(h, far_corner);
+    join(network, previous, lead);
     join(network, lead, left);
     network.set_next(left, h);
     join(network, twin(h), right);
     join(network, right, twin(lead));
-    network.set_next(twin(lead), after);
+    network.set_next(twin(lead), next_of_twin);
     network.set_left(twin(left), lens);
     join(network, twin(left), twin(right));
     network.set_next(twin(right), twin(left));

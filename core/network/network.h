@@ -44,7 +44,7 @@ class Network {
     std::size_t film_count() const { return film_count_; }
     std::size_t bubble_count() const { return bubble_count_; }
 
-    /// Returns the ghost, or kNone on a torus.
+    /// Returns the ghost, or kNone if the network has no ghost, as on a torus.
     BubbleId ghost() const { return ghost_; }
     /// Returns true if the film has the ghost on one side. No film has the ghost on both sides.
     bool is_outer(FilmId film) const {

@@ -11,8 +11,8 @@ namespace foam {
 
 namespace {
 
-// The outer films that meet the torn film on one of its sides, one at each end. Both are films of
-// the bubble on this side. If this bubble has only two sides, both are the same film.
+// One side of the torn film. The bubble on this side has two outer films that meet the torn film,
+// one at each of its ends. If the bubble has only two sides, both are the same film.
 struct TornSide {
     HalfEdgeId before;          // arrives at the torn film, with the bubble on its left
     HalfEdgeId after;           // leaves the torn film, with the bubble on its left
@@ -66,7 +66,8 @@ Split split(Network& network, FilmId film) {
     const T1Site site = t1_site(network, film);
     const std::array<TornSide, 2> sides{torn_side(network, site.before_left, site.after_left),
                                         torn_side(network, site.before_right, site.after_right)};
-    const std::array<JunctionId, 2> gone{network.tail(site.film), network.head(site.film)};
+    const std::array<JunctionId, 2> removed_junctions{network.tail(site.film),
+                                                      network.head(site.film)};
     Split result;
     for (const TornSide& side : sides) {
         const BubbleId bubble = network.left(side.before);
@@ -80,8 +81,8 @@ Split split(Network& network, FilmId film) {
         drop_sides(network, network.ghost(), 1);
     }
     network.remove(film);
-    network.remove(gone[0]);
-    network.remove(gone[1]);
+    network.remove(removed_junctions[0]);
+    network.remove(removed_junctions[1]);
     if (!result.loose.empty()) {
         renew_first_of_ghost(network);
     }

@@ -54,7 +54,7 @@ Vanished vanish_three_sided(Network& network, const std::vector<HalfEdgeId>& loo
     const std::array<HalfEdgeId, 3> outward{outward_half_edge(network, loop[0]),
                                             outward_half_edge(network, loop[1]),
                                             outward_half_edge(network, loop[2])};
-    const std::array<JunctionId, 2> gone{network.tail(loop[1]), network.tail(loop[2])};
+    const std::array<JunctionId, 2> removed_junctions{network.tail(loop[1]), network.tail(loop[2])};
     LatticeOffset offset_from_first;  // from the tail of loop[0] to the tail of loop[i]
     for (std::size_t i = 0; i < 3; ++i) {
         network.set_offset(outward[i], offset_from_first + network.offset(outward[i]));
@@ -70,7 +70,7 @@ Vanished vanish_three_sided(Network& network, const std::vector<HalfEdgeId>& loo
     for (const HalfEdgeId h : loop) {
         network.remove(film_of(h));
     }
-    for (const JunctionId junction : gone) {
+    for (const JunctionId junction : removed_junctions) {
         network.remove(junction);
     }
     remove_inside(network, inside, 3);

@@ -31,7 +31,7 @@ constexpr bool exceeds_max_periods(LatticeOffset offset) {
 /// - the lattice offsets of the half-edges around a bubble add up to zero, so that the bubble is a
 ///   disc;
 /// - no lattice offset, and no sum of the offsets along a loop, exceeds kMaxPeriods;
-/// - no film has the same copy of a bubble on both sides;
+/// - no film has the same copy of a bubble, or the ghost, on both sides;
 /// - the numbers of sides of all bubbles and of the ghost add up to 2 E, and 3 V = 2 E;
 /// - in the plane, all lattice offsets are zero;
 /// - each boundary of the ghost (a closed chain of outer films around a raft or a hole) has at

@@ -15,8 +15,8 @@ namespace foam {
 
 namespace {
 
-// The chunks of one parallel_for. A thread claims the next chunk by incrementing a shared atomic
-// counter.
+// The chunks of one call of parallel_for. A thread claims the next chunk by incrementing a shared
+// atomic counter.
 class Chunks {
   public:
     Chunks(std::size_t count,

@@ -92,9 +92,9 @@ class Sweeps {
     }
 
     // Applies the T1 rule after a sweep. `sweep` is the number of the sweep, counted from 1. If
-    // this number is a multiple of kSweepsBetweenT1, the rule is applied to all short films,
-    // otherwise only to collapsed films (collapsed_length). Returns the number of changes of the
-    // network.
+    // this number is a multiple of kSweepsBetweenT1, the rule is applied to all films shorter than
+    // the T1 distance of the thresholds, otherwise only to collapsed films (collapsed_length).
+    // Returns the number of changes of the network.
     int flip_short_films(int sweep) {
         int flips = 0;
         for (const FilmId film : foam_.network.films()) {

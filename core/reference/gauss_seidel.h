@@ -51,7 +51,7 @@ struct GaussSeidelSummary {
 /// Runs the paper's solver (E5): sweeps over the junctions, with T1s (E7) between sweeps. A sweep
 /// makes one Newton step for the block of each junction (block_step.h). The step changes the
 /// position of the junction, the pressures of its bubbles, and the half angles of the outer films
-/// of these bubbles.
+/// of these bubbles. Junctions at which a film has length 0 are skipped.
 ///
 /// Stops as soon as the errors are below the tolerance, even if a film is then shorter than its T1
 /// distance. Stops after max_sweeps sweeps at the latest. Preconditions: the same as for

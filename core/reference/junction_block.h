@@ -31,8 +31,8 @@ using BlockMatrix = Eigen::MatrixXd;
 /// the film's half angle. The constraint is Laplace-Young's law (E1) at the film. In the order of
 /// the unknowns, the half angles come after the pressures and before x and y. In the order of the
 /// constraints, Laplace-Young's law comes after the areas and before the angles. Below 90 degrees,
-/// the law determines the half angle. If the law then holds before the Newton step, the step is the
-/// same as without these unknowns and constraints. At 90 degrees, the half angle has no finite
+/// the law determines the half angle. There, if the law holds before the Newton step, the step is
+/// the same as without these unknowns and constraints. At 90 degrees, the half angle has no finite
 /// derivative with respect to the pressures, but the step is still well defined.
 ///
 /// All quantities are dimensionless and of order one for bubbles of any size. The unit of a

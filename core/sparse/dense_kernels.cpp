@@ -32,12 +32,12 @@ struct Kernels {
     using Index = std::ptrdiff_t;
 
     static constexpr Index kLanes = Bytes / Index{sizeof(Real)};
-    static constexpr Index kLargestStrip = 3;  // largest height of a strip of rows, in vectors
+    static constexpr Index kMaxStrip = 3;  // largest height of a strip of rows, in vectors
 
     static void subtract_product(const DenseProduct<Real>& product) {
         Index row = 0;
-        for (; row + kLargestStrip * kLanes <= product.rows; row += kLargestStrip * kLanes) {
-            subtract_strip<kLargestStrip>(product, row);
+        for (; row + kMaxStrip * kLanes <= product.rows; row += kMaxStrip * kLanes) {
+            subtract_strip<kMaxStrip>(product, row);
         }
         if (row + 2 * kLanes <= product.rows) {
             subtract_strip<2>(product, row);

@@ -14,8 +14,7 @@ namespace foam {
 // The multifrontal method (Duff, Reid 1983): fronts are processed in postorder. A front consists of
 // its panel and its update matrix (Front). The update matrix is added to the parent front. If there
 // are several threads, the two subtrees of a front whose `may_fork` is true are factored at the
-// same time.
-// All sums are taken in the same order for any number of threads.
+// same time. All sums are taken in the same order for any number of threads.
 
 namespace {
 

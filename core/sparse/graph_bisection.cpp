@@ -19,6 +19,7 @@ namespace foam {
 
 namespace {
 
+// A graph with at most this many nodes is not coarsened further.
 constexpr std::uint32_t kCoarsestNodes = 100;
 
 // Coarsening ends when the coarser graph would have more than this fraction of the nodes of the
@@ -86,7 +87,7 @@ std::vector<Zone> grow(const WeightedGraph& graph, std::uint32_t start) {
 
 // Refines the separator. Returns its cost (SeparatorRefinement::cost).
 std::pair<int, int> refine(const WeightedGraph& graph, std::vector<Zone>& zones) {
-    SeparatorRefinement refinement(graph, heaviest_zone(total_weight(graph)), zones);
+    SeparatorRefinement refinement(graph, max_zone_weight(total_weight(graph)), zones);
     refinement.run();
     return refinement.cost();
 }
@@ -108,7 +109,7 @@ std::vector<Zone> bisect_coarsest(const WeightedGraph& graph) {
 
 }  // namespace
 
-int heaviest_zone(int weight) {
+int max_zone_weight(int weight) {
     return weight / 5 * 3;
 }
 

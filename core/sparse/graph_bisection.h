@@ -9,12 +9,13 @@
 
 namespace foam {
 
-/// Returns the largest weight that a side of a separator should have in a graph of total weight
-/// `weight`. The two sides are the zones Low and High (zone.h). The result is six tenths of
+/// Returns the largest weight that a zone should have in a graph of total weight `weight`. The
+/// zones are Low and High, the two sides of a separator (zone.h). The result is six tenths of
 /// `weight`, rounded down to a multiple of 3.
-int heaviest_zone(int weight);
+int max_zone_weight(int weight);
 
-/// Divides a graph by a light separator. Uses only the graph, not the positions of its nodes.
+/// Divides a graph by a light separator: nodes of small total weight whose removal leaves two sides
+/// without edges between them. Uses only the graph, not the positions of its nodes.
 /// Returns the zone of each node. The nodes in Outside are the separator; no node in Low is a
 /// neighbor of a node in High.
 ///

@@ -106,7 +106,7 @@ void PartDivider::refine(Nodes part, int rows) {
     }
     zones.push_back(Zone::Low);
     zones.push_back(Zone::High);
-    SeparatorRefinement(graph, heaviest_zone(rows), zones).run();
+    SeparatorRefinement(graph, max_zone_weight(rows), zones).run();
     move_rest(part, zones[near.size()], zones[near.size() + 1]);
     forget_numbers(near);
     assign(near, zones);

@@ -30,11 +30,11 @@ namespace {
 
 // The largest size of the factor of a repaired order of elimination (dissection_repair.h). The unit
 // is the size of the factor of the order that was last computed anew.
-constexpr double kLargestGrowth = 1.1;
+constexpr double kMaxGrowth = 1.1;
 
 bool is_too_large(const FrontPlan& plan, std::size_t size_before_repairs) {
     return static_cast<double>(plan.panels_size) >
-           kLargestGrowth * static_cast<double>(size_before_repairs);
+           kMaxGrowth * static_cast<double>(size_before_repairs);
 }
 
 // Returns the number of threads that factor and solve a system: 1 for a small system, otherwise
@@ -94,11 +94,11 @@ template <class Real>
 bool SparseLdlt<Real>::factor(const Eigen::SparseMatrix<double>& lower, int threads) {
     assert(lower.isCompressed());
     assert(static_cast<std::size_t>(lower.nonZeros()) == plan_.entries.size());
-    const std::size_t used = threads_for(plan_, threads);
-    set_size(scratch_, std::max(scratch_.size(), used * plan_.scratch_size));
+    const std::size_t used_threads = threads_for(plan_, threads);
+    set_size(scratch_, std::max(scratch_.size(), used_threads * plan_.scratch_size));
     const FactorMemory<Real> memory{
         {lower.valuePtr(), plan_.entries.size()}, factor_, workspace_, scratch_};
-    return factor_fronts(plan_, memory, used);
+    return factor_fronts(plan_, memory, used_threads);
 }
 
 template <class Real>

@@ -21,6 +21,7 @@ struct LdltOptions {
     // If true, the order of elimination of the last call of `analyze` is repaired
     // (dissection_repair.h) instead of computed anew. This is much faster if only a few edges of
     // the graph of nodes have changed. The order is computed anew in any of these cases:
+    // - `analyze` has not been called before, or its last call returned TooLarge.
     // - The number of nodes has changed.
     // - With the repaired order, the memory would exceed `max_bytes`.
     // - With the repaired order, the factor would be more than a tenth larger than with the order

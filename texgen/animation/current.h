@@ -15,10 +15,11 @@ namespace foam::texgen {
 /// of the loop, a stream function, the sum of a few waves, gives a velocity field. The displacement
 /// at this moment is computed from this field alone. A point follows the field, as if it did not
 /// change, for one unit of an auxiliary time, and is drawn where it arrives. In the course of the
-/// loop, each wave travels by one wavelength. The displacement at the end of the loop therefore
-/// equals the displacement at its start. The displacement has no seam, maps the torus to itself one
-/// to one and preserves areas. The paths of points are integrated numerically. For the strengths
-/// that the key loop.current allows, this changes areas by less than 1e-5 of their values.
+/// loop, each wave travels by one wavelength; in a pingpong, it travels by half a wavelength and
+/// back. The displacement at the end of the loop therefore equals the displacement at its start.
+/// The displacement has no seam, maps the torus to itself one to one and preserves areas. The paths
+/// of points are integrated numerically. For the strengths that the key loop.current allows, this
+/// changes areas by less than 1e-5 of their values.
 class Current {
   public:
     /// Uses the options `current` and `eddies` of the loop. `aspect` is the width of the torus

@@ -42,13 +42,13 @@ class FrameAssembly {
     std::vector<int> states() const;
 
     /// Adds a state and emits the frames that are complete with it. Precondition: states are added
-    /// in the order of states(), and the effort of each state covers the steps since the state
-    /// before it, which was added or skipped. The effort consists of T1s, T2s, computing time and
-    /// events. For the first state, it covers all steps since the start of the simulation.
+    /// in the order of states(), and the effort of each state covers the steps since the preceding
+    /// state that the simulation passed on or stored. The effort consists of T1s, T2s, computing
+    /// time and events. For the first state, it covers all steps since the start of the simulation.
     void add(const SimulatedFrame& state);
 
-    /// Adds the effort of a state that no frame needs. Precondition: as in add(), where such a
-    /// state is called skipped.
+    /// Adds the effort of a state that no frame needs, between the calls of add(). Efforts that are
+    /// not added are missing in the efforts of the frames. Precondition: as in add().
     void add_effort(const FrameEffort& effort);
 
   private:

@@ -27,9 +27,9 @@ namespace foam::texgen {
 
 namespace {
 
-// Limits of the numbers of a LoopStart, in foam units (a mean bubble has an area of about 1).
-constexpr double kLargest = 1e15;
-constexpr double kSmallestArea = 1e-15;
+// Limits of the numbers of a LoopStart, in foam units (a mean bubble has an area of about 1):
+constexpr double kMaxNumber = 1e15;  // the largest magnitude of a number
+constexpr double kMinArea = 1e-15;   // the smallest mean area of an oscillating bubble
 
 Json boiling_to_json(const BoilingBubble& bubble) {
     return {{"bubble", bubble.identity},
@@ -44,7 +44,8 @@ BubbleIdentity identity_in(const JsonValue& json) {
     return static_cast<BubbleIdentity>(json.integer(0, kMaxIdentity - 1));
 }
 
-// Returns a number from `low` to `high`. The file may come from an untrusted source.
+// Returns the number in a JSON value. Rejects a number that is not from `low` to `high`, because
+// the file may come from an untrusted source.
 double number_in(const JsonValue& json, double low, double high) {
     const double number = json.number();
     if (!(number >= low && number <= high)) {
@@ -56,7 +57,7 @@ double number_in(const JsonValue& json, double low, double high) {
 std::vector<double> numbers_in(const JsonValue& json) {
     std::vector<double> numbers;
     for (const JsonValue& item : json.items()) {
-        numbers.push_back(number_in(item, -kLargest, kLargest));
+        numbers.push_back(number_in(item, -kMaxNumber, kMaxNumber));
     }
     return numbers;
 }
@@ -64,8 +65,8 @@ std::vector<double> numbers_in(const JsonValue& json) {
 BoilingBubble boiling_in(const JsonValue& json) {
     BoilingBubble bubble{.identity = identity_in(json["bubble"]),
                          .birth = json["birth"].count(),
-                         .area_rise = number_in(json["area_rise"], 0.0, kLargest),
-                         .min_area_rise = number_in(json["min_area_rise"], 0.0, kLargest)};
+                         .area_rise = number_in(json["area_rise"], 0.0, kMaxNumber),
+                         .min_area_rise = number_in(json["min_area_rise"], 0.0, kMaxNumber)};
     const std::vector<double> position = numbers_in(json["last_position"]);
     if (position.size() != 2) {
         json["last_position"].reject("two numbers");
@@ -81,7 +82,7 @@ BoilingBubble boiling_in(const JsonValue& json) {
 
 OscillatingBubble oscillating_in(const JsonValue& json) {
     return {identity_in(json["bubble"]),
-            number_in(json["mean_area"], kSmallestArea, kLargest),
+            number_in(json["mean_area"], kMinArea, kMaxNumber),
             number_in(json["amplitude"], 0.0, 1.0),
             number_in(json["phase"], 0.0, 1.0)};
 }

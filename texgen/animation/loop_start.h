@@ -24,9 +24,9 @@ struct LoopStart {
     std::vector<double> first_pressures;
 };
 
-/// Returns a hash of everything in the preset that determines how its loop closes. Unlike
-/// simulation_hash, it ignores the keys that only change how the closed loop is shown. These keys
-/// are the drift and the current of the loop, and the smoothing of values.
+/// Returns a hash of the version of foamtex and of everything in the preset that determines how its
+/// loop closes. Unlike simulation_hash, it ignores the keys that only change how the closed loop is
+/// shown. These keys are the drift and the current of the loop, and the smoothing of values.
 std::string loop_hash(const Preset& preset);
 
 /// Returns the content of a file of presets/loops: the foam as a state file (core/io/foam_json.h)
@@ -35,7 +35,7 @@ std::string loop_hash(const Preset& preset);
 std::string write_loop_start(const LoopStart& start, const std::string& hash);
 
 /// Parses the content of a file of presets/loops. `file` is its name in error messages. Throws
-/// FormatError or InputError if the content is not the result of write_loop_start.
+/// FormatError or InputError if the content does not have the form that write_loop_start writes.
 LoopStart read_loop_start(std::string_view text, const std::string& file);
 
 /// Reads the start of the loop of a preset from `text`, a result of write_loop_start, which begins

@@ -8,14 +8,15 @@
 namespace foam::texgen {
 
 /// The phases of a long run, in the order in which they occur. Each phase counts its progress in a
-/// unit of its own. The phases before Ranges prepare the first frame. Between Ranges and Frames,
-/// the phase States occurs again if the frames are read from a cache. When a simulation is stored
-/// in a cache, States and Ranges follow Frames, because the stored states are read again to fit the
-/// ranges.
+/// unit of its own. The phases before Ranges prepare the first frame. If frame 1 shows the raw
+/// diagram (FirstFrame::Diagram), however, Equilibrium and WarmUp occur between frames 1 and 2.
+/// Between Ranges and Frames, the phase States occurs again if the frames are read from a cache.
+/// When a simulation is stored in a cache, States and Ranges follow Frames, because the stored
+/// states are read again to fit the ranges.
 enum class Phase {
     Seeding,      // places the bubbles of the first foam; counts nothing
     Equilibrium,  // brings the first foam to equilibrium; counts nothing
-    WarmUp,       // simulates the time before frame 1; counts steps
+    WarmUp,       // simulates the time FramesOptions::warm_up; counts steps
     LoopClosing,  // repeats the cycle of a loop until it closes; counts the steps of each cycle
     States,       // simulates or reads the states that the next phase needs; counts states
     Ranges,       // fits the automatic ranges of maps; counts frames

@@ -17,11 +17,11 @@ namespace foam::texgen {
 std::vector<std::optional<Vec2>> displacements_of_shared(const Frame& from, const Frame& to);
 
 /// Returns the frame `from` with its bubbles moved toward the bubbles of the same identity in `to`,
-/// by a fraction of the displacement. A bubble that has no displacement moves with its neighbors.
-/// If it is more than two bubbles away from all bubbles that have a displacement, its displacement
-/// counts as 0. A junction moves by the mean displacement of its three bubbles. If two frames are
-/// moved toward each other by fractions that add up to 1, bubbles of the same identity are then at
-/// about the same positions.
+/// by a fraction of the displacement (displacements_of_shared). A bubble that has no displacement
+/// moves with its neighbors. If it is more than two bubbles away from all bubbles that have a
+/// displacement, its displacement counts as 0. A junction moves by the mean displacement of its
+/// three bubbles. If two frames are moved toward each other by fractions that add up to 1, the
+/// bubbles that have a displacement are then at about the same positions in both.
 Frame moved_toward(const Frame& from, const Frame& to, double fraction);
 
 }  // namespace foam::texgen

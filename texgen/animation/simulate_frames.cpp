@@ -69,8 +69,8 @@ SimulatedFrame state_of(const Simulation& simulation, const LoopOptions& loop, F
     return state;
 }
 
-// Stands in place of a file name in error messages about the start of a loop, if its text was not
-// compiled into the program but kept in a LoopMemory.
+// Stands in place of a file name in error messages about a start of a loop that was not compiled
+// into the program.
 constexpr const char* kKeptLoop = "the start of the loop";
 
 // Returns the start of the loop of a preset that is stored in the program or, for a boil, kept in

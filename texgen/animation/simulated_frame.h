@@ -18,9 +18,10 @@ namespace foam::texgen {
 /// The effort of simulating a frame, and measurements of the foam. The effort covers the steps
 /// since the previous frame that was passed to the FrameVisitor. For the first such frame, it
 /// covers all steps since the start of the simulation, but not the search for the start of a boil
-/// (simulate_states). The measurements describe the state of the simulation that the frame shows,
-/// before transformed_for_display (display_transform.h) changes it and before a Current (current.h)
-/// displaces it.
+/// (simulate_states). From a cache with SkippedEfforts::Ignored (cache/cache.h), the steps to
+/// states that are not read are left out. The measurements describe the state of the simulation
+/// that the frame shows, before transformed_for_display (display_transform.h) changes it and before
+/// a Current (current.h) displaces it.
 struct FrameEffort {
     std::int64_t t1 = 0;                  // number of T1s
     std::int64_t t2 = 0;                  // number of T2s

@@ -26,13 +26,12 @@ class Simulation {
     static constexpr double kClosed = 1e-9;
 
     /// Seeds the foam. `threads` is the number of threads, 0 for all hardware threads; the results
-    /// have the same bits for any number of threads. `on_progress` receives the phases before frame
-    /// 1: Equilibrium, WarmUp and LoopClosing. Throws the exceptions of seeded_foam.
+    /// have the same bits for any number of threads. `on_progress` receives the phases Equilibrium,
+    /// WarmUp and LoopClosing. Throws the exceptions of seeded_foam.
     explicit Simulation(const Preset& preset, int threads = 0, ProgressCallback on_progress = {});
 
     /// Starts at a state from which the loop of the preset closes in one cycle (stored_loop_start),
-    /// instead of seeding a foam. Of the phases before frame 1, `on_progress` receives only
-    /// LoopClosing.
+    /// instead of seeding a foam. `on_progress` receives only the phase LoopClosing.
     Simulation(const Preset& preset,
                LoopStart start,
                int threads = 0,

@@ -27,9 +27,9 @@ class Timeline {
 
     /// Begins the events that are due in the step to a frame and returns the change to impose
     /// during that step. New bubbles of events are added to the foam, small at first. In a flow,
-    /// new bubbles replace the bubbles that have vanished. It is not an error if an event finds no
-    /// bubble to choose: the event is skipped. A new bubble is also skipped without an error if it
-    /// would be outside of a patch or if there is too little gas.
+    /// new bubbles replace the bubbles that have vanished. Bubbles that an event should choose, but
+    /// that do not exist, are skipped without an error. New bubbles that would be outside of a
+    /// patch, or for which there is too little gas, are also skipped.
     ///
     /// Preconditions: the foam is in equilibrium; the function is called once for each frame, in
     /// increasing order.

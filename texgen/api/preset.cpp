@@ -107,7 +107,7 @@ void Preset::fit_ranges(int threads) {
         foam::require_threads(threads);
         foam::texgen::Preset preset = state_->preset;
         // If the pattern names integer files, such as PNGs, fit_automatic_ranges fits the automatic
-        // ranges of all maps. For EXR files, it fits only those of the maps in packed images.
+        // ranges of all drawn maps. For EXR files, it fits only those of the maps in packed images.
         const std::string pattern = std::exchange(preset.output.pattern, "{map}.####.png");
         const foam::texgen::RunOutcome outcome =
             foam::texgen::fit_automatic_ranges(preset,

@@ -44,7 +44,9 @@ struct WrittenNumbers {
 
 /// The result of a bake.
 struct BakeSummary {
-    RunOutcome outcome;  // if the run failed, the frames before the failure were still written
+    // The outcome of the simulation. If the simulation failed, the frames before the failure were
+    // still written, unless it failed while automatic ranges were fitted (bake_recorded).
+    RunOutcome outcome;
     // The files that were written or kept, in the order of BakeOptions::frames.
     std::vector<std::filesystem::path> files;
     // One element per map or packing of which a file with WrittenFile::numbers was written, in any

@@ -26,8 +26,8 @@ struct MeasuredFrames {
     // For each frame, the time at which it was simulated, in seconds since the start of the bake.
     std::vector<double> begins;
     double drawing = 0.0;     // seconds of drawing and writing, of all frames together
-    std::uint64_t bytes = 0;  // of all files
-    std::size_t files = 0;
+    std::uint64_t bytes = 0;  // size of all files together
+    std::size_t files = 0;    // number of files
 };
 
 /// Estimates the time of fitting automatic ranges to a frame, divided by the time of drawing the
@@ -43,9 +43,9 @@ double share_of_fitting(const Preset& preset) {
 }
 
 /// Estimates the times of a bake with the given number of frames, and stores them in `estimate`.
-/// Without automatic ranges, frames are drawn while the next ones are simulated. Otherwise, ranges
-/// are fitted to the frames of the whole animation while it is simulated, and then the frames are
-/// drawn.
+/// Without automatic ranges, frames are drawn while the next ones are simulated. With
+/// automatic ranges, these ranges are fitted to the frames of the whole animation while it is
+/// simulated, and then the frames are drawn.
 void extrapolate(const MeasuredFrames& measured,
                  const Preset& preset,
                  double frames,
@@ -82,10 +82,10 @@ FrameSource source_of_reduced(const FrameSource& source, double reduction) {
     };
 }
 
-/// Reduces the images of a bake to sides of at most kLargestEstimatedSide pixels, if possible.
+/// Reduces the images of a bake to sides of at most kMaxEstimatedSide pixels, if possible.
 /// Returns the number of pixels of an image divided by the number of pixels of the reduced image.
 double reduce_images(Preset& preset, BakeOptions& options) {
-    const ReducedImage image = reduced_image(preset, kLargestEstimatedSide);
+    const ReducedImage image = reduced_image(preset, kMaxEstimatedSide);
     if (image.reduction == 1.0 || FilePattern(preset).is_vector()) {
         return 1.0;
     }

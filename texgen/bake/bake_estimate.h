@@ -31,12 +31,12 @@ inline constexpr std::size_t kEstimatedFrames = 2;
 /// The largest width and height of the images that estimate_bake draws, which limits the memory of
 /// an estimate. Images whose width and height have too small a common divisor are drawn larger
 /// (reduced_image).
-inline constexpr int kLargestEstimatedSide = 2048;
+inline constexpr int kMaxEstimatedSide = 2048;
 
 /// Bakes the first two frames into a scratch folder, which is removed afterwards. Measures the time
 /// before the first frame, the time from frame to frame, the time of drawing and writing, and the
 /// size of the files. Extrapolates to all frames, on the assumption that all threads share the
-/// drawing and writing equally. Images larger than kLargestEstimatedSide are drawn at a reduced
+/// drawing and writing equally. Images larger than kMaxEstimatedSide are drawn at a reduced
 /// size. Their time of drawing and the size of their files are then multiplied by the ratio of the
 /// numbers of pixels, which usually overestimates the size. `on_progress` receives the phases of
 /// the bake of the first frames. Throws the exceptions of check_bake and bake, and OutputError if

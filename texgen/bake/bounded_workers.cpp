@@ -35,7 +35,7 @@ void BoundedWorkers::submit(std::function<void()> job) {
         return;
     }
     std::unique_lock lock(mutex_);
-    while (waiting_.size() >= kWaitingPerThread * threads_.size()) {
+    while (waiting_.size() >= kMaxWaitingPerThread * threads_.size()) {
         run_first(lock);
     }
     rethrow_failure();

@@ -19,7 +19,7 @@ namespace foam::texgen {
 class BoundedWorkers {
   public:
     /// Starts the given number of threads, or fewer if the system cannot start so many. Without
-    /// threads, `submit` runs each job on the caller's thread.
+    /// threads, `submit` runs each job on the caller's thread and throws the exceptions of the job.
     explicit BoundedWorkers(int threads);
 
     /// Waits until the running jobs are done. Drops the waiting jobs.
@@ -38,7 +38,7 @@ class BoundedWorkers {
     void finish();
 
   private:
-    static constexpr std::size_t kWaitingPerThread = 2;
+    static constexpr std::size_t kMaxWaitingPerThread = 2;
 
     void work();
     void run_first(std::unique_lock<std::mutex>& lock);

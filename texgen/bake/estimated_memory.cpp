@@ -49,25 +49,26 @@ constexpr std::array<MeasuredMemory, 28> kMeasured{
      {"event", 15, 24},     {"maze", 13, 22},       {"maze_solution", 18, 23},
      {"contour", 10, 18},   {"caustics", 260, 260}, {"emission", 34, 42},
      {"metallic", 34, 34}}};
-// Used for maps that are not in the table above, because they were added after the measurement.
-constexpr MeasuredMemory kOther{"", 40, 50};
+// The memory of a map that is not in the table above, because it was added after the measurement.
+// Also the memory of the reduced images to which automatic ranges are fitted.
+constexpr MeasuredMemory kUnmeasuredMap{"", 40, 50};
 
-constexpr double kGrain = 12.0;  // bytes per pixel of a grain: three floats
+constexpr double kGrainBytesPerPixel = 12.0;  // bytes per pixel of a grain: three floats
 
-constexpr double kProgram = 10e6;      // bytes of the process without a foam
-constexpr double kPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
+constexpr double kProgramBytes = 10e6;          // bytes of the process without a foam
+constexpr double kFoamBytesPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
 // The memory of a drawing or table and of the text of its file, in bytes per bubble.
 constexpr double kVectorBytesPerBubble = 8000.0;
 // The factor by which a cross-fade, which draws two states of the foam, increases the memory of a
 // frame.
-constexpr double kCrossFade = 1.8;
+constexpr double kCrossFadeFactor = 1.8;
 
 // A packing keeps the images of its maps, as 4 bytes per sample, until it is drawn.
-constexpr double kPackedSample = 4.0;
+constexpr double kPackedSampleBytes = 4.0;
 
 double map_bytes_per_pixel(std::string_view map, bool stores_codes) {
     const auto* const found = std::ranges::find(kMeasured, map, &MeasuredMemory::map);
-    const MeasuredMemory& memory = found != kMeasured.end() ? *found : kOther;
+    const MeasuredMemory& memory = found != kMeasured.end() ? *found : kUnmeasuredMap;
     return stores_codes ? memory.png : memory.exr;
 }
 
@@ -76,7 +77,7 @@ double bytes_per_pixel(const DrawnImage& image, bool stores_codes) {
     double kept = 0.0;
     for (const Map* const map : image.sources()) {
         largest = std::max(largest, map_bytes_per_pixel(map->name, stores_codes));
-        kept += image.map() == nullptr ? kPackedSample * channel_count(*map) : 0.0;
+        kept += image.map() == nullptr ? kPackedSampleBytes * channel_count(*map) : 0.0;
     }
     return largest + kept;
 }
@@ -144,7 +145,7 @@ double grain_bytes_per_pixel(const Preset& preset) {
     const std::vector<const Map*> maps = source_maps(preset);
     const auto grain = [&](double strength, std::string_view table) {
         const auto uses = [&](const Map* map) { return uses_table(*map, table); };
-        return strength > 0.0 && std::ranges::any_of(maps, uses) ? kGrain : 0.0;
+        return strength > 0.0 && std::ranges::any_of(maps, uses) ? kGrainBytesPerPixel : 0.0;
     };
     return grain(preset.maps.albedo.grain, "albedo") + grain(preset.maps.relief.grain, "relief");
 }
@@ -152,7 +153,8 @@ double grain_bytes_per_pixel(const Preset& preset) {
 }  // namespace
 
 std::uint64_t estimated_foam_memory(std::size_t bubbles) {
-    return static_cast<std::uint64_t>(kProgram + kPerBubble * static_cast<double>(bubbles));
+    return static_cast<std::uint64_t>(kProgramBytes +
+                                      kFoamBytesPerBubble * static_cast<double>(bubbles));
 }
 
 std::uint64_t estimated_foam_memory(const Preset& preset) {
@@ -162,7 +164,7 @@ std::uint64_t estimated_foam_memory(const Preset& preset) {
 std::uint64_t estimated_cache_memory(const Preset& preset, std::size_t frames, int threads) {
     const auto drawn = std::min(frames, static_cast<std::size_t>(thread_count(threads)));
     const double pixels = static_cast<double>(drawn) * kMeasuredSide * kMeasuredSide;
-    return estimated_foam_memory(preset) + static_cast<std::uint64_t>(pixels * kOther.png);
+    return estimated_foam_memory(preset) + static_cast<std::uint64_t>(pixels * kUnmeasuredMap.png);
 }
 
 std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads) {
@@ -179,7 +181,7 @@ std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int thr
         largest = std::max(largest, bytes_per_pixel(image, stores_codes));
         shared += channel_count(image.traits()) * bytes_per_layer_sample(preset.output.exr_numbers);
     }
-    const double per_pixel = (preset.loop.is_cross_faded() ? kCrossFade : 1.0) *
+    const double per_pixel = (preset.loop.is_cross_faded() ? kCrossFadeFactor : 1.0) *
                              (largest + grain_bytes_per_pixel(preset) +
                               (pattern.stores_all_maps_in_one_file() ? shared : 0.0));
     const double pixels = static_cast<double>(preset.image.width) * preset.image.height;

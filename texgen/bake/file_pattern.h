@@ -19,7 +19,7 @@ struct VectorFormat;
 
 /// Names the files of a bake. A pattern may contain these placeholders:
 ///
-///     {map}             the name of the map or packing, or of what a vector file shows
+///     {map}             the word of the map or packing (file_word), or what a vector file shows
 ///     {preset} {seed}   the name and the seed of the preset
 ///     #                 the frame number in four digits
 ///     ## ###            the frame number in as many digits as there are characters

@@ -26,8 +26,8 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kMargin =
-    1.01;  // factor that allows for peaks between the pixels of the reduced images
+// The factor that allows for peaks between the pixels of the reduced images.
+constexpr double kMargin = 1.01;
 
 // If no number of a map exceeds this share of the range before the fit, the numbers are taken for
 // rounding errors, and the range is not changed. An example is the growth of a foam that does not

@@ -31,8 +31,8 @@ bool has_automatic_ranges(const Preset& preset);
 /// of the key of its range (such as height.full). This value is increased by 1 % and rounded up to
 /// a preferred number times a power of 10. The preferred numbers are the series R10 of ISO 3: 1,
 /// 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10. The result becomes the value of the key. A range thus
-/// exceeds the largest absolute value by at most 30 %. A map whose numbers are all 0 keeps its
-/// range.
+/// exceeds the largest absolute value by at most 30 %. A map whose numbers are all 0, or only
+/// rounding errors (fitted_range), keeps its range.
 ///
 /// `source` gives the frames. The maps are drawn on thread_count(threads) threads. `on_progress`
 /// receives the phases of the source, and then the phase Ranges. If the source fails, its outcome

@@ -67,7 +67,7 @@ class FrameFiles {
     const Preset& preset_;
     FilePattern pattern_;
     std::vector<DrawnImage> images_;      // empty for vector files
-    std::vector<std::string> map_names_;  // of the maps that the images show
+    std::vector<std::string> map_names_;  // names of the maps that the images show
     ImageMetadata metadata_;              // common to all files
 };
 

@@ -24,7 +24,7 @@ struct Range {
 };
 
 // The largest sum of the lengths of all ranges. It limits the time that parsing a list takes.
-constexpr int kLongestList = 10 * kLastFrame;
+constexpr int kMaxTotalLength = 10 * kLastFrame;
 
 [[noreturn]] void reject(std::string_view text, std::string_view reason) {
     throw std::invalid_argument(fmt::format("frame range '{}': {}", text, reason));
@@ -117,8 +117,9 @@ std::vector<int> parse_frame_range(std::string_view text) {
     do {
         const Range range = scanner.range();
         length += std::abs(range.last - range.first) + 1;
-        if (length > kLongestList) {
-            reject(text, fmt::format("the ranges have more than {} frames in all", kLongestList));
+        if (length > kMaxTotalLength) {
+            reject(text,
+                   fmt::format("the ranges have more than {} frames in all", kMaxTotalLength));
         }
         expand(range, seen, frames);
     } while (scanner.take(','));

@@ -35,7 +35,7 @@ bool has_measurements(const std::string& json, std::span<const std::string> meas
 
 /// Checks before a bake that the manifest can hold the measurements of a number of frames. Throws
 /// std::invalid_argument if the measurement `bubbles` of these frames would, by an estimate, make
-/// the manifest larger than the largest file that the program reads (kDescriptionInput).
+/// the manifest larger than the program reads (kDescriptionInput.max_bytes).
 void check_measurements(const Preset& preset, std::size_t frames);
 
 }  // namespace foam::texgen

@@ -54,10 +54,10 @@ struct WrittenFile {
     // The name of the drawing, table or mesh in a vector file (VectorFormat::parts); empty for
     // images.
     std::string part{};
-    std::vector<std::pair<DrawnImage, MapSamples>> images;  // one image, or one per layer;
-                                                            // empty for a vector file
-    std::uint64_t bytes = 0;                                // size of the file in bytes
-    std::string pixels;  // pixel_hash of the picture, or text_hash of a vector file
+    // The image that the file stores, or one image per layer; empty for a vector file.
+    std::vector<std::pair<DrawnImage, MapSamples>> images;
+    std::uint64_t bytes = 0;  // size of the file in bytes
+    std::string pixels;       // pixel_hash of the picture, or text_hash of a vector file
     // The extent of the numbers that the codes represent. Only the channels whose map has a key for
     // its range count (DrawnImage::ranged_channels). nullopt if there is no such channel, if the
     // file stores floating-point numbers, or if it is a packing of colors.

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kLeastSquaresSteps = 2;
 constexpr int kMovePasses = 2;  // each pass tries all moves of the endpoints
-constexpr float kLargestTexel = 255.0F;
+constexpr float kMaxTexel = 255.0F;
 
 // The values of one channel of several blocks.
 template <class Simd>
@@ -55,7 +55,7 @@ FOAM_INLINE typename Simd::Ints in_order(const ChannelFit<Simd>& fit) {
     return Simd::less(fit.low, kSteps == 7 ? fit.high : fit.high + typename Simd::Floats(0.5F));
 }
 
-// Sums over texels. Least squares computes the endpoints from them. The weight of a texel is the
+// Sums over texels, from which least squares computes the endpoints. The weight of a texel is the
 // index of its nearest value, from 0 to kSteps.
 template <class Simd>
 struct ChannelSums {
@@ -99,7 +99,7 @@ FOAM_INLINE void solve(const ChannelSums<Simd>& sums, ChannelFit<Simd>& fit) {
     const Floats low = (sums.values * sums.squares - sums.products * sums.weights) * inverse;
     const Floats slope = (sums.count * sums.products - sums.weights * sums.values) * inverse;
     const auto rounded = [](const Floats& value) FOAM_INLINE_LAMBDA {
-        return Simd::truncated(Simd::smaller(Simd::larger(value, Floats()), Floats(kLargestTexel)) +
+        return Simd::truncated(Simd::smaller(Simd::larger(value, Floats()), Floats(kMaxTexel)) +
                                Floats(0.5F));
     };
     fit.low = Simd::select(is_determined, rounded(low), fit.low);
@@ -115,7 +115,7 @@ FOAM_INLINE void try_move(const Values<Simd>& texels, int low, int high, Channel
     moved.low = best.low + Floats(static_cast<float>(low));
     moved.high = best.high + Floats(static_cast<float>(high));
     const auto is_valid = in_order<Simd, kSteps>(moved) & Simd::less(Floats(-0.5F), moved.low) &
-                          Simd::less(moved.high, Floats(kLargestTexel + 0.5F));
+                          Simd::less(moved.high, Floats(kMaxTexel + 0.5F));
     measure<Simd, kSteps>(texels, moved);
     moved.error = Simd::select(is_valid, moved.error, Floats(1e30F));
     best.improve(moved);
@@ -186,22 +186,22 @@ template <class Simd>
 FOAM_INLINE StoredChannels<Simd> compressed(const Values<Simd>& texels) {
     using Floats = typename Simd::Floats;
     using Ints = typename Simd::Ints;
-    Floats low = kLargestTexel;
+    Floats low = kMaxTexel;
     Floats high;
-    Floats inner_low = kLargestTexel;  // the smallest texel that is not 0
-    Floats inner_high;                 // the largest texel that is not 255
+    Floats inner_low = kMaxTexel;  // the smallest texel that is not 0
+    Floats inner_high;             // the largest texel that is not 255
     for (const Floats& texel : texels) {
         low = Simd::smaller(low, texel);
         high = Simd::larger(high, texel);
         inner_low = Simd::smaller(
-            inner_low, Simd::select(Simd::less(Floats(), texel), texel, Floats(kLargestTexel)));
+            inner_low, Simd::select(Simd::less(Floats(), texel), texel, Floats(kMaxTexel)));
         inner_high = Simd::larger(
-            inner_high, Simd::select(Simd::less(texel, Floats(kLargestTexel)), texel, Floats()));
+            inner_high, Simd::select(Simd::less(texel, Floats(kMaxTexel)), texel, Floats()));
     }
     const ChannelFit<Simd> eight = fitted<Simd, 7>(texels, low, high);
     StoredChannels<Simd> result = stored<Simd, 7>(texels, eight);
     const Ints has_extremes =
-        Simd::less(low, Floats(0.5F)) | Simd::less(Floats(kLargestTexel - 0.5F), high);
+        Simd::less(low, Floats(0.5F)) | Simd::less(Floats(kMaxTexel - 0.5F), high);
     if (Simd::any(has_extremes)) {
         const ChannelFit<Simd> six = fitted<Simd, 5>(texels, inner_low, inner_high);
         result.replace(Simd::less(six.error, eight.error) & has_extremes,

@@ -196,9 +196,9 @@ class Fitter {
             const Floats weight = Simd::truncated(
                 Simd::numbers(fit.indices[k]) * Floats(64.0F / kSteps) + Floats(0.5F));
             for (std::size_t c = 0; c < kChannels; ++c) {
-                const Floats shown = Simd::truncated(membership_.select(positions.origins[c], k) +
-                                                     weight * stride[c]);
-                const Floats difference = shown - colors_[k][c];
+                const Floats decoded = Simd::truncated(membership_.select(positions.origins[c], k) +
+                                                       weight * stride[c]);
+                const Floats difference = decoded - colors_[k][c];
                 fit.error += difference * difference;
                 products[c].add(weight * colors_[k][c], membership_, k);
             }

@@ -15,7 +15,7 @@
 
 namespace foam::texgen::bc7 {
 
-/// The blocks of an image, and the best result for each of them.
+/// The blocks of one call of encode_bc7, and the best result for each of them.
 struct Work {
     std::span<const TexelBlock> texels;
     std::span<Bc7Block> blocks;

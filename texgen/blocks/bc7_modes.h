@@ -5,11 +5,13 @@
 // Facts about BC7 from the Khronos Data Format Specification 1.3, chapter "BPTC Compressed Texture
 // Image Formats".
 //
-// A block of mode m begins with m zero bits and a one bit. Its texels are divided into one, two or
-// three subsets. Each subset has two endpoints, which are colors of few bits, and an index per
-// texel selects a color between them. Endpoints are stored channel by channel. A rotation exchanges
-// alpha with another channel. Each subset has one anchor texel. The highest bit of the index of
-// this texel is always 0 and is not stored. Texel 0 is the anchor of the first subset.
+// A block of mode m begins with m zero bits and a one bit. A partition divides its texels into two
+// or three subsets; in the modes 4, 5 and 6, all texels are one subset. Each subset has two
+// endpoints, which are colors of few bits. An index per texel selects the weight of the second
+// endpoint (weight_of), and so a color between the endpoints. Endpoints are stored channel by
+// channel. In the modes 4 and 5, alpha has indices of its own, and a rotation may exchange alpha
+// with another channel. Each subset has one anchor texel. The highest bit of the index of this
+// texel is always 0 and is not stored. Texel 0 is the anchor of the first subset.
 
 #include "texgen/blocks/texel_block.h"
 
@@ -25,8 +27,8 @@ enum class LowestBits : std::uint8_t {
     None,
     PerEndpoint,
     PerSubset,  // both endpoints of a subset share one bit
-    // Both bits are 1. The encoder uses this value for opaque blocks in mode 6. In this mode, an
-    // endpoint can have the alpha 255 only if its lowest bit is 1.
+    // The bits of both endpoints are 1. The encoder uses this value for opaque blocks in mode 6. In
+    // this mode, an endpoint can have the alpha 255 only if its lowest bit is 1.
     Ones,
 };
 
@@ -37,7 +39,7 @@ struct Mode {
     int rotation_bits = 0;
     int selection_bits = 0;  // 1: a bit tells whether colors and alpha exchange their indices
     int color_bits = 0;      // per channel of an endpoint, without the bit of `lowest`
-    int alpha_bits = 0;      // also without this bit; 0: all texels are opaque
+    int alpha_bits = 0;      // per endpoint, without the bit of `lowest`; 0: all texels are opaque
     LowestBits lowest = LowestBits::None;
     int index_bits = 0;
     int alpha_index_bits = 0;  // 0: the indices of colors are also those of alpha

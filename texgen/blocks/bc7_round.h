@@ -25,7 +25,7 @@ struct Format {
     static constexpr std::size_t kSubsets = kSubsetCount;
     static constexpr std::size_t kChannels = kChannelCount;
     static constexpr LowestBits kLowest = kLowestBits;
-    static constexpr int kLargestCode = (1 << kCodeBits) - 1;
+    static constexpr int kMaxCode = (1 << kCodeBits) - 1;
     /// The number of bits per channel of an endpoint, including the lowest bit.
     static constexpr int kBits = kCodeBits + (kLowestBits == LowestBits::None ? 0 : 1);
     static constexpr int kSteps = (1 << kBitsOfIndex) - 1;  // from one endpoint to the other
@@ -91,7 +91,7 @@ FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
         // The last argument of code_of ensures that `below` + 1 is a valid code. The two codes are
         // `below` and `below` + 1; the code that is nearer to the unrounded code is first.
         const Floats code =
-            code_of<Format, Simd>(line[end][c], lowest[end], Format::kLargestCode - 0.5F);
+            code_of<Format, Simd>(line[end][c], lowest[end], Format::kMaxCode - 0.5F);
         const Ints below = Simd::whole(code);
         const Ints nearest = Simd::whole(code + Floats(0.5F));
         const Array<Ints, 2> codes = {nearest, below + below + Ints(1) - nearest};

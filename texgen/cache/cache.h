@@ -49,7 +49,8 @@ class Cache {
     const CacheInfo& info() const { return info_; }
 
     /// Returns the state with the given number. Its members `view` and `closing_error` are not set.
-    /// Throws InputError if its file or the file of pressures is missing or damaged.
+    /// Throws InputError if its file is missing or damaged. Also throws it if the file of pressures
+    /// is damaged, or is missing although the state needs it.
     SimulatedFrame state(int number) const;
 
     /// Returns a source of frames. The frames equal, to the last bit, the frames of a simulation of

@@ -18,7 +18,7 @@ namespace {
 // The largest plausible absolute value of a number in a frame, in foam units. The mean area of the
 // seeded foam is 1, and the seeded foam has at most 1e6 bubbles, so that all numbers are far below
 // this limit.
-constexpr double kLargestNumber = 1e15;
+constexpr double kMaxPlausibleNumber = 1e15;
 
 using Fault = std::optional<std::string>;
 
@@ -68,7 +68,7 @@ Fault fault_of_positions(const Frame& frame) {
 
 Fault fault_of_films(const Frame& frame) {
     const double longest =
-        frame.domain.is_plane() ? kLargestNumber : frame.domain.width + frame.domain.height;
+        frame.domain.is_plane() ? kMaxPlausibleNumber : frame.domain.width + frame.domain.height;
     for (const FilmId film : frame.network.films()) {
         const FilmArc& arc = frame.arcs[film];
         if (!(std::abs(arc.half_angle) < std::numbers::pi) || !(arc_length(arc) <= longest)) {
@@ -133,7 +133,7 @@ Fault fault_of_bubbles(const Frame& frame) {
 }  // namespace
 
 bool is_plausible(double number) {
-    return std::abs(number) <= kLargestNumber;
+    return std::abs(number) <= kMaxPlausibleNumber;
 }
 
 std::optional<std::string> find_frame_fault(const Frame& frame) {

@@ -277,7 +277,7 @@ class FrameReader {
 
     ByteReader& reader_;
     Foam foam_;
-    std::vector<bool> taken_;  // by half-edge: true if take_side has read it
+    std::vector<bool> taken_;  // indexed by half-edge; true if it was read
 };
 
 }  // namespace

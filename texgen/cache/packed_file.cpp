@@ -22,7 +22,7 @@ constexpr std::string_view kMagic = "foamtex";
 constexpr int kLevel = 6;  // compression level of libdeflate, from 0 (none) to 12
 // The largest compression ratio of deflate. A header that claims a larger ratio is rejected before
 // memory is allocated for the content.
-constexpr std::size_t kLargestRatio = 1032;
+constexpr std::size_t kMaxDeflateRatio = 1032;
 
 struct FreeCompressor {
     void operator()(libdeflate_compressor* compressor) const {
@@ -71,7 +71,7 @@ Bytes decompressed(std::span<const std::byte> packed, std::uint64_t size) {
                                      size / kMebibyte,
                                      kMaxStateContent / kMebibyte));
     }
-    if (size / kLargestRatio > packed.size()) {
+    if (size / kMaxDeflateRatio > packed.size()) {
         throw BadContent("the file is damaged: its header gives an impossible content size");
     }
     const std::unique_ptr<libdeflate_decompressor, FreeCompressor> decompressor(

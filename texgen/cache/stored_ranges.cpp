@@ -23,8 +23,9 @@ namespace {
 constexpr const char* kRangeFormat = "foamtex-range";
 constexpr int kRangeVersion = 1;
 
-// Returns the range that a file stores for a map. The file may come from an untrusted source, so
-// the key of the range must allow this range; otherwise throws InputError.
+// Returns the range that a file stores for a map. Throws InputError if the file is missing or
+// malformed, or if the key of the range does not allow this range, because the file may come from
+// an untrusted source.
 double range_in(const std::filesystem::path& file, const Map& map) {
     const JsonDocument document = JsonDocument::read(file);
     document.check_format("a range", kRangeFormat, kRangeVersion);

@@ -36,7 +36,7 @@ class StoredRanges {
     void save(const Preset& preset) const;
 
   private:
-    std::map<std::string, std::filesystem::path> files_;  // by the name of the map
+    std::map<std::string, std::filesystem::path> files_;  // indexed by map name
 };
 
 }  // namespace foam::texgen

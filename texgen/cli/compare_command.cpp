@@ -37,11 +37,11 @@ constexpr const char* kCompareExamples = R"(Examples:
   foamtex compare golden/ out/ --tolerances golden/tolerances.toml
   foamtex compare golden/manifest.json out/manifest.json --fail 0.01 --fail-pixels 1
   foamtex compare a.png b.png --fail-angle 0.5 --hard-fail 0.8 --fail-percent 0.001
-Samples of a PNG are compared as numbers from 0 to 1, samples of an EXR as stored. The difference
-of a pixel is the largest difference of its samples. In folders, manifests and sequences without
---frames, an image that exists only in A or only in B is a failure. A file of tolerances has a table
-of limits per map, such as [normal], and [default] for all other maps; the keys are the names of the
-options with _ in place of -, such as fail_percent. Options override the file.
+Samples of a PNG, DDS or KTX2 are compared as numbers from 0 to 1, samples of an EXR as stored. The
+difference of a pixel is the largest difference of its samples. In folders, manifests and sequences
+without --frames, an image that exists only in A or only in B is a failure. A file of tolerances has
+a table of limits per map, such as [normal], and a table [default] for all other maps. Its keys are
+the names of the options with _ in place of -, such as fail_percent. Options override the file.
 Exit codes: 0 same, 1 warning, 2 failure, 3 different size or channels, 4 unreadable,
   5 an output could not be written, 64 bad command line or tolerances, 70 internal failure)";
 

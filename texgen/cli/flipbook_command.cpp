@@ -34,8 +34,8 @@ constexpr const char* kFlipbookExamples = R"(Examples:
 Without --preset, --size and --seed, the newest images of the folder are used.)";
 
 // The largest width and height, in pixels, of a texture that graphics hardware usually supports.
-constexpr int kLargestTexture = 16384;
-constexpr int kLargestGutter = 1024;  // largest allowed value of --gutter, in pixels
+constexpr int kMaxTextureSide = 16384;
+constexpr int kMaxGutter = 1024;  // largest allowed value of --gutter, in pixels
 
 struct FlipbookArguments {
     std::filesystem::path given;  // a folder, or the manifest in it
@@ -53,13 +53,13 @@ void warn_of_size(const FlipbookArguments& arguments, const SheetLayout& layout)
     if (!arguments.options.array_suffix.empty()) {
         return;
     }
-    if (layout.width() > kLargestTexture || layout.height() > kLargestTexture) {
+    if (layout.width() > kMaxTextureSide || layout.height() > kMaxTextureSide) {
         print_stderr(
             "foamtex: warning: the sheet is {} x {} pixels; graphics hardware usually supports at "
             "most {} per side",
             layout.width(),
             layout.height(),
-            kLargestTexture);
+            kMaxTextureSide);
     }
 }
 
@@ -104,7 +104,7 @@ ExitCode run_flipbook(const FlipbookArguments& arguments) {
 }
 
 void add_choices(CLI::App& command, FlipbookArguments& arguments) {
-    command.add_option("DIR", arguments.given, "Folder with the manifest.json of a bake")
+    command.add_option("DIR", arguments.given, "Folder with a manifest.json, or the file itself")
         ->required()
         ->option_text(" ");
     add_set_options(command, arguments.set);
@@ -127,7 +127,7 @@ void add_layout(CLI::App& command, FlipbookArguments& arguments) {
                 "Width in pixels of a border around each frame (default: 0); the border "
                 "periodically continues a frame that tiles, and repeats the edge pixels of any "
                 "other frame")
-            ->check(CLI::Range(0, kLargestGutter))
+            ->check(CLI::Range(0, kMaxGutter))
             ->option_text("PX");
     CLI::Option* strip =
         command.add_flag("--strip", arguments.options.strip, "Use one column, for texture arrays")

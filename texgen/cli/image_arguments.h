@@ -30,7 +30,8 @@ struct ImageArguments {
     bool dry_run = false;
     bool resume = false;
     bool json = false;
-    // --watch, which only `bake` has. If true, no warning is printed when images are replaced.
+    // --watch, which only `bake` has. If true, no warning is printed when images or sheets are
+    // replaced.
     bool watch = false;
 };
 

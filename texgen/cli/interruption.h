@@ -29,9 +29,9 @@ enum class Stopping { AfterStep, Soon };
 /// the process ignores SIGHUP, as with nohup, SIGHUP stays ignored.
 void handle_stop_signals(Stopping stopping = Stopping::AfterStep);
 
-/// Throws Interrupted if one of these signals has arrived. Once this function has thrown, it throws
-/// at every further call, until a new call of handle_stop_signals forgets the signal. If this
-/// function has not thrown yet, handle_stop_signals does not forget the signal.
+/// Throws Interrupted if SIGINT, SIGTERM or SIGHUP has arrived. Once this function has thrown, it
+/// throws at every further call, until a new call of handle_stop_signals forgets the signal. If
+/// this function has not thrown yet, handle_stop_signals does not forget the signal.
 void throw_if_interrupted();
 
 }  // namespace foam::texgen

@@ -13,10 +13,10 @@ namespace {
 // the system. Clearing the pages of each new image then takes 3 to 12 % of the time of a bake.
 void keep_freed_memory() {
 #ifdef __GLIBC__
-    constexpr int kLargestBlock = 32 << 20;  // bytes; the largest value that mallopt accepts
-    constexpr int kKept = 256 << 20;         // bytes at the end of the heap
-    mallopt(M_MMAP_THRESHOLD, kLargestBlock);
-    mallopt(M_TRIM_THRESHOLD, kKept);
+    constexpr int kMaxBlockBytes = 32 << 20;  // bytes; the largest value that mallopt accepts
+    constexpr int kKeptBytes = 256 << 20;  // bytes; free memory that stays at the end of the heap
+    mallopt(M_MMAP_THRESHOLD, kMaxBlockBytes);
+    mallopt(M_TRIM_THRESHOLD, kKeptBytes);
 #endif
 }
 

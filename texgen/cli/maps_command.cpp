@@ -22,8 +22,9 @@ namespace {
 constexpr const char* kNotes =
     R"(The suffix of --out, an option of bake and render, decides whether maps are written as
 {}. In a PNG, maps of colors are 8-bit sRGB, with an alpha channel for a patch.
-All other maps are data; around a patch, their samples are 0, except that normals point to the
-viewer, occlusion is 1 and signed distances are negative.
+All other maps are data. Around a patch, their samples are 0, except that normals point to the
+viewer, occlusion is 1 and signed distances are negative. The disks of the map event, and the outer
+half of the outermost films, can extend beyond the patch.
 The options of maps are keys of the preset; foamtex presets keys lists them.)";
 
 /// Returns the map with the given name, or all maps if the name is empty. Throws

@@ -27,7 +27,7 @@ MemoryNeed memory_to_vary(std::span<const Preset> presets, const VariationDrawin
 
 std::string text_of(const MemoryNeed& need) {
     const std::string advice =
-        need.to_lower.empty() ? "" : fmt::format("; lower {}", need.to_lower);
+        need.settings_to_lower.empty() ? "" : fmt::format("; lower {}", need.settings_to_lower);
     return fmt::format("this needs about {}{}", amount_of_bytes(need.bytes), advice);
 }
 

@@ -20,7 +20,7 @@ struct MemoryNeed {
     std::uint64_t bytes = 0;
     // The options and keys that the user can lower so that the run needs less memory, as a part of
     // a message, such as "image.size or foam.bubbles". Empty if there are none.
-    std::string_view to_lower{};
+    std::string_view settings_to_lower{};
 };
 
 /// Returns the memory of a run that simulates a preset and draws nothing (estimated_foam_memory).

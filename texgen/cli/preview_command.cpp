@@ -80,20 +80,20 @@ PreviewOptions options_of(const PreviewArguments& arguments) {
 }
 
 /// The name of the preset and the frames that were previewed, and the files that were written.
-struct Shown {
+struct PreviewResult {
     std::string preset;
     std::vector<int> frames;
     std::vector<std::filesystem::path> files = {};
 };
 
-void print(const PreviewArguments& arguments, const Shown& shown, Json report) {
+void print(const PreviewArguments& arguments, const PreviewResult& result, Json report) {
     if (arguments.json) {
-        report["preset"] = shown.preset;
-        report["frames"] = format_frame_range(shown.frames);
-        report["files"] = path_list(shown.files);
+        report["preset"] = result.preset;
+        report["frames"] = format_frame_range(result.frames);
+        report["files"] = path_list(result.files);
         print_json(report);
     } else if (!arguments.run.quiet) {
-        print_files(shown.files);
+        print_files(result.files);
     }
 }
 
@@ -110,13 +110,13 @@ ExitCode preview_folder(const PreviewArguments& arguments) {
                    folder,
                    arguments.run.quiet || arguments.json);
     options.frames = arguments.run.frames ? parse_frame_range(*arguments.run.frames) : set.frames();
-    Shown shown{set.preset, options.frames};
+    PreviewResult result{set.preset, options.frames};
     {
         ProgressReporter reporter(progress_options(arguments.run, 0));
-        shown.files = write_previews(
+        result.files = write_previews(
             set, folder, options, arguments.out.value_or(folder), reporter.callback());
     }
-    print(arguments, shown, json_report());
+    print(arguments, result, json_report());
     return ExitCode::Success;
 }
 
@@ -171,7 +171,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
         warn_of_full_disk(estimated_size(preset, options.frames), scratch.path());
         warn_of_little_memory(need);
     }
-    Shown shown{preset.name, options.frames};
+    PreviewResult result{preset.name, options.frames};
     const RunOutcome outcome = with_memory(need, [&] {
         ProgressReporter reporter(progress_options(arguments.run, options.frames.size()));
         const BakeSummary summary =
@@ -180,11 +180,11 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
                           {.on_progress = reporter.callback()});
         if (summary.outcome.status == RunStatus::Complete) {
             const Manifest manifest = read_manifest(scratch.path());
-            shown.files = write_previews(manifest.sets.front(),
-                                         scratch.path(),
-                                         options,
-                                         arguments.out.value_or("out"),
-                                         reporter.callback());
+            result.files = write_previews(manifest.sets.front(),
+                                          scratch.path(),
+                                          options,
+                                          arguments.out.value_or("out"),
+                                          reporter.callback());
         }
         return summary.outcome;
     });
@@ -192,7 +192,7 @@ ExitCode preview_preset(const PreviewArguments& arguments) {
         warn_of_missing_bubbles(preset, outcome);
         warn_of_late_events(preset, options.frames);
     }
-    print(arguments, shown, json_report(outcome));
+    print(arguments, result, json_report(outcome));
     return outcome.status == RunStatus::Complete ? ExitCode::Success : report_failure(outcome);
 }
 

@@ -21,10 +21,10 @@ namespace {
 constexpr double kBarInterval = 0.1;           // seconds between two drawings of the bar
 constexpr double kLineInterval = 1.0;          // seconds between two lines
 constexpr std::chrono::seconds kHeartbeat{1};  // time after which the latest report is repeated
-// A run is long if it will take at least kLongRun more. A note reports this once the speed of a
-// phase has been measured for kMeasuringTime.
-constexpr double kLongRun = 60.0;       // seconds
-constexpr double kMeasuringTime = 2.0;  // seconds
+// A note is printed if the rest of the run takes at least this time, in seconds.
+constexpr double kLongRun = 60.0;
+// Before this note, the speed of a phase is measured for at least this time, in seconds.
+constexpr double kMeasuringTime = 2.0;
 
 bool wants_color() {
     const char* no_color = std::getenv("NO_COLOR");

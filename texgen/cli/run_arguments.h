@@ -78,10 +78,10 @@ Preset changed(Preset preset,
                const RunArguments& arguments,
                const std::vector<Assignment>& more = {});
 
-/// Prints a note on stderr for each key that the command line sets although none of the maps that
-/// the preset draws uses it (keys_without_maps). Prints nothing if -q is given, or if the files of
-/// the preset are not images. Also prints nothing if a profile selects the maps, because keys such
-/// as lit.glow influence this selection.
+/// Prints a note on stderr for each key of maps that the command line sets, although none of the
+/// maps that the preset draws uses it (keys_without_maps). Prints nothing if -q is given, or if the
+/// files of the preset are not images. Also prints nothing if a profile selects the maps, because
+/// keys such as lit.glow influence this selection.
 void note_keys_without_maps(const RunArguments& arguments, const Preset& preset);
 
 /// Returns the frames of the option --frames, or all frames of the preset if the option is not

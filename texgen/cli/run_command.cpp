@@ -38,7 +38,7 @@ A job file has a table for each bake; its keys are the options of foamtex bake:
   set = ["foam.bubbles=200", "albedo.film_width=0.2"]
   out = "lava/{map}.####.png"
 A job that fails does not stop the others. Frames that exist are kept (--resume). The exit code is
-the largest of all jobs.)";
+the largest exit code of the jobs.)";
 
 struct RunCommandArguments {
     std::string file;
@@ -49,7 +49,7 @@ struct RunCommandArguments {
 
 /// The result of a job.
 struct FinishedJob {
-    std::size_t number = 0;  // from 1
+    std::size_t number = 0;  // number of the job, from 1
     ExitCode code = ExitCode::Success;
     double seconds = 0.0;
 };

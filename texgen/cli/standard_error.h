@@ -16,8 +16,8 @@ namespace foam::texgen {
 // a pipe without a reader, the text is lost and the program goes on. The exit code therefore never
 // depends on stderr.
 
-/// Opens /dev/null for each standard stream that is closed. Otherwise, a file that is opened later
-/// could get the descriptor of the stream and receive messages. /dev/null is opened only for
+/// Opens /dev/null for each standard stream that is closed. Without this, a file that is opened
+/// later could get the descriptor of the stream and receive messages. /dev/null is opened only for
 /// writing as stdin, and only for reading as stdout or stderr. Reading from this stdin and writing
 /// to this stdout or stderr therefore fail, as with a closed stream. Must be called before any file
 /// is opened.

@@ -66,7 +66,9 @@ ExitCode run_stats(const StatsArguments& arguments) {
     const Verbosity verbosity = verbosity_of(arguments.run);
     MemoryNeed need = memory_to_simulate(preset);
     if (cache) {
-        need.to_lower = "";  // the number of bubbles of a cache cannot be changed
+        // The message about memory must not advise lowering foam.bubbles, because a cache has a
+        // fixed number of bubbles.
+        need.settings_to_lower = "";
     }
     if (verbosity != Verbosity::Quiet && !cache) {
         warn_of_little_memory(need);

@@ -32,10 +32,10 @@ constexpr const char* kStudioExamples = R"(Examples:
 The page shows the pixels that a bake writes. The printed address gives one browser access and can
 be used once. To use the studio of another machine, start it there with --no-browser --port 8080,
 run ssh -L 8080:localhost:8080 MACHINE here, and open the printed address. The studio ends with
-Ctrl-C, or after 30 minutes without an open page.)";
+Ctrl-C, or after 30 minutes without an open page or a running bake.)";
 
-constexpr std::chrono::minutes kLongestIdleTime{30};
-constexpr int kLargestPort = 65535;
+constexpr std::chrono::minutes kMaxIdleTime{30};
+constexpr int kMaxPort = 65535;
 
 struct StudioArguments {
     std::string folder;
@@ -45,7 +45,8 @@ struct StudioArguments {
     bool json = false;
 };
 
-/// The exception that ends the studio when no page has been open for kLongestIdleTime.
+/// The exception that ends the studio when no page has been open, and no bake has run, for
+/// kMaxIdleTime.
 class NoPages : public std::exception {};
 
 /// Opens an address in the default browser. The program that does this may run as long as the
@@ -58,15 +59,15 @@ void open_browser(const std::string& url) {
             // The code is below 0 if a signal ended the program. In this case no message is needed:
             // the signal usually comes from Ctrl-C, which also ends the studio.
             if (code.value_or(1) > 0) {
-                print_stderr("foamtex: no browser was found; open the address by hand");
+                print_stderr("foamtex: the browser could not be opened; open the address by hand");
             }
         } catch (const OutputError&) {
-            print_stderr("foamtex: the browser could not be started; open the address by hand");
+            print_stderr("foamtex: the browser could not be opened; open the address by hand");
         }
     }).detach();
 }
 
-/// Prints the address of the studio on stdout. Returns false if it could not be written.
+/// Prints the address of the studio on stdout. Returns false if the address could not be written.
 bool announce(const Studio& studio, const HttpServer& server, bool json) {
     const std::string url =
         fmt::format("http://localhost:{}/#token={}", server.port(), studio.token());
@@ -98,7 +99,7 @@ ExitCode run_studio(const StudioArguments& arguments) {
     handle_stop_signals(Stopping::Soon);
     const auto check = [&] {
         throw_if_interrupted();
-        if (!arguments.keep && studio.idle_time() > kLongestIdleTime) {
+        if (!arguments.keep && studio.idle_time() > kMaxIdleTime) {
             throw NoPages();
         }
     };
@@ -107,7 +108,7 @@ ExitCode run_studio(const StudioArguments& arguments) {
                    check,
                    [&] { studio.stop(); });
     } catch (const NoPages&) {
-        print_stderr("foamtex: no page was open for 30 minutes");
+        print_stderr("foamtex: no page was open, and no bake ran, for 30 minutes");
     } catch (const Interrupted&) {
         // This is how a user ends the studio, so it is not a failure.
     }
@@ -126,7 +127,7 @@ void add_studio_command(CLI::App& app, Action& action) {
                      "Folder for bakes and presets (default: the working directory)")
         ->option_text(" ");
     command->add_option("--port", arguments->port, "Port of the server (default: a free one)")
-        ->check(CLI::Range(0, kLargestPort))
+        ->check(CLI::Range(0, kMaxPort))
         ->option_text("N");
     command->add_flag("--no-browser", arguments->no_browser, "Do not open the browser")
         ->option_text(" ");

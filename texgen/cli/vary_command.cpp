@@ -45,11 +45,11 @@ constexpr const char* kVaryExamples = R"(Examples:
   foamtex vary mine.toml --sweep albedo.colormap=magma,viridis --map albedo --width 400
   foamtex bake out/lava_07.toml                bakes the seventh variation
 0..0.6:4 stands for 4 evenly spaced numbers from 0 to 0.6. In a grid of two sweeps, each row has one
-value of the first sweep; --seeds is a sweep, too, and comes first. --random gives every variation a
-random seed and random values of the keys in preset.vary; a key that --set sets does not vary. Every
-variation becomes a preset file beside the sheet; those of earlier runs are replaced or removed.)";
+value of the first sweep. --seeds counts as the first sweep. --random gives every variation a random
+seed and random values of the keys in preset.vary. Keys that --set sets do not vary. Every variation
+becomes a preset file beside the sheet. Preset files of earlier runs are replaced or removed.)";
 
-constexpr int kLargestWidth = 2048;
+constexpr int kMaxVariationSide = 2048;
 constexpr int kMaxVariations = 400;  // limit of --random
 
 struct VaryArguments {
@@ -247,7 +247,7 @@ void add_vary_options(CLI::App& command, VaryArguments& arguments) {
         .add_option("--width",
                     arguments.drawing.side,
                     "Largest width and height of a picture in pixels (default: 256)")
-        ->check(CLI::Range(16, kLargestWidth))
+        ->check(CLI::Range(16, kMaxVariationSide))
         ->option_text("PX");
     add_out_folder_option(
         command, arguments.out, "Folder for the sheet and the preset files (default: out)");

@@ -14,7 +14,7 @@ namespace foam::texgen {
 /// - the instruction sets in use and available (SimdLevel)
 /// - the number of threads
 ///
-/// Throws as simd_level does.
+/// A detailed text throws as simd_level does.
 std::string version_text(bool is_detailed);
 
 }  // namespace foam::texgen

@@ -43,7 +43,7 @@ void wait_for_change(WatchedFiles& files) {
     }
 }
 
-/// Returns the names of those files that exist, separated by commas.
+/// Returns the paths of the files that exist, separated by commas.
 std::string names_of(const std::vector<std::filesystem::path>& paths) {
     std::vector<std::string> names;
     for (const std::filesystem::path& path : paths) {

@@ -14,7 +14,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMaxBubbles = 1'000'000;
-constexpr std::int64_t kLargestIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
+constexpr std::int64_t kMaxListedIdentity = std::numeric_limits<BubbleIdentity>::max() - 1;
 
 // A kind of values (value_kinds.h): a single frame, stored as a span of one frame.
 struct SingleFrames {
@@ -157,7 +157,7 @@ Keys<EventBase> choice_keys(const std::vector<EventTraits>& kinds) {
         taken_by(kinds,
                  &Traits::takes_bubbles,
                  key("bubble",
-                     IntegerLists{{0, kLargestIdentity}},
+                     IntegerLists{{0, kMaxListedIdentity}},
                      "identities of the bubbles; N seeded bubbles have the identities 0 to N - 1",
                      &EventBase::bubbles)),
         taken_by(kinds,

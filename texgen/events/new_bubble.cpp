@@ -13,7 +13,7 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kMaxTries = 100;
-constexpr double kFirstAreas = 2.0;  // initial target area of a new bubble, in T2 areas
+constexpr double kFirstAreaFactor = 2.0;  // initial target area of a new bubble, in T2 areas
 
 // Returns a random point of the torus, or of the bounding box of the patch's junctions.
 Vec2 random_point(const Foam& foam, Random& random) {
@@ -55,7 +55,7 @@ std::optional<BubbleId> nucleate_anywhere(NucleationSite site,
 }
 
 double first_area(double area, double t2_area) {
-    return std::min(area, kFirstAreas * t2_area);
+    return std::min(area, kFirstAreaFactor * t2_area);
 }
 
 void grow_bubble(const Foam& foam,

@@ -21,7 +21,8 @@
 // frames and how often the animation is played. Each frame consists of an fcTL chunk, which gives
 // its width, height and duration, and of its pixel data. The pixel data of the first frame are IDAT
 // chunks. The pixel data of later frames are fdAT chunks, each with a sequence number and the
-// content of an IDAT chunk. All other chunks of later frames are dropped.
+// content of an IDAT chunk. All other chunks of the first frame keep their positions; those of
+// later frames are dropped.
 
 namespace foam::texgen {
 

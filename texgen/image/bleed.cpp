@@ -145,9 +145,9 @@ void bleed_into(ImageView<std::uint16_t> image, ColorLevel& coarser) {
             if (pixel[3] != 0) {
                 continue;
             }
-            const Texel beside =
+            const Texel neighbors =
                 is_clear_around(coarser, x, y) ? Texel{} : mean_around(image, x, y);
-            const Texel& from = beside[3] > 0.0F ? beside : coarser.at(x / 2, y / 2);
+            const Texel& from = neighbors[3] > 0.0F ? neighbors : coarser.at(x / 2, y / 2);
             for (std::size_t c = 0; c < 3; ++c) {
                 pixel[c] = static_cast<std::uint16_t>(std::lround(from[c]));
             }

@@ -18,7 +18,8 @@ Bytes encode_dds(const GpuTexture& texture);
 /// - The file is malformed or truncated, or has no header of Direct3D 10.
 /// - The format of the texture is not one of PixelFormat.
 /// - The texture is a cube or not two-dimensional, or its alpha is premultiplied.
-/// - An image is above the limits in core/files/input_limits.h.
+/// - The image is above the limits in core/files/input_limits.h, or there are more than kMaxLayers
+///   layers (texture_limits.h).
 ///
 /// Throws OutOfMemory if the machine has too little memory for the texture.
 GpuTexture decode_dds(std::span<const std::byte> content);

@@ -23,7 +23,7 @@ constexpr int kFastLevel = 2;
 // The largest level of Deflater::zlib_stream at which ISA-L is used instead of libdeflate. Up to
 // this level, the streams of ISA-L have the same size as those of libdeflate, within 5 %, but take
 // a third of the time.
-constexpr int kLargestFastLevel = 2;
+constexpr int kMaxIsalLevel = 2;
 // The level of libdeflate, 0 to 12, for Compression::Small; level 0 stores without compression. At
 // level 9, files are 1 % smaller than at level 7, but compression takes 2 to 4 times as long.
 constexpr int kSmallLevel = 7;
@@ -38,9 +38,9 @@ constexpr int kSmallLevel = 7;
 constexpr std::size_t kFirstBytes = 4;
 
 // Returns an upper bound, in bytes, of the compressed size of `size` bytes. If data cannot be
-// compressed, stored blocks add 5 bytes per 65,535 bytes, and blocks with dynamic codes add less
-// than 1/8 of the size. The beginning and the end of a stream add less than 4096 bytes.
-std::size_t largest_size(std::size_t size) {
+// compressed, stored blocks add 5 bytes per 65,535 bytes, and blocks with dynamic Huffman codes add
+// less than 1/8 of the size. The beginning and the end of a stream add less than 4096 bytes.
+std::size_t max_deflated_size(std::size_t size) {
     return size + size / 8 + 4096;
 }
 
@@ -78,7 +78,7 @@ std::span<const std::byte> Deflater::deflate_fast(std::span<const std::byte> dat
         stream_ = std::make_unique<isal_zstream>();
         level_buffer_.resize(ISAL_DEF_LVL2_EXTRA_LARGE);
     }
-    reserve_output(largest_size(data.size()));
+    reserve_output(max_deflated_size(data.size()));
     isal_deflate_init(stream_.get());
     stream_->level = kFastLevel;
     stream_->level_buf = reinterpret_cast<std::uint8_t*>(level_buffer_.data());
@@ -117,7 +117,7 @@ std::span<const std::byte> Deflater::deflate_whole(int level, std::span<const st
 
 Bytes Deflater::zlib_stream(int level, std::span<const std::byte> data) {
     const std::span<const std::byte> deflated =
-        level <= kLargestFastLevel ? deflate_fast(data, true) : deflate_whole(level, data);
+        level <= kMaxIsalLevel ? deflate_fast(data, true) : deflate_whole(level, data);
     const std::array<std::byte, 4> check = big_endian(adler32_of(data));
     Bytes stream(kZlibHeader.size() + deflated.size() + check.size());
     const auto blocks = std::ranges::copy(kZlibHeader, stream.begin()).out;

@@ -29,7 +29,9 @@ namespace foam::texgen {
 namespace {
 
 constexpr int kTileSide = 64;
-constexpr std::size_t kLongestName = 31;  // characters; old readers reject longer attribute names
+// The largest length of a name in characters. Old readers reject longer names of attributes and
+// channels.
+constexpr std::size_t kMaxNameLength = 31;
 
 // Names of optional attributes of EXR. The keyword of a text must not be one of these names,
 // because readers would take the text for the attribute. Attributes that the header already has,
@@ -64,7 +66,7 @@ void check_channel(const ExrChannel& channel, const ExrSize& size) {
 
 void check_channels(std::span<const ExrChannel> channels) {
     if (channels.empty() || size_of(channels.front()).width < 1) {
-        reject_exr("an image needs at least one pixel");
+        reject_exr("an image needs at least one channel and one pixel");
     }
     std::set<std::string> names;
     for (const ExrChannel& channel : channels) {
@@ -86,7 +88,7 @@ Imf::Compression compression_of(ExrCompression compression) {
 
 /// Returns true if a text attribute with this name can be added to the header.
 bool is_text_name(const Imf::Header& header, const std::string& name) {
-    return !name.empty() && name.size() <= kLongestName && header.find(name) == header.end() &&
+    return !name.empty() && name.size() <= kMaxNameLength && header.find(name) == header.end() &&
            std::ranges::find(kReservedNames, name) == kReservedNames.end();
 }
 
@@ -161,7 +163,7 @@ void write_rows(std::span<const ExrChannel> channels,
 // Returns true if the name of a channel is longer than old readers accept.
 bool has_long_names(std::span<const ExrChannel> channels) {
     return std::ranges::any_of(
-        channels, [](const ExrChannel& channel) { return channel.name.size() > kLongestName; });
+        channels, [](const ExrChannel& channel) { return channel.name.size() > kMaxNameLength; });
 }
 
 // Returns an EXR that stores rows, not tiles, with the compression ZIP or ZIPS.

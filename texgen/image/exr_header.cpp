@@ -109,9 +109,8 @@ class AttributeScan {
         } else if (type == "preview") {
             const std::uint64_t width = scan.take_size();
             const std::uint64_t height = scan.take_size();
-            constexpr std::uint64_t kLongestSide = 1U << 15U;
-            if (width > kLongestSide || height > kLongestSide ||
-                4 * width * height != scan.rest_.size()) {
+            constexpr std::uint64_t kMaxSide = 1U << 15U;
+            if (width > kMaxSide || height > kMaxSide || 4 * width * height != scan.rest_.size()) {
                 reject("the preview has an impossible size");
             }
         }

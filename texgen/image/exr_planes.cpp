@@ -22,7 +22,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr float kHalfLimit = 65520.0F;  // as a half float, this number would be infinite
+constexpr float kHalfLimit = 65520.0F;  // the smallest number whose half float is infinite
 
 // Throws std::invalid_argument if a number of the row is not finite, or would be infinite in the
 // type that the file has for the channel.

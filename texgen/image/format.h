@@ -26,8 +26,8 @@ struct EncodingOptions {
 
 /// The kind of samples that a format stores.
 enum class FormatSamples {
-    /// One group of 1 to 4 interleaved channels of codes: integers of 8 or 16 bits whose largest
-    /// value represents 1. Colors are sRGB.
+    /// One group of 1, 3 or 4 interleaved channels of codes: integers of 8 or 16 bits whose largest
+    /// value represents 1. A PNG may also have two channels. Colors are sRGB.
     Codes,
     /// Any number of named channels of floating-point numbers or 32-bit integers. Colors are linear
     /// light, premultiplied by the opacity.

@@ -53,7 +53,7 @@ struct GpuTexture {
     int width = 0;
     int height = 0;
     bool is_array = false;  // true for an array texture, which may have any number of layers
-    bool opaque = true;     // true if there is no alpha; a fourth channel is then 1 everywhere
+    bool opaque = true;     // for four channels: true if the fourth one is not an alpha channel
     std::vector<std::vector<Bytes>> layers;  // for each layer: its mip levels, the full size first
     std::vector<std::pair<std::string, std::string>> text;  // ImageMetadata::text
     /// Set if the layers of an array are frames of an animation. A DDS cannot store it.

@@ -8,8 +8,8 @@
 namespace foam::texgen {
 
 /// Returns the bits of the half float (16 bits, IEEE 754) nearest to a number. If two half floats
-/// are equally near, returns the one whose last bit is 0. Numbers of at least 65520 become
-/// infinite. The result is that of Imath::half, also for numbers that are not finite. Unlike
+/// are equally near, returns the one whose last bit is 0. Numbers of a magnitude of at least 65520
+/// become infinite. The result is that of Imath::half, also for numbers that are not finite. Unlike
 /// Imath::half, the function has no branches, so that loops over it are vectorized.
 [[gnu::always_inline]] inline std::uint16_t half_bits(float number) {
     constexpr std::uint32_t kSign = 0x80000000U;

@@ -34,12 +34,12 @@ constexpr std::size_t kKtx2HeaderBytes = 80;  // everything before the index of 
 constexpr std::size_t kLevelEntryBytes = 24;  // an entry of the index of levels
 constexpr std::uint32_t kZstandard = 2;       // scheme of supercompression
 constexpr int kZstandardLevel = 5;
-constexpr std::size_t kMaxLevelBytes = std::size_t{1} << 32U;  // of one level, uncompressed
+constexpr std::size_t kMaxLevelBytes = std::size_t{1} << 32U;  // all layers, uncompressed
 // The largest compression ratio of Zstandard: a block of 4 bytes can stand for 128 KiB of equal
 // bytes. Larger ratios are rejected, so that a small file cannot claim much memory.
-constexpr std::size_t kLargestRatio = 32768;
+constexpr std::size_t kMaxRatio = 32768;
 constexpr std::string_view kAnimation = "KTXanimData";
-constexpr std::size_t kAnimationBytes = 12;  // duration of a frame, time units per second, loops
+constexpr std::size_t kAnimationBytes = 12;  // three numbers, which animation_value explains
 
 void check_ktx2(bool holds, const char* reason) {
     if (!holds) {
@@ -52,7 +52,7 @@ void pad(Bytes& bytes, std::size_t unit) {
     bytes.resize((bytes.size() + unit - 1) / unit * unit);
 }
 
-// Returns the value of KTXanimData. The number of loops is 0 for an animation without an end.
+// Returns the value of KTXanimData: frame duration, time units per second, loops (0: endless).
 std::string animation_value(const TextureAnimation& animation) {
     Bytes bytes;
     append_number(bytes, static_cast<std::uint32_t>(animation.rate.seconds));
@@ -156,7 +156,7 @@ Bytes header_of(const GpuTexture& texture, std::size_t descriptor_bytes, std::si
     return bytes;
 }
 
-// Reads the value of KTXanimData.
+// Reads the value of KTXanimData. Any number of loops except 1 is read as a repetition.
 TextureAnimation animation_in(std::span<const std::byte> value) {
     check_ktx2(value.size() == kAnimationBytes, "KTXanimData has another size than 12 bytes");
     ByteReader reader(value);
@@ -214,8 +214,8 @@ void read_level(std::span<const std::byte> packed,
     check_ktx2(uncompressed == image * texture.layers.size(), "a mip level has the wrong size");
     check_supported("KTX2", uncompressed <= kMaxLevelBytes, "has a mip level of more than 4 GiB");
     const unsigned long long claimed = ZSTD_getFrameContentSize(packed.data(), packed.size());
-    check_ktx2(claimed == uncompressed && uncompressed / kLargestRatio <= packed.size(),
-               "the index of mip levels gives a wrong size for the compressed data of a level");
+    check_ktx2(claimed == uncompressed && uncompressed / kMaxRatio <= packed.size(),
+               "the compressed data of a mip level does not fit the size in the index of levels");
     require_texture_memory(2 * uncompressed, texture.width, texture.height);
     const Bytes bytes = decompressed(packed, static_cast<std::size_t>(uncompressed));
     for (std::size_t k = 0; k < texture.layers.size(); ++k) {

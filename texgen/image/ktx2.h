@@ -23,7 +23,8 @@ Bytes encode_ktx2(const GpuTexture& texture);
 /// - The texture is a cube or a volume.
 /// - The data are not compressed with Zstandard.
 /// - The alpha of the texture is premultiplied.
-/// - The image is above the limits in core/files/input_limits.h.
+/// - The image is above the limits in core/files/input_limits.h, or there are more than kMaxLayers
+///   layers (texture_limits.h).
 /// - A mip level of all layers has more than 4 GiB.
 GpuTexture decode_ktx2(std::span<const std::byte> content);
 

@@ -93,9 +93,9 @@ std::uint64_t available_memory() {
 
 void save_address_space() {
 #ifdef M_ARENA_MAX
-    constexpr int kArenas = 2;  // largest number of heaps, which threads share
+    constexpr int kMaxHeaps = 2;  // threads share these heaps
     if (address_space_left() != kUnlimited) {
-        mallopt(M_ARENA_MAX, kArenas);
+        mallopt(M_ARENA_MAX, kMaxHeaps);
     }
 #endif
 }

@@ -35,7 +35,7 @@ constexpr std::size_t kColors = 3;   // red, green and blue
 constexpr std::size_t kOpacity = 3;  // index of the opacity, both among channels and among planes
 
 template <class Code>
-constexpr float kLargest = static_cast<float>(std::numeric_limits<Code>::max());
+constexpr float kMaxCode = static_cast<float>(std::numeric_limits<Code>::max());
 
 // The conversion between codes and the numbers that are averaged.
 template <class Code>
@@ -53,7 +53,7 @@ struct Conversion {
           color(picture.metadata.color),
           channels(static_cast<std::size_t>(picture.groups.front().channels())) {
         for (int code = 0; code <= std::numeric_limits<Code>::max(); ++code) {
-            const float fraction = static_cast<float>(code) / kLargest<Code>;
+            const float fraction = static_cast<float>(code) / kMaxCode<Code>;
             fractions.push_back(meaning == TexelMeaning::Normals ? 2.0F * fraction - 1.0F
                                                                  : fraction);
             if (color) {
@@ -77,14 +77,14 @@ struct Conversion {
             // The product is exact, and so is the sum unless the product is far below 1.
             // std::lround would be slower, because it would be a function call for each number.
             // NOLINTNEXTLINE(bugprone-incorrect-roundings)
-            return static_cast<Code>(clamped * static_cast<double>(kLargest<Code>) + 0.5);
+            return static_cast<Code>(clamped * static_cast<double>(kMaxCode<Code>) + 0.5);
         }
         if (sizeof(Code) == 1) {
             // NOLINTNEXTLINE(bugprone-incorrect-roundings)
             return static_cast<Code>(srgb_codes[static_cast<std::size_t>(clamped * 65535.0 + 0.5)]);
         }
         return static_cast<Code>(
-            std::lround(linear_to_srgb(clamped) * static_cast<double>(kLargest<Code>)));
+            std::lround(linear_to_srgb(clamped) * static_cast<double>(kMaxCode<Code>)));
     }
 };
 

@@ -22,7 +22,7 @@ enum class TexelMeaning {
 /// - Colors are averaged as light, weighted by their opacity if they have one.
 /// - Other numbers are averaged as they are (mean_level).
 /// - Normals are averaged as vectors, and the mean is scaled to unit length.
-/// - Ids are not averaged: the id at the center of the area is chosen (central_level).
+/// - Ids are not averaged: one of the ids in the area is chosen (central_level).
 ///
 /// If the picture tiles, all levels tile. The first level is the picture itself. Precondition: the
 /// picture has one group of codes; normals have three channels.

@@ -10,9 +10,9 @@ namespace foam::texgen {
 
 /// Returns one channel of a picture at half the width and half the height, each rounded down but at
 /// least 1. Each pixel of the result is the mean of the picture over the area that the pixel
-/// covers. If the pixels of the picture are exact means over areas of the foam, the pixels of the
-/// result are exact means, too. If the picture tiles, the result tiles, too. `channel` is the index
-/// of the channel.
+/// covers. If width and height are even, and the pixels of the picture are exact means over areas
+/// of the foam, the pixels of the result are exact means, too. If the picture tiles, the result
+/// tiles, too. `channel` is the index of the channel.
 Image<float> mean_level(ImageView<const float> pixels, int channel);
 
 /// Returns one channel of a picture at the width and height of the result of mean_level. Each pixel

@@ -72,17 +72,17 @@ void PngData::compress(PngPart& part, int first, int last) const {
     part.deflated = part.deflater.deflate(encoding_.compression, filtered, last == rows_.height());
 }
 
-void PngData::add_chunks(const PngPart& part, bool first, bool last) {
+void PngData::add_chunks(const PngPart& part, bool is_first, bool is_last) {
     adler32_ = joined_adler32(adler32_, part.adler32, part.size);
     check_ = big_endian(adler32_);
     std::span<const std::byte> rest = part.deflated;
-    chunks_.push_back({std::span(kZlibHeader).first(first ? kZlibHeader.size() : 0), rest, {}});
+    chunks_.push_back({std::span(kZlibHeader).first(is_first ? kZlibHeader.size() : 0), rest, {}});
     while (rest.size() > max_bytes_) {
         chunks_.back().middle = rest.first(max_bytes_);
         rest = rest.subspan(max_bytes_);
         chunks_.push_back({{}, rest, {}});
     }
-    chunks_.back().end = std::span(check_).first(last ? check_.size() : 0);
+    chunks_.back().end = std::span(check_).first(is_last ? check_.size() : 0);
 }
 
 }  // namespace foam::texgen

@@ -27,9 +27,9 @@ struct PngPart {
 /// on the number of threads.
 class PngData {
   public:
-    /// The largest number of bytes of compressed rows in a chunk. A chunk of PNG may have at most
-    /// 2^31 - 1 bytes.
-    static constexpr std::size_t kMaxRowBytes = std::size_t{1} << 30;
+    /// The default limit for the compressed rows in a chunk, in bytes. It is well below the limit
+    /// of PNG, which is 2^31 - 1 bytes for a whole chunk.
+    static constexpr std::size_t kDefaultChunkBytes = std::size_t{1} << 30;
 
     /// The content of an IDAT chunk in three consecutive pieces.
     struct Chunk {
@@ -40,7 +40,9 @@ class PngData {
 
     /// Refers to the rows and the encoding, which must outlive this object. A chunk has at most
     /// `max_bytes` bytes of compressed rows.
-    PngData(const PngRows& rows, const PngEncoding& encoding, std::size_t max_bytes = kMaxRowBytes);
+    PngData(const PngRows& rows,
+            const PngEncoding& encoding,
+            std::size_t max_bytes = kDefaultChunkBytes);
 
     /// Returns true if next_chunks has returned all chunks of the stream.
     bool complete() const { return next_row_ == rows_.height(); }
@@ -56,15 +58,15 @@ class PngData {
     // Filters and compresses the rows first, first + 1, ..., last - 1.
     void compress(PngPart& part, int first, int last) const;
     // Adds the chunks of a compressed part, and adds the part to the checksum. Must be called for
-    // the parts in the order of the rows. `first` and `last` are true for the first and the last
-    // part of the picture.
-    void add_chunks(const PngPart& part, bool first, bool last);
+    // the parts in the order of the rows. `is_first` and `is_last` are true for the first and the
+    // last part of the picture.
+    void add_chunks(const PngPart& part, bool is_first, bool is_last);
 
     const PngRows& rows_;
     const PngEncoding& encoding_;
     std::size_t max_bytes_;
     std::vector<PngPart> parts_;  // the parts that one call of next_chunks compresses
-    std::vector<Chunk> chunks_;   // their chunks
+    std::vector<Chunk> chunks_;   // the chunks of these parts
     int rows_per_part_;
     int next_row_ = 0;
     std::uint32_t adler32_ = 1;         // checksum of all rows that have been compressed

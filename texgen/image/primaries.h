@@ -43,8 +43,8 @@ std::string_view linear_space_name(Primaries primaries);
 
 /// Converts the colors of a layer of a picture: the channels LAYER.R, LAYER.G and LAYER.B or, if
 /// `layer` is empty, R, G and B. The colors are linear light, which may be multiplied by an
-/// opacity. Other channels stay the same. Does nothing if one of the three channels is missing or
-/// does not store floats.
+/// opacity. Other channels stay the same. Does nothing if `from` equals `to`, or if one of the
+/// three channels is missing or does not store floats.
 void convert_colors(Picture& picture, std::string_view layer, Primaries from, Primaries to);
 
 }  // namespace foam::texgen

@@ -6,8 +6,8 @@
 
 namespace foam::texgen {
 
-/// Returns a word in the notation of a POSIX shell: in quotes if it is empty or contains characters
-/// that may have a meaning in a shell.
+/// Returns a word in the notation of a POSIX shell: unchanged if it consists of ASCII letters,
+/// digits and a few harmless characters such as '-' and '/', otherwise in single quotes.
 std::string shell_word(const std::string& word);
 
 }  // namespace foam::texgen

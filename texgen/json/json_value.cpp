@@ -20,18 +20,18 @@ namespace {
 // The largest allowed number of arrays and objects around a value. Manifests need only 9, for the
 // bubbles of an event in "measurements". Functions of nlohmann-json are recursive and use stack
 // memory in proportion to this number.
-constexpr int kDeepest = 16;
+constexpr int kMaxDepth = 16;
 
 /// Returns the parser's message without its error code. If the message quotes the text that was
 /// read last, the part from this text on is made printable. This part is also shortened in the
-/// middle to kLongestQuote characters.
+/// middle to kMaxQuoteLength characters.
 std::string reason(const std::string& what) {
     constexpr std::string_view kQuote = "last read: '";
     const std::size_t code = what.find("] ");
     std::string message = code == std::string::npos ? what : what.substr(code + 2);
     if (const std::size_t quote = message.find(kQuote); quote != std::string::npos) {
         const std::size_t begin = quote + kQuote.size();
-        message = message.substr(0, begin) + shown_text(message.substr(begin), kLongestQuote);
+        message = message.substr(0, begin) + shown_text(message.substr(begin), kMaxQuoteLength);
     }
     return message;
 }
@@ -149,9 +149,9 @@ JsonDocument::JsonDocument(std::string_view text, std::string file) : file_(std:
     }
     try {
         const auto check_depth = [this](int depth, nlohmann::json::parse_event_t, const auto&) {
-            if (depth > kDeepest) {
+            if (depth > kMaxDepth) {
                 throw InputError(fmt::format(
-                    "cannot read '{}': nested more than {} levels deep", file_, kDeepest));
+                    "cannot read '{}': nested more than {} levels deep", file_, kMaxDepth));
             }
             return true;
         };

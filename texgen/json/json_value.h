@@ -82,8 +82,8 @@ class JsonDocument {
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;
 
-    /// Reads a file of at most kDescriptionInput.max_bytes. Throws InputError if it cannot be read
-    /// or is not valid JSON.
+    /// Reads and parses a file of at most kDescriptionInput.max_bytes. Throws InputError if the
+    /// file cannot be read or is larger, and as the constructor does.
     static JsonDocument read(const std::filesystem::path& path);
 
     /// Returns the root value, which refers to this document.

@@ -28,7 +28,8 @@ struct Condition {
     bool allows(std::string_view value) const;
 };
 
-/// Returns the key and the values of a condition as a text: foam.domain = "patch" or "torus".
+/// Returns the key and the values of a condition as a text: foam.domain = "patch" or "torus". The
+/// text does not depend on Condition::excludes.
 std::string text_of(const Condition& condition);
 
 /// The properties of a key that do not depend on the type of the object in which the key sets a

@@ -34,10 +34,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 // Returns the candidate that begins with a word. Returns an empty view if none or several do, or if
 // the word has fewer than three bytes.
 std::string_view completed(std::string_view word, std::span<const std::string_view> candidates) {
-    constexpr std::size_t kShortest = 3;
+    constexpr std::size_t kMinBytes = 3;
     const auto begins = [&](std::string_view candidate) { return candidate.starts_with(word); };
     const bool is_unique =
-        word.size() >= kShortest && std::ranges::count_if(candidates, begins) == 1;
+        word.size() >= kMinBytes && std::ranges::count_if(candidates, begins) == 1;
     return is_unique ? *std::ranges::find_if(candidates, begins) : std::string_view();
 }
 

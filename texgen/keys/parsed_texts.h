@@ -13,9 +13,9 @@
 
 namespace foam::texgen {
 
-/// A kind of values: lists of texts. A single text may be written without brackets. The function
-/// `parse` checks each text of a list: it throws std::invalid_argument for a text that is not
-/// allowed; fault() returns the message of this exception. `description` describes the allowed
+/// A kind of values: lists of non-empty texts. A single text may be written without brackets. The
+/// function `parse` checks each text of a list: it throws std::invalid_argument for a text that is
+/// not allowed. fault() returns the message of this exception. `description` describes the allowed
 /// values in words.
 template <auto parse>
 struct ParsedTexts {

@@ -18,10 +18,12 @@ namespace foam::texgen {
 std::string file_hash(const std::filesystem::path& path);
 
 /// Returns the subset of `frames` whose files a resumed bake can keep. `folder` is the folder of
-/// the manifest. If the manifest has no set of images (BakedSet) with the BakedSet::parameters of
-/// the preset, the subset is empty. Otherwise it contains the frames that meet these conditions:
-/// - The set lists all files of the frame: one for every image of the preset (drawn_images) or, if
-///   the preset writes vector files, one for every part of the frame (vector_parts).
+/// the manifest. If no set of the manifest has the hash that a bake of the preset would record
+/// (BakedSet::parameters), the subset is empty. Otherwise it contains the frames that meet these
+/// conditions:
+/// - The set lists a file of the frame for every image of the preset (drawn_images); several images
+///   may share one EXR. If the preset writes vector files, the set lists a file for every part of
+///   the frame (vector_parts).
 /// - Each of these files still has the hash that the manifest records (ManifestFile::pixels).
 /// - None of these files contains a map that the preset does not have.
 /// - The set has, for the frame, all measurements that the key output.measurements lists.

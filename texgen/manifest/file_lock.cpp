@@ -36,7 +36,7 @@ bool is_file_at(int file, const std::filesystem::path& path) {
            held.st_ino == found.st_ino && held.st_dev == found.st_dev;
 }
 
-constexpr std::chrono::milliseconds kPause{5};  // between two attempts to lock the file
+constexpr std::chrono::milliseconds kPause{5};  // pause between two attempts to lock the file
 
 // Locks a file; `file` is a file descriptor. Returns false if another owner holds the lock, or if a
 // signal interrupts the call, as it may on a network file system. Returns true without a lock if

@@ -79,8 +79,9 @@ struct FrameMechanics {
 };
 
 /// Statistics of the foam in a frame, in foam units, and the time spent on the frame. T1s, T2s and
-/// `simulating` cover the same steps as FrameEffort (animation/simulated_frame.h): the steps since
-/// the previous frame of the bake or, for the first frame, since the start of the simulation.
+/// `simulating` cover the same steps as FrameEffort (animation/simulated_frame.h): usually the
+/// steps since the previous frame of the bake or, for the first frame, since the start of the
+/// simulation.
 struct FrameStatistics {
     int frame = 0;
     bool tiles = false;  // true if the images of the frame tile in both directions

@@ -22,7 +22,7 @@ constexpr Words kKinds = {"color", "number", "id"};
 constexpr std::array<std::string_view, 4> kColorSpaces = {"sRGB", "linear sRGB", "ACEScg", "data"};
 constexpr Words kAlphas = {"none", "straight", "premultiplied"};
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
-constexpr int kLargestExtent = 1 << 20;  // largest accepted width and height of images, pixels
+constexpr int kMaxExtent = 1 << 20;  // largest accepted width or height of images, in pixels
 
 std::vector<int> frames_in(const JsonValue& value) {
     std::vector<int> frames =
@@ -197,7 +197,7 @@ int extent_in(const JsonValue& size, std::size_t index) {
     if (extents.size() != 2) {
         size.reject("[width, height]");
     }
-    return static_cast<int>(extents[index].integer(1, kLargestExtent));
+    return static_cast<int>(extents[index].integer(1, kMaxExtent));
 }
 
 template <class Item>

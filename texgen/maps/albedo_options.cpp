@@ -87,8 +87,8 @@ Keys<AlbedoOptions> color_keys() {
     };
     Key<Options> colormap = with_effect(key("colormap",
                                             Words{colormap_names()},
-                                            "color map of the bubbles; replaces albedo.colors that "
-                                            "were set before",
+                                            "color map of the bubbles; replaces albedo.colors and "
+                                            "albedo.colors.from that were set before",
                                             &Options::colormap),
                                         drop_colors);
     colormap.use = Condition{"albedo.colors", {"[]"}};
@@ -96,14 +96,15 @@ Keys<AlbedoOptions> color_keys() {
             with_effect(key("colors",
                             Gradients{},
                             "list of colors from the start to the end of the scale; replaces an "
-                            "albedo.colormap that was set before",
+                            "albedo.colormap or albedo.colors.from that was set before",
                             &Options::colors),
                         drop_picture)
                 .written_if(kColorsFrom, {""}),
             with_effect(key("colors.from",
                             ColorPictures{},
                             "a picture whose main colors, from the darkest to the lightest, are "
-                            "the list of colors; replaces albedo.colors that were set before",
+                            "the list of colors; replaces an albedo.colormap or albedo.colors that "
+                            "were set before",
                             &Options::colors_from),
                         update_colors)
                 .with_files(is_picture_name)
@@ -147,8 +148,9 @@ Keys<AlbedoOptions> color_by_keys() {
             .used_with("albedo.color_by", {"picture"}),
         key("picture_sampling",
             kPictureSamplings,
-            "first_frame: a bubble keeps for life the color under it in frame 1; every_frame: it "
-            "takes the color under it in each frame",
+            "first_frame: a bubble keeps for life the color under it in frame 1, and bubbles that "
+            "are born later take the color under them in each frame; every_frame: all bubbles "
+            "take the color under them in each frame",
             &Options::picture_sampling)
             .used_with("albedo.color_by", {"picture"})};
 }
@@ -195,7 +197,8 @@ Keys<AlbedoOptions> shade_keys() {
             .unused_with("albedo.shade", {"0.0"}),
         key("shade_width",
             Reals{0.001, 10.0},
-            "width of the shade, in diameters of a mean bubble of the seeded foam",
+            "width of the shade on each side of a film, in diameters of a mean bubble of the "
+            "seeded foam",
             &Options::shade_width)
             .in("mean bubble diameters of the seeded foam")
             .unused_with("albedo.shade", {"0.0"}),

@@ -194,10 +194,12 @@ const AutoReal* range_option_of(const Map& map, const MapOptions& options);
 /// "relief".
 bool uses_table(const Map& map, std::string_view table);
 
-/// Returns true if the image of a map can depend on a key of map_keys, such as "albedo.colormap",
-/// when all other keys have the values in `options`. Some keys of a table that a map uses
-/// (uses_table) have no effect: most maps use only the keys of the table "albedo" that describe
-/// films, and the maps `lit` and `emission` use the colors of only one map (LitOptions::colors).
+/// Returns false only if the image of a map cannot depend on a key of map_keys, such as
+/// "albedo.colormap", when all other keys have the values in `options`. These are all keys of
+/// tables that the map does not use (uses_table), and some keys of the other tables. For example,
+/// most maps that use the table "albedo" use only its keys of films, and the maps `lit` and
+/// `emission` use the colors of only one map (LitOptions::colors). Returns true for all other keys.
+/// Some of these have no effect either, such as "lit.azimuth" for the map `emission`.
 bool uses_key(const Map& map, std::string_view key, const MapOptions& options);
 
 /// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).

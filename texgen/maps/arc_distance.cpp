@@ -18,10 +18,10 @@
 
 // The image is divided into square blocks of pixels. Each block is measured with the arcs near it,
 // by the classes that also measure the pixels of a bubble (ArcView, PixelBatch). PixelBatch counts
-// an arc only for the pixels between the normals at its two ends; these pixels are said to face the
-// arc. The arcs here have free ends, so the ends of all arcs are passed to PixelBatch as points.
-// Tails of arcs are rounded to whole numbers of subpixels. Their positions relative to the middle
-// of a block are therefore exact, and a shift of the grid changes no bit.
+// an arc only for the pixels that face the arc, that is, are between the normals at its two ends or
+// at most 0.001 pixels beyond one of them. The arcs here have free ends, so their ends are passed
+// to PixelBatch as points. Tails of arcs are rounded to whole numbers of subpixels. Their positions
+// relative to the middle of a block are therefore exact, and a shift of the grid changes no bit.
 
 namespace foam::texgen {
 
@@ -249,7 +249,7 @@ class BlockMeasure {
     ArcDistances& distances_;
     // The indices of the arcs near each block of a row.
     std::vector<std::vector<std::uint32_t>> near_block_;
-    std::vector<DistanceArc> arcs_;  // near a block, relative to its middle
+    std::vector<DistanceArc> arcs_;  // the arcs near a block, relative to its middle
     ArcView view_;
     std::vector<ArcFunctions> functions_;
     std::vector<Vec2> ends_;

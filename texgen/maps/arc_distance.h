@@ -37,9 +37,9 @@ struct ArcDistances {
 };
 
 /// Returns the distances to the nearest of the arcs and of their periodic copies. The error is at
-/// most PixelBatch::kMargin, with one exception. PixelBatch::measure treats pixels that are beyond
-/// the normals at both ends of an arc, but by at most 0.001 pixels, as if they were between these
-/// normals. The result does not depend on `threads` (core/parallel/parallel_for.h). Precondition:
+/// most PixelBatch::kMargin, with one exception. PixelBatch::measure treats a pixel that is at most
+/// 0.001 pixels beyond the normal at an end of an arc as if the pixel were between the normals at
+/// both ends. The result does not depend on `threads` (core/parallel/parallel_for.h). Precondition:
 /// the function pixels_per_unit (raster_grid.h) does not throw for this grid and this domain.
 ArcDistances distances_to_arcs(std::span<const PlacedArc> arcs,
                                const RasterGrid& grid,

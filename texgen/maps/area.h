@@ -25,10 +25,10 @@ struct AreaOptions {
 
 Keys<AreaOptions> area_keys();
 
-/// Draws the area that the arcs of every bubble enclose, divided by the area of the mean bubble
-/// that options.unit selects. A pixel that several bubbles share has the mean of their values,
-/// weighted by the part of the pixel that each bubble covers. The image has one channel and is 0
-/// around a patch.
+/// Draws the area of every bubble (FrameBubble::area), divided by the area of the mean bubble that
+/// options.unit selects. If a current moves the foam (loop.current), this is the area without the
+/// current. A pixel that several bubbles share has the mean of their values, weighted by the part
+/// of the pixel that each bubble covers. The image has one channel and is 0 around a patch.
 NumberPixels draw_area(FrameLayers& layers, const AreaOptions& options);
 
 }  // namespace foam::texgen

@@ -44,15 +44,15 @@ FoamValues shown_values(const Frame& frame, const FoamRecord& record) {
         return present_values(frame);
     }
     const double length = std::sqrt(record.averages.mean_area);
-    const auto shown = [&](BubbleIdentity bubble) {
+    const auto averages_of = [&](BubbleIdentity bubble) {
         BubbleValues values = record.averages.bubbles.at(bubble);
         values.pressure = expanded(values.pressure) / length;
         return values;
     };
     return {per_bubble<BubbleValues>(
                 frame,
-                [&](BubbleId bubble) { return shown(frame.bubbles[bubble].identity); },
-                [&](const LoneBubble& bubble) { return shown(bubble.identity); }),
+                [&](BubbleId bubble) { return averages_of(frame.bubbles[bubble].identity); },
+                [&](const LoneBubble& bubble) { return averages_of(bubble.identity); }),
             record.averages.mean_area};
 }
 

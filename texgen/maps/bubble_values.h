@@ -17,8 +17,9 @@ struct FoamValues {
 /// Returns the values of the bubbles in this frame alone, not averaged over recent frames.
 FoamValues present_values(const Frame& frame);
 
-/// Returns the values that maps show: the averages over recent frames if the record has averages,
-/// otherwise the present values. Precondition: `record` is the record of the frame.
+/// Returns the values by which maps choose the color or tone of a bubble: the averages over recent
+/// frames if the record has averages, otherwise the present values. The maps area, sides and growth
+/// use present values instead. Precondition: `record` is the record of the frame.
 FoamValues shown_values(const Frame& frame, const FoamRecord& record);
 
 /// Returns the present values in the form in which RecentAverages averages them: a pressure p, in

@@ -32,7 +32,7 @@ struct CausticsOptions {
     // these default colors.
     std::vector<std::string> colors = {"#04465c", "#0d7d96", "#59c9d2", "#d9fbf4", "#ffffff"};
     // Rays per pixel in each direction. Fewer are used if a row or a column of the image would
-    // otherwise have more than kLargestGridSide rays.
+    // otherwise have more than kMaxGridSide rays.
     int samples = 3;
 };
 

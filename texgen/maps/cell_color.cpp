@@ -21,8 +21,8 @@ namespace foam::texgen {
 
 namespace {
 
-// On the scale of colors, bubbles of three sides are at the start (0), bubbles of nine sides at the
-// end (1). Bubbles of fewer or more sides are outside of [0, 1].
+// The numbers of sides of bubbles at the ends of the scale of colors, which are the positions 0 and
+// 1. Bubbles of fewer or more sides have positions outside of [0, 1].
 constexpr double kSidesAtStart = 3.0;
 constexpr double kSidesAtEnd = 9.0;
 

@@ -45,7 +45,7 @@ Image<float> fill_numbers(FrameLayers& layers, const PerBubble<double>& bubbles)
 
 /// Returns a table of radii in pixels, indexed by the ids of a DistanceField. The radius of a
 /// bubble is the radius of a circle with the area of the bubble. The surroundings of a patch have
-/// the number `around`.
+/// the radius `around`.
 std::vector<double> radii_by_cell_id(const FrameLayers& layers, double around);
 
 /// Returns an image in which each pixel has the integer of the bubble at the center of the pixel,

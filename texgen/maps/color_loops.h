@@ -21,7 +21,7 @@ namespace detail {
 template <int Channels, class Kernel>
 void change_all_colors(std::uint16_t* samples, std::size_t count, const Kernel& kernel) {
     at_simd_level([=] {
-        constexpr auto kLargest = static_cast<float>(kWhite);
+        constexpr auto kMaxSample = static_cast<float>(kWhite);
         for (std::size_t k = 0; k < count; ++k) {
             std::uint16_t* const pixel = samples + Channels * k;
             const std::array<float, 3> color = kernel({static_cast<float>(pixel[0]),
@@ -29,7 +29,7 @@ void change_all_colors(std::uint16_t* samples, std::size_t count, const Kernel& 
                                                        static_cast<float>(pixel[2])},
                                                       k);
             for (std::size_t c = 0; c < 3; ++c) {
-                const float inside = min_value(max_value(color[c], 0.0F), kLargest);
+                const float inside = min_value(max_value(color[c], 0.0F), kMaxSample);
                 const float raised = inside + 0.5F;  // std::lround would not be vectorized
                 pixel[c] = static_cast<std::uint16_t>(static_cast<int>(raised));
             }

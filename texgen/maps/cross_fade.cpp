@@ -100,14 +100,14 @@ void fade(Image<float>& fading_out,
 
 }  // namespace
 
-MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options) {
-    MapImage image = map.draw(shown.layers, options);
-    if (!shown.fading_in) {
+MapImage draw(const Map& map, ShownLayers& content, const MapOptions& options) {
+    MapImage image = map.draw(content.layers, options);
+    if (!content.fading_in) {
         return image;
     }
     return cross_fade(std::move(image),
-                      map.draw(*shown.fading_in, options),
-                      shown.layers.border()->weights,
+                      map.draw(*content.fading_in, options),
+                      content.layers.border()->weights,
                       map.mixing);
 }
 

@@ -17,7 +17,7 @@ struct ShownLayers {
 
 /// Draws a map of a frame. If the frame contains two foams, draws the map of each foam, and joins
 /// both images at the border (FadeBorder). On each side of the border, one foam is shown.
-MapImage draw(const Map& map, ShownLayers& shown, const MapOptions& options);
+MapImage draw(const Map& map, ShownLayers& content, const MapOptions& options);
 
 /// Returns a mixture of two images. `weights` contains for every pixel the weight of the image that
 /// fades in, from 0 to 1 (FadeBorder::weights). The image that fades out has the remaining weight.

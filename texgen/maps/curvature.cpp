@@ -28,7 +28,7 @@ Keys<CurvatureOptions> curvature_keys() {
     return {key("radius",
                 Reals{0.001, 10.0},
                 "distance, in bubble diameters, at which the heights on both sides of a point are "
-                "compared with the height of the point; a large distance ignores fine details",
+                "compared with the height of the point; a large distance shows coarse shapes",
                 &CurvatureOptions::radius)
                 .in(kReliefDiameters),
             key("full",

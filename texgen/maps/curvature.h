@@ -38,7 +38,8 @@ Keys<CurvatureOptions> curvature_keys();
 /// height h(x) is the height at the distance x in the cross-section of the relief (height_along in
 /// relief_section.h), times ReliefOptions::strength. The curvature is positive on crests, negative
 /// in furrows, and 0 where the relief is flat or has a constant slope. The image has one channel
-/// and is 0 around a patch, apart from the outer half of ridges and wet films.
+/// and is 0 around a patch, apart from the outer half of ridges and wet films, and from the points
+/// that are at most options.radius away from this half.
 NumberPixels draw_curvature(FrameLayers& layers,
                             const ReliefSource& source,
                             const CurvatureOptions& options);

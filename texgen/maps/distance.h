@@ -40,9 +40,10 @@ struct DistanceOptions {
 Keys<DistanceOptions> distance_keys();
 
 /// Draws the distance from the center of every pixel to the nearest film, computed from the film's
-/// exact arc. Signed distances use the film width of the map albedo; wet films count as films that
-/// have this width everywhere. The image has one channel. If no bubble is left in a patch, plain
-/// distances are 0 and signed distances are -options.full.
+/// exact arc. In a cross-fade, the rims of growing bubbles count as films, and distances from them
+/// are approximate (FadeBorder). Signed distances use the film width of the map albedo; wet films
+/// count as films that have this width everywhere. The image has one channel. If no bubble is left
+/// in a patch, plain distances are 0 and signed distances are -options.full.
 NumberPixels draw_distance(FrameLayers& layers,
                            const DistanceOptions& options,
                            const AlbedoOptions& films);

@@ -87,9 +87,9 @@ const PackedChannel* DrawnImage::packed_channel(std::size_t channel) const {
                : nullptr;
 }
 
-MapImage DrawnImage::draw(ShownLayers& shown, const MapOptions& options) const {
-    return packed_ ? draw_packed(packed_->packing, shown, options)
-                   : texgen::draw(*maps_.front(), shown, options);
+MapImage DrawnImage::draw(ShownLayers& content, const MapOptions& options) const {
+    return packed_ ? draw_packed(packed_->packing, content, options)
+                   : texgen::draw(*maps_.front(), content, options);
 }
 
 std::string DrawnImage::note(const MapOptions& options) const {

@@ -43,8 +43,8 @@ class DrawnImage {
     /// Returns true if the image is a packing of colors (Packing::is_color).
     bool packs_colors() const { return packed_ && packed_->packing.is_color; }
 
-    /// Draws the image of the frame that `shown` contains.
-    MapImage draw(ShownLayers& shown, const MapOptions& options) const;
+    /// Draws the image of a frame with the given content.
+    MapImage draw(ShownLayers& content, const MapOptions& options) const;
 
     /// Returns the text of Map::note, or, for a packing, a list of its channels with the ranges of
     /// their maps, followed by the notes of these maps. May be empty for a map.

@@ -10,9 +10,9 @@
 namespace foam::texgen {
 
 /// Returns the number of samples per pixel in each direction for a map that is drawn on a finer
-/// grid: `wanted`, or fewer if a side of the finer grid would exceed kLargestGridSide.
-inline int samples_for(const RasterGrid& grid, int wanted) {
-    return std::clamp(kLargestGridSide / std::max(grid.width, grid.height), 1, wanted);
+/// grid: `max_samples`, or fewer if a side of the finer grid would exceed kMaxGridSide.
+inline int samples_for(const RasterGrid& grid, int max_samples) {
+    return std::clamp(kMaxGridSide / std::max(grid.width, grid.height), 1, max_samples);
 }
 
 /// Returns a grid with `samples` times as many pixels in each direction, which shows the same tile

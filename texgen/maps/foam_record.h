@@ -20,7 +20,7 @@ struct RecordedEvent {
 /// The values of a bubble by which maps choose its color or tone.
 struct BubbleValues {
     double pressure = 0.0;  // pressure / film tension, in 1 / foam unit
-    double area = 0.0;      // within the arcs of the bubble, square foam units
+    double area = 0.0;      // area within the arcs of the bubble, in square foam units
     double sides = 0.0;     // number of films around the bubble
 
     friend bool operator==(const BubbleValues&, const BubbleValues&) = default;

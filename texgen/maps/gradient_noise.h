@@ -45,11 +45,10 @@ inline std::uint32_t row_hash(std::int32_t y, std::uint32_t seed) {
     return scrambled(static_cast<std::uint32_t>(y) + scrambled(seed));
 }
 
-// The unit gradients of lattice points: 16 directions, 22.5 degrees apart. kA and kB are the cosine
-// and the sine of 22.5 degrees, kC is the cosine of 45 degrees.
-inline constexpr double kA = 0.9238795325112867;
-inline constexpr double kB = 0.3826834323650898;
-inline constexpr double kC = 0.7071067811865476;
+// The unit gradients of lattice points: 16 directions, 22.5 degrees apart.
+inline constexpr double kA = 0.9238795325112867;  // cosine of 22.5 degrees
+inline constexpr double kB = 0.3826834323650898;  // sine of 22.5 degrees
+inline constexpr double kC = 0.7071067811865476;  // cosine and sine of 45 degrees
 inline constexpr std::array<double, 16> kGradientsX = {
     1, kA, kC, kB, 0, -kB, -kC, -kA, -1, -kA, -kC, -kB, 0, kB, kC, kA};
 inline constexpr std::array<double, 16> kGradientsY = {

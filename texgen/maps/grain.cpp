@@ -147,7 +147,7 @@ struct GrainPlan {
     Origins origins;
     Periods periods{};
     SubpixelPoint shift;  // RasterGrid::shift_x and shift_y; 0 in the plane
-    double size = 0.0;    // of the largest features, pixels
+    double size = 0.0;    // size of the largest features, in pixels
 };
 
 // Sets the points of the row `y`.
@@ -188,8 +188,8 @@ struct GrainRow {
     std::span<float> slope_y;
 };
 
-// Adds one octave of noise to a row of pixels. `height` is the factor on values, `steepness` the
-// factor on slopes, and `octave` the number of the octave, from 0 on (seed_of_octave).
+// Adds one octave of noise to a row of pixels. `octave` is the number of the octave (the first is
+// 0). Values of the noise are multiplied by `height`, and its slopes by `steepness`.
 void add_octave(
     const RowPoints& points, int octave, double height, double steepness, const GrainRow& row) {
     at_simd_level([count = row.value.size(),

@@ -31,7 +31,8 @@ struct Grain {
 
 /// Tells which grain to draw.
 struct GrainRule {
-    double size = 0.1;  // of the largest features, in diameters of a mean bubble of the seeded foam
+    // The size of the largest features, in diameters of a mean bubble of the seeded foam.
+    double size = 0.1;
     GrainUse use = GrainUse::Relief;
     double mean = 0.0;  // mean of the values in bubbles
 

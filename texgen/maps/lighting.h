@@ -38,7 +38,7 @@ struct HighlightTable {
     /// `flat` is the cosine on flat ground. The brightness is multiplied by `gloss`.
     HighlightTable(double gloss, double shininess, double flat);
 
-    /// The brightness at equally spaced cosines from `first` to 1. It is 0 below `first`.
+    /// The brightness at equally spaced cosines from `first` to 1. At smaller cosines it is 0.
     std::vector<double> brightness;
     double first;
 };

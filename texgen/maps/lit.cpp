@@ -32,10 +32,10 @@ namespace {
 // maze can glow: the fraction LitOptions::glow of their color is not shaded. The color of the
 // source map is already the mean over the pixel. The light is computed at the center of each pixel.
 // One point is not enough at creases, in small highlights and at the borders of reflected windows.
-// There, the shaded color is the mean over several points of the pixel. These pixels are found by
-// their contrast (D. P. Mitchell, "Generating antialiased images at low sampling densities", 1987).
-// The relief at the points of these pixels is computed from the smooth distance to the films around
-// the center (relief_sampler.h).
+// There, the shaded color is the mean over several points of the pixel. This is done in the pixels
+// that a film or wall may cross, and in pixels of high contrast (pixel_contrast.h; D. P. Mitchell,
+// "Generating antialiased images at low sampling densities", 1987). The relief at the points of
+// these pixels is computed from the smooth distance around the center (relief_sampler.h).
 
 // The light at points (PointLights). The vectors have one number per point.
 struct Light {
@@ -48,8 +48,8 @@ struct Light {
 // Returns one component of a shaded color, from 0 to kWhite. `color` is this component before
 // shading.
 float shaded(float color, float diffuse, float shine) {
-    constexpr auto kLargest = static_cast<float>(kWhite);
-    return min_value(max_value(diffuse * color + shine * kLargest, 0.0F), kLargest);
+    constexpr auto kMaxSample = static_cast<float>(kWhite);
+    return min_value(max_value(diffuse * color + shine * kMaxSample, 0.0F), kMaxSample);
 }
 
 // Replaces the fraction `glow` of the light at each point by emitted light.
@@ -212,8 +212,8 @@ std::vector<Color> mean_colors_of_batches(std::span<const std::uint32_t> pixels,
     std::vector<Color> means;
     for (std::size_t from = 0; from < pixels.size(); from += kBatch) {
         const auto batch = pixels.subspan(from, std::min(kBatch, pixels.size() - from));
-        const auto some = mean_colors(batch, surface, lighting, samples, sampler);
-        means.insert(means.end(), some.begin(), some.end());
+        const auto batch_means = mean_colors(batch, surface, lighting, samples, sampler);
+        means.insert(means.end(), batch_means.begin(), batch_means.end());
     }
     return means;
 }

@@ -35,8 +35,9 @@ Keys<MazeOptions> maze_keys() {
             .in("fraction of the walls"),
         key("wall_width",
             Reals{0.0, 10.0},
-            "full width of walls, in diameters of a mean bubble of the seeded foam; films so "
-            "short that their opening would leave almost no gap are opened last",
+            "full width of walls, in diameters of a mean bubble of the seeded foam; films shorter "
+            "than 1.5 times this width, or beside a bubble smaller than a circle of that "
+            "diameter, are opened last",
             &Options::wall_width)
             .in("mean bubble diameters of the seeded foam"),
         key("wall_color", Colors{}, "sRGB color of walls", &Options::wall_color)

@@ -45,9 +45,9 @@ struct MazeOptions {
 
 Keys<MazeOptions> maze_keys();
 
-/// Returns the rule by which the maps build their maze. MazeRule::narrow is one and a half times
-/// the width of walls, in foam units. If a shorter film is opened, almost no gap is left between
-/// the walls at its two ends.
+/// Returns the rule by which the maps build their maze. MazeRule::narrow_length is one and a half
+/// times the width of walls, in foam units. If a shorter film is opened, almost no gap is left
+/// between the walls at its two ends.
 MazeRule maze_rule(const MazeOptions& options);
 
 /// Returns the fraction of every pixel that walls and the circles of lone bubbles cover, in one

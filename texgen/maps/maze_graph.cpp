@@ -58,7 +58,7 @@ class DisjointSets {
 
   private:
     std::vector<std::size_t> parents_;
-    std::vector<std::size_t> sizes_;  // of the sets, at the index of their root
+    std::vector<std::size_t> sizes_;  // the size of each set, at the index of its root
 };
 
 // Returns a number in [0, 1): the upper 53 bits of a hash. Steps of SplitMix64 (S. Vigna, 2015) mix
@@ -82,15 +82,15 @@ using OpenFilms = Indexed<FilmId, std::uint8_t>;
 // A film between two different bubbles.
 struct Wall {
     FilmId film;
-    bool is_narrow;  // MazeRule::narrow
+    bool is_narrow;  // MazeRule::narrow_length
     double weight;   // the spanning tree opens films of small weight first, but narrow films last
     // A random number in [0, 1), which is also a part of the weight. Loops are made by opening
     // films in the order of these numbers, but narrow films last.
     double number;
 };
 
-// Returns true if a film is narrow (MazeRule::narrow). A film is narrow if it is shorter than
-// `width` or if a bubble beside it has a smaller area than a circle with this diameter.
+// Returns true if a film is narrow (MazeRule::narrow_length). A film is narrow if it is shorter
+// than `width` or if a bubble beside it has a smaller area than a circle with this diameter.
 bool is_narrow(const Frame& frame, FilmId film, double width) {
     const HalfEdgeId side = forward_side(film);
     const double area = std::min(frame.bubbles[frame.network.left(side)].area,
@@ -114,16 +114,16 @@ std::vector<Wall> walls_of(const Frame& frame, const MazeRule& rule) {
         const FrameBubble& b = frame.bubbles[right];
         const double step = std::abs(a.pressure - b.pressure);
         walls.push_back({film,
-                         is_narrow(frame, film, rule.narrow),
+                         is_narrow(frame, film, rule.narrow_length),
                          step,
                          number_of_pair(rule.seed, a.identity, b.identity)});
         sum += step;
     }
     // Differences of pressure are scaled so that their mean is 0.5, the mean of the random numbers.
     // If the mean is so small that it may be an error of the solver, all differences count as 0.
-    constexpr double kLargestError = 1e-8;  // in film tensions per foam unit of length
+    constexpr double kMaxError = 1e-8;  // in film tensions per foam unit of length
     const double mean = sum / std::max(static_cast<double>(walls.size()), 1.0);
-    const double scale = mean > kLargestError * frame.film_tension ? 0.5 / mean : 0.0;
+    const double scale = mean > kMaxError * frame.film_tension ? 0.5 / mean : 0.0;
     for (Wall& wall : walls) {
         wall.weight = (1.0 - rule.chance) * scale * wall.weight + rule.chance * wall.number;
     }
@@ -133,9 +133,9 @@ std::vector<Wall> walls_of(const Frame& frame, const MazeRule& rule) {
 // The spanning tree of a frame.
 struct SpanningTree {
     OpenFilms is_open;
-    std::vector<Wall> closed;                    // all films of walls_of that are not open
-    BubbleId in_largest_raft = kNone<BubbleId>;  // a bubble of the raft with most bubbles; kNone
-                                                 // if all rafts have one bubble
+    std::vector<Wall> closed;  // all films of walls_of that are not open
+    // A bubble of the torus, or of the raft with the most bubbles; kNone if no two share a film.
+    BubbleId in_largest_raft = kNone<BubbleId>;
 };
 
 // Opens films until exactly one path connects any two bubbles of a torus, or of a raft of a patch.
@@ -238,8 +238,8 @@ HalfEdgeId longest_outer_side(const Frame& frame, BubbleId bubble) {
 }
 
 // Returns the suitability of a bubble as an end of the solution. On a torus it is 2. On a patch it
-// is 0 for a bubble without outer films, 1 if the longest outer film is shorter than rule.narrow,
-// otherwise 2.
+// is 0 for a bubble without outer films, 1 if the longest outer film is shorter than
+// rule.narrow_length, otherwise 2.
 int rank_as_end(const Frame& frame, const MazeRule& rule, BubbleId bubble) {
     if (!frame.domain.is_plane()) {
         return 2;
@@ -248,7 +248,7 @@ int rank_as_end(const Frame& frame, const MazeRule& rule, BubbleId bubble) {
     if (side == kNone<HalfEdgeId>) {
         return 0;
     }
-    return arc_length(frame.arc(side)) < rule.narrow ? 1 : 2;
+    return arc_length(frame.arc(side)) < rule.narrow_length ? 1 : 2;
 }
 
 // Returns the farthest of the bubbles of a search that have the highest rank_as_end. The bubble in

@@ -23,11 +23,11 @@ struct MazeRule {
     // A length in foam units. A film is narrow if it is shorter than this length, or if a bubble
     // beside it has a smaller area than a circle with this diameter. Narrow films are opened only
     // after all other films.
-    double narrow = 0.0;
+    double narrow_length = 0.0;
 
     friend bool operator<(const MazeRule& a, const MazeRule& b) {
-        return std::tie(a.chance, a.seed, a.loops, a.narrow) <
-               std::tie(b.chance, b.seed, b.loops, b.narrow);
+        return std::tie(a.chance, a.seed, a.loops, a.narrow_length) <
+               std::tie(b.chance, b.seed, b.loops, b.narrow_length);
     }
 };
 
@@ -53,9 +53,9 @@ struct Maze {
 /// The ends of the solution are two bubbles that are as far apart in the tree as possible. On a
 /// torus, any bubble can be an end. On a patch, the ends are at the rim or beside a hole. The
 /// longest outer film of each end is open; these films are the entrance and the exit. Bubbles whose
-/// longest outer film has at least the length rule.narrow are preferred as ends. Rafts of a patch
-/// are separate mazes; only the raft with the most bubbles has a solution. There is no solution if
-/// no two bubbles share a film.
+/// longest outer film has at least the length rule.narrow_length are preferred as ends. Rafts of a
+/// patch are separate mazes; only the raft with the most bubbles has a solution. There is no
+/// solution if no two bubbles share a film.
 Maze find_maze(const Frame& frame, const MazeRule& rule);
 
 /// Counts of bubbles that describe a maze.

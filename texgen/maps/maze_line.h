@@ -14,7 +14,7 @@ namespace foam::texgen {
 /// an end of the line, or a point that `refined` has inserted.
 struct Station {
     Vec2 position{0.0, 0.0};   // foam units; not wrapped into the fundamental cell of a torus
-    Vec2 direction{0.0, 0.0};  // direction of the line there, a unit vector
+    Vec2 direction{0.0, 0.0};  // direction of the line at `position`, a unit vector
 };
 
 /// Returns the points at which the line of solution_line (below) crosses films, and on a torus also

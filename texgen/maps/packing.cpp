@@ -143,7 +143,7 @@ Packing parse_name(std::string_view text, std::string_view whole) {
         throw std::invalid_argument(
             fmt::format("packing '{}': the name must have 1 to {} letters, digits, '_' or '-'",
                         whole,
-                        kLongestFileWord));
+                        kMaxFileWordLength));
     }
     if (parts.size() > 2 || (parts.size() == 2 && parts[1] != "8" && parts[1] != "16")) {
         reject(packing.name, "the number of bits after ':' must be 8 or 16");
@@ -160,10 +160,10 @@ Packing parse_name(std::string_view text, std::string_view whole) {
 // The images of the maps of a packing, each drawn once.
 class MapImages {
   public:
-    MapImages(const Packing& packing, ShownLayers& shown, MapOptions options) {
+    MapImages(const Packing& packing, ShownLayers& content, MapOptions options) {
         options.pressure = without_colors(std::move(options.pressure));
         for (const Map* const map : maps_in(packing)) {
-            images_.emplace_back(map, draw(*map, shown, options));
+            images_.emplace_back(map, draw(*map, content, options));
         }
     }
 
@@ -244,7 +244,7 @@ bool is_file_word(std::string_view text) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                c == '_' || c == '-';
     };
-    return !text.empty() && text.size() <= kLongestFileWord &&
+    return !text.empty() && text.size() <= kMaxFileWordLength &&
            std::ranges::all_of(text, is_allowed);
 }
 
@@ -279,9 +279,9 @@ std::vector<const Map*> maps_in(const Packing& packing) {
     return maps;
 }
 
-MapImage draw_packed(const Packing& packing, ShownLayers& shown, const MapOptions& options) {
-    const MapImages images(packing, shown, options);
-    const RasterGrid& grid = shown.layers.grid();
+MapImage draw_packed(const Packing& packing, ShownLayers& content, const MapOptions& options) {
+    const MapImages images(packing, content, options);
+    const RasterGrid& grid = content.layers.grid();
     if (packing.is_color) {
         return pack_colors(packing, images, grid);
     }

@@ -21,7 +21,7 @@ struct PackedChannel {
     int channel = 0;           // index of the channel of the map
     bool inverted = false;     // true if the channel holds 1 minus the sample
     double constant = 0.0;     // from 0 to 1; only used without a map
-    std::string text;          // as in the text of the packing, such as "1-roughness"
+    std::string text;          // the text that gives the channel, such as "1-roughness"
 };
 
 /// A packed image: an image whose channels come from different maps, as engines expect of a
@@ -36,10 +36,10 @@ struct Packing {
     bool is_color = false;
 };
 
-/// The length of the longest word that may take the place of {map} in file names.
-inline constexpr std::size_t kLongestFileWord = 64;
+/// The largest number of characters of a word that may take the place of {map} in file names.
+inline constexpr std::size_t kMaxFileWordLength = 64;
 
-/// Returns true if a text may take the place of {map} in file names: it has 1 to kLongestFileWord
+/// Returns true if a text may take the place of {map} in file names: it has 1 to kMaxFileWordLength
 /// letters, digits, '_' or '-'.
 bool is_file_word(std::string_view text);
 
@@ -65,6 +65,6 @@ std::vector<const Map*> maps_in(const Packing& packing);
 /// multiplied by the opacity of a patch, and the numbers of A are clamped to 0 to 1. If
 /// packing.is_color is false, the image holds numbers, which are outside of 0 to 1 if they are
 /// outside the range of their map.
-MapImage draw_packed(const Packing& packing, ShownLayers& shown, const MapOptions& options);
+MapImage draw_packed(const Packing& packing, ShownLayers& content, const MapOptions& options);
 
 }  // namespace foam::texgen

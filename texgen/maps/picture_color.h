@@ -17,8 +17,9 @@ namespace foam::texgen {
 /// side of the picture if this is more. In large bubbles the distance can be larger, because the
 /// number of samples is limited (visit_polygon_samples). The colors do not depend on the size of
 /// the drawn image. With PictureSampling::FirstFrame, the colors in frame 1 (`first`) are computed
-/// only once, and used in all frames. Transparent parts of the picture are white. Throws
-/// std::invalid_argument if there is no picture.
+/// only once, and used in all frames; a bubble that is not in frame 1 has the color under it in
+/// the present frame. Transparent parts of the picture are white. Throws std::invalid_argument if
+/// there is no picture.
 PerBubble<LinearRgb> picture_colors(const Frame& frame,
                                     const FrameOne& first,
                                     const AlbedoOptions& options);

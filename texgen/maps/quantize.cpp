@@ -21,12 +21,12 @@ std::uint8_t opacity_code(std::uint32_t opacity) {
 
 template <class Code>
 Image<Code> number_codes(const NumberPixels& numbers) {
-    constexpr double kLargest = std::numeric_limits<Code>::max();
+    constexpr double kMaxCode = std::numeric_limits<Code>::max();
     constexpr double kHalf = 0.5;  // rounds positive numbers if it is added before truncation
-    const double scale = kLargest / (numbers.high - numbers.low);
+    const double scale = kMaxCode / (numbers.high - numbers.low);
     const auto code_of = [&](float number) {
         const double code = (static_cast<double>(number) - numbers.low) * scale;
-        return code > 0.0 ? static_cast<Code>(std::min(code, kLargest) + kHalf) : Code{0};
+        return code > 0.0 ? static_cast<Code>(std::min(code, kMaxCode) + kHalf) : Code{0};
     };
     const Image<float>& from = numbers.pixels;
     const auto channels = static_cast<std::size_t>(from.channels());

@@ -19,9 +19,10 @@ namespace foam::texgen {
 /// direction of the light. The second window has the same elevation and the opposite azimuth, and
 /// is fainter, like the reflection from the back of a bubble.
 struct ReflectionOptions {
-    int windows = 0;
+    int windows = 0;                 // number of windows, from 0 to 2
     double window_size = 30.0;       // width and height of a window, degrees
-    double window_softness = 0.4;    // width of its soft border, as a fraction of its size
+    double window_softness = 0.4;    // width of the soft border of a window, as a fraction of
+                                     // the size of the window
     double window_brightness = 1.0;  // brightness of the first window
     // Factor on the brightness of the sky. Haze halves the brightness at the horizon itself; the
     // largest brightness, slightly above the horizon, is about two thirds of this factor.
@@ -56,7 +57,7 @@ class Window {
     }
 
   private:
-    // The cosine of the angle to the middle of the window is a divisor, clamped to at least this.
+    // The lower bound of the divisor in `at`, a cosine of an angle to the middle of the window.
     static constexpr double kGrazing = 1e-100;
 
     // Returns 1 if x is at most 1 - softness, 0 if x is at least 1 + softness, and a smooth

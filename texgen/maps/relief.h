@@ -96,8 +96,8 @@ class Relief {
     double diameter_;
     double width_;  // the unit of the section in pixels, except for domes
     const Image<float>* smooth_ = nullptr;
-    const Image<float>* gradient_ = nullptr;     // of `smooth_`
-    const Image<std::uint32_t>* ids_ = nullptr;  // of the distance field; only for domes
+    const Image<float>* gradient_ = nullptr;     // the gradient of `smooth_`
+    const Image<std::uint32_t>* ids_ = nullptr;  // DistanceField::ids; only for domes
     std::vector<double> radii_;                  // units of domes, indexed by these ids
     std::optional<GrainRule> grain_;
     double grain_height_;  // factor on the values of the grain, pixels

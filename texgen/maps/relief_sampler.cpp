@@ -88,11 +88,11 @@ void ReliefSampler::set_grain(std::size_t k, std::size_t pixel) {
     const double unit = relief_.unit(pixel);
     const double smooth = static_cast<double>(relief_.distance().samples()[pixel]) / unit;
     const double slope = unit > 0.0 ? relief_.strength() * relief_.section().slope(smooth) : 0.0;
-    const auto rest = [&](const Image<float>& whole, float gradient) {
+    const auto grain_slope = [&](const Image<float>& whole, float gradient) {
         return whole.samples()[pixel] - static_cast<float>(slope * static_cast<double>(gradient));
     };
-    chosen_.grain_x[k] = rest(slopes_.x, chosen_.x[k]);
-    chosen_.grain_y[k] = rest(slopes_.y, chosen_.y[k]);
+    chosen_.grain_x[k] = grain_slope(slopes_.x, chosen_.x[k]);
+    chosen_.grain_y[k] = grain_slope(slopes_.y, chosen_.y[k]);
 }
 
 void ReliefSampler::write(const Vec2& offset, const ReliefPoints<float>& to) const {

@@ -38,9 +38,9 @@ class ReliefSampler {
     struct Pixels {
         std::vector<float> unit;      // Relief::unit
         std::vector<float> distance;  // the smooth distance in pixels
-        std::vector<float> x;         // its gradient
+        std::vector<float> x;         // the gradient of the smooth distance
         std::vector<float> y;
-        std::vector<float> xx;  // its second derivatives
+        std::vector<float> xx;  // the second derivatives of the smooth distance
         std::vector<float> xy;
         std::vector<float> yy;
         std::vector<float> grain_x;  // the slope of the grain

@@ -40,7 +40,7 @@ struct DomeSection {
 
 /// A ridge has the height kHeight * (1 - s²)² at the smooth distance s, up to its foot at s = 1.
 struct RidgeSection {
-    static constexpr double kHeight = 0.5;  // at the film
+    static constexpr double kHeight = 0.5;  // height at the film
 
     double height(double smooth) const {
         const double inside = max_value(1.0 - smooth * smooth, 0.0);

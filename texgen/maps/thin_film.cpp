@@ -34,7 +34,8 @@ namespace {
 // has length 1 at the rim. In a circle of radius R, it is the vector from the center to the point,
 // divided by R.
 
-constexpr int kThickest = 4000;  // nanometers; thicker films are practically gray
+// The largest thickness in the table of colors, in nanometers. Thicker films are practically gray.
+constexpr int kThickest = 4000;
 
 // Returns a color whose components are from 0 to 1: the given color, mixed with as little gray of
 // the same luminance as possible. If the luminance is 1 or more, the result is white.

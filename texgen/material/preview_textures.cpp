@@ -20,11 +20,11 @@ namespace {
 
 using Texture = Image<std::uint8_t>;
 
-constexpr double kLargestCode = 255.0;
+constexpr double kMaxCode = 255.0;
 
 std::uint8_t to_code(double number) {
     const double clamped = number > 0.0 ? std::min(number, 1.0) : 0.0;  // NaN becomes 0
-    return static_cast<std::uint8_t>(std::lround(kLargestCode * clamped));
+    return static_cast<std::uint8_t>(std::lround(kMaxCode * clamped));
 }
 
 // Returns the channels of an image of the first frame in the order of SceneImage::channels. Codes

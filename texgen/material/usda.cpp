@@ -178,7 +178,9 @@ class UsdaWriter {
         end();
     }
 
-    // Writes an attribute whose value depends on the frame.
+    // Writes an attribute. value(k) is its value in the frame with the index k. If `varies` is true
+    // and there are several frames, each frame gets a time sample; the default value of the
+    // attribute is always the value in the first frame.
     void write_samples(std::string_view attribute,
                        const std::function<std::string(std::size_t)>& value,
                        bool varies) {

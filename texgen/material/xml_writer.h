@@ -33,7 +33,7 @@ class XmlWriter {
     void indent();
 
     std::string text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-    std::vector<std::string> names_;  // of the elements that have not been ended
+    std::vector<std::string> names_;  // names of the elements that have not been ended
 };
 
 }  // namespace foam::texgen

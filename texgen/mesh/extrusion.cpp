@@ -33,8 +33,8 @@ struct Region {
 
 [[noreturn]] void reject() {
     throw std::invalid_argument(
-        "walls touch each other in a point, so that their mesh would not be closed: choose another "
-        "vector.wall_width or mesh.tolerance_mm");
+        "the mesh of the walls would not be closed, usually because walls touch each other in a "
+        "point: choose another vector.wall_width or mesh.tolerance_mm");
 }
 
 Region region_of(std::span<const Edge> edges, PointTable& points) {
@@ -87,7 +87,7 @@ class Levels {
   public:
     explicit Levels(const PointTable& points) : points_(points) {}
 
-    /// Adds triangles at a height, seen from above or, if `is_below`, from below.
+    /// Adds triangles at a height. They face up or, if `is_below` is true, down.
     void add_faces(std::span<const Triangle> triangles, double height, bool is_below) {
         Level level(*this, height);
         for (const auto& [a, b, c] : triangles) {

@@ -22,15 +22,16 @@ struct Extrusion {
     double wall_height = 0.0;
 };
 
-/// An extrusion has at most this number of triangles per corner of its walls. Triangles at the
-/// corners of the plate are not counted. Each corner of the walls belongs to two triangles of a
+/// An extrusion has at most about this number of triangles per corner of its walls. Triangles at
+/// the corners of the plate are not counted. Each corner of the walls belongs to two triangles of a
 /// side. It also belongs to about one triangle of each of four faces: the walls and the floors,
 /// from above and from below.
 inline constexpr std::size_t kTrianglesPerCorner = 6;
 
 /// Returns the solid as one mesh. Horizontal coordinates are rounded to PrintGrid. Throws
-/// std::invalid_argument if the mesh is not closed because walls touch each other in a point, and
-/// std::bad_alloc if the machine has too little memory. Precondition: the plate contains the walls.
+/// std::invalid_argument if the mesh would not be closed, usually because walls touch each other in
+/// a point, and std::bad_alloc if the machine has too little memory. Precondition: the plate
+/// contains the walls.
 Mesh extruded(const Extrusion& extrusion);
 
 }  // namespace foam::texgen

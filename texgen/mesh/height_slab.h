@@ -11,9 +11,9 @@ namespace foam::texgen {
 
 /// Heights above z = 0 at the points of a rectangular grid, in millimeters.
 struct HeightField {
-    std::vector<float> x;  // of the columns, ascending
-    std::vector<float> y;  // of the rows, ascending
-    std::vector<float> z;  // of the points, row by row
+    std::vector<float> x;  // x of each column, ascending
+    std::vector<float> y;  // y of each row, ascending
+    std::vector<float> z;  // height of each point, row by row
 
     float at(std::size_t column, std::size_t row) const { return z[row * x.size() + column]; }
 };

@@ -104,7 +104,7 @@ class NormalsOfPoint {
 
     const Mesh& mesh_;
     std::vector<Vector3> areas_;       // the area_vector of each triangle at the point
-    std::vector<Vector3> directions_;  // these vectors, normalized
+    std::vector<Vector3> directions_;  // the vectors in `areas_`, normalized
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kMaxPieces = 64.0;
+constexpr double kMaxPieces = 64.0;  // largest number of lines that replace a curve
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 
 // The center parameterization of an elliptical arc. The point at an angle is

@@ -40,7 +40,7 @@ using BezierPath = std::vector<Subpath>;
 /// is appended (add_arc).
 struct EllipticalArc {
     Vec2 radii;
-    double rotation = 0.0;  // of the first radius, in radians
+    double rotation = 0.0;  // angle from the x axis to the first radius, in radians
     bool is_large = false;  // true if the arc is more than half of the ellipse
     // True if angles increase along the arc. Angles increase from the x axis to the y axis.
     bool is_positive = false;

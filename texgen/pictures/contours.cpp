@@ -23,9 +23,9 @@ using SideId = std::uint32_t;
 
 constexpr SideId kNoSide = std::numeric_limits<SideId>::max();
 constexpr std::size_t kCorners = 4;
-// The least distance of a crossing from the points of the grid, as a fraction of a side. Rings
+// The smallest distance of a crossing from the points of the grid, as a fraction of a side. Rings
 // therefore do not touch each other where a number equals the level.
-constexpr double kLeastDistance = 0.01;
+constexpr double kMinDistance = 0.01;
 
 class ContourTracer {
   public:
@@ -97,7 +97,7 @@ class ContourTracer {
         const double first = number(x, y);
         const double second = is_horizontal ? number(x + 1, y) : number(x, y + 1);
         const double t =
-            std::clamp((level_ - first) / (second - first), kLeastDistance, 1.0 - kLeastDistance);
+            std::clamp((level_ - first) / (second - first), kMinDistance, 1.0 - kMinDistance);
         return is_horizontal ? Vec2(x + t, y) : Vec2(x, y + t);
     }
 

@@ -27,12 +27,12 @@ namespace foam::texgen {
 namespace {
 
 constexpr std::array<std::string_view, 4> kBuiltIn{"even", "gradient", "radial", "noise"};
-// The largest number of cells of a picture along its longer side: for seeding, and for the
-// comparison of opposite edges.
-constexpr int kMaxPictureCells = 1024;
-constexpr int kEdgeCells = 256;
-constexpr int kBuiltInCells = 512;  // cells along the longer side of a density that is built in
-constexpr int kOctaves = 3;         // number of octaves of the noise
+// A picture is reduced to a grid of cells. The largest number of cells along its longer side:
+constexpr int kMaxSeedingCells = 1024;  // for the density of the seeded bubbles
+constexpr int kMaxEdgeCells = 256;      // for the comparison of opposite edges
+// The number of cells along the longer side of a density that is built in.
+constexpr int kBuiltInCells = 512;
+constexpr int kOctaves = 3;  // number of octaves of the noise
 // A picture may be stretched by this factor in one direction without a remark.
 constexpr double kUnnoticedStretch = 1.02;
 
@@ -166,7 +166,8 @@ Tone built_in_tone(const DensityOptions& options, const DensityDomain& domain) {
 }
 
 ToneGrid built_in_tones(const DensityOptions& options, const DensityDomain& domain) {
-    const auto cells = [](double ratio) {  // of a side to the other side
+    // Returns the number of cells along a side. `ratio` is this side divided by the other side.
+    const auto cells = [](double ratio) {
         return std::max(1, static_cast<int>(std::lround(kBuiltInCells * std::min(1.0, ratio))));
     };
     ToneGrid grid(cells(domain.aspect), cells(1.0 / domain.aspect), 1);
@@ -181,7 +182,7 @@ ToneGrid built_in_tones(const DensityOptions& options, const DensityDomain& doma
 }
 
 ToneGrid picture_tones(const DensityOptions& options, bool is_torus) {
-    ToneGrid grid = darkness_of(*options.source.picture.picture, kMaxPictureCells);
+    ToneGrid grid = darkness_of(*options.source.picture.picture, kMaxSeedingCells);
     if (is_torus && options.edges == PictureEdges::Mirror) {
         return mirrored(grid);
     }
@@ -199,15 +200,15 @@ Keys<DensityOptions> density_keys() {
                                                    {"mirror", PictureEdges::Mirror},
                                                    {"blend", PictureEdges::Blend}}}};
     constexpr Choices<bool> kSwitch = {{{{"on", true}, {"off", false}}}};
-    constexpr std::int64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
+    constexpr std::int64_t kMaxSeed = std::numeric_limits<std::int64_t>::max();
     return {
         key("density",
             DensitySources{},
             "where the seeded bubbles are small; path of a picture: where the picture is dark; "
             "gradient: in the middle of the height of a torus, at the bottom of a patch; radial: "
             "in the middle; noise: in random places; even: nowhere, because the mean size is the "
-            "same everywhere. With other values than even, area_ratio is the ratio of areas at one "
-            "place",
+            "same everywhere. With any value but even, foam.area_ratio is the ratio of the largest "
+            "to the smallest area among the bubbles near one place, not of the whole foam",
             &Options::source)
             .with_files(is_picture_name),
         key("density_ratio",
@@ -233,7 +234,7 @@ Keys<DensityOptions> density_keys() {
             &Options::noise_scale)
             .in("features along the shorter side")
             .used_with("foam.density", {"noise"}),
-        key("density_seed", Integers{0, kLargestSeed}, "seed of the noise", &Options::noise_seed)
+        key("density_seed", Integers{0, kMaxSeed}, "seed of the noise", &Options::noise_seed)
             .used_with("foam.density", {"noise"})};
 }
 
@@ -244,11 +245,11 @@ std::optional<AreaField> area_field_of(const DensityOptions& options, const Dens
     ToneGrid grid = options.source.picture.is_set() ? picture_tones(options, domain.is_torus)
                                                     : built_in_tones(options, domain);
     stretch_tones(grid);
-    const double least = 1.0 / std::sqrt(options.ratio);
+    const double min_root = 1.0 / std::sqrt(options.ratio);
     std::vector<double> areas;
     areas.reserve(grid.samples().size());
     for (const double tone : grid.samples()) {
-        const double root = least + (1.0 - least) * (options.is_inverted ? 1.0 - tone : tone);
+        const double root = min_root + (1.0 - min_root) * (options.is_inverted ? 1.0 - tone : tone);
         areas.push_back(1.0 / (root * root));
     }
     return AreaField(grid.width(), grid.height(), std::move(areas));
@@ -272,7 +273,7 @@ std::vector<std::string> density_remarks(const DensityOptions& options,
                         domain.aspect));
     }
     if (domain.is_torus && options.edges == PictureEdges::Keep &&
-        has_visible_edges(darkness_of(picture, kEdgeCells))) {
+        has_visible_edges(darkness_of(picture, kMaxEdgeCells))) {
         remarks.push_back(
             fmt::format("foam.density: '{}' does not tile, because opposite edges differ; "
                         "foam.density_edges = \"blend\" or \"mirror\" avoids the step",

@@ -32,6 +32,7 @@ struct Side {
     }
 };
 
+// Returns the y coordinate of a row of samples.
 double height_of(int row) {
     return (row + 0.5) / kRowsOfPixel;
 }

@@ -38,7 +38,7 @@ constexpr double kFlatness = 0.1;
 constexpr double kMaxHeight = 1e7;
 // Coordinates whose magnitude is not below this number are rejected, because their differences may
 // be rounded to nothing.
-constexpr double kLargestCoordinate = 1e12;
+constexpr double kMaxCoordinate = 1e12;
 
 // The bounding box of the control points of all shapes.
 struct Bounds {
@@ -46,7 +46,7 @@ struct Bounds {
     Vec2 high = -low;
 
     void add(const Vec2& point) {
-        if (!(point.cwiseAbs().maxCoeff() < kLargestCoordinate)) {
+        if (!(point.cwiseAbs().maxCoeff() < kMaxCoordinate)) {
             throw InputError("its coordinates are too large");
         }
         low = low.cwiseMin(point);

@@ -24,7 +24,7 @@ namespace {
 // A picture with more pixels is thinned out: only every second, third, ... pixel of each row and of
 // each column counts.
 constexpr double kMaxPixels = 1'000'000.0;
-constexpr int kBitsOfBin = 5;  // per channel
+constexpr int kBitsOfBin = 5;  // a channel has 2^kBitsOfBin bins
 constexpr int kMaxRounds = 300;
 constexpr double kConverged = 1e-6;  // k-means ends if no center moves by more, in Oklab
 

@@ -82,10 +82,11 @@ std::optional<double> element_length(const pugi::xml_node& node,
     }
     const std::optional<double> length = parse_svg_length(attribute.value(), whole);
     if (!length) {
-        throw InputError(fmt::format("{}=\"{}\" of a <{}> is no length in px, mm, cm, in, pt or pc",
+        throw InputError(fmt::format("{}=\"{}\" of a <{}> is no length in px, mm, cm, in, pt{}",
                                      name,
                                      cut_text(attribute.value()),
-                                     element_name(node)));
+                                     element_name(node),
+                                     whole ? ", pc or percent" : " or pc"));
     }
     return length;
 }

@@ -11,7 +11,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kLargestNumber = 1e9;
+constexpr double kMaxNumber = 1e9;
 
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -61,7 +61,7 @@ std::optional<double> SvgText::number() {
     }
     double number = 0.0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error != std::errc{} || !(std::abs(number) <= kLargestNumber)) {
+    if (error != std::errc{} || !(std::abs(number) <= kMaxNumber)) {
         return std::nullopt;
     }
     index_ = static_cast<std::size_t>(end - text_.data());

@@ -65,9 +65,9 @@ struct Differences {
 
 }  // namespace
 
-ToneGrid darkness_of(const SourcePicture& picture, int most_cells) {
+ToneGrid darkness_of(const SourcePicture& picture, int max_cells) {
     const int longest = std::max(picture.width(), picture.height());
-    const double scale = std::min(1.0, static_cast<double>(most_cells) / longest);
+    const double scale = std::min(1.0, static_cast<double>(max_cells) / longest);
     const auto cells = [scale](int pixels) {
         return std::max(1, static_cast<int>(std::lround(scale * pixels)));
     };

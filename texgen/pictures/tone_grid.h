@@ -11,10 +11,10 @@ namespace foam::texgen {
 using ToneGrid = Image<double>;
 
 /// Returns the darkness of a picture: 1 minus the luminance (luminance_of) of its colors on white.
-/// The grid has a cell for each pixel. If the picture has more than `most_cells` columns or rows,
+/// The grid has a cell for each pixel. If the picture has more than `max_cells` columns or rows,
 /// the grid has only this many cells along its longer side. Each cell then has the mean darkness of
 /// its pixels.
-ToneGrid darkness_of(const SourcePicture& picture, int most_cells);
+ToneGrid darkness_of(const SourcePicture& picture, int max_cells);
 
 /// Stretches the tones to the range from 0 to 1. If all tones are equal, they become 0.
 void stretch_tones(ToneGrid& grid);

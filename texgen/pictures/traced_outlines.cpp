@@ -26,7 +26,8 @@ using Ring = Polygon::ring_type;
 // Parts and holes below this fraction of the area of the region are dropped. The dot of an i is
 // about 1/100 of a word of ten letters.
 constexpr double kSpeck = 1e-3;
-constexpr double kTolerance = 0.25;  // of the simplification, in units of the spacing of the grid
+// The simplification moves a ring by at most this distance, in units of the spacing of the grid.
+constexpr double kTolerance = 0.25;
 
 Ring ring_of(const std::vector<Vec2>& corners) {
     Ring ring;

@@ -13,11 +13,11 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kLargestExtent = 16384;  // pixels; a square image of 8-bit RGBA then takes 1 GB
+constexpr int kMaxExtent = 16384;  // pixels; a square image of 8-bit RGBA then takes 1 GB
 
 // The kind of values of image.size: [width, height] in pixels.
 struct Sizes {
-    Integers extent{1, kLargestExtent};
+    Integers extent{1, kMaxExtent};
 
     std::string allowed() const {
         return fmt::format("[width, height], each {}", extent.allowed());

@@ -105,9 +105,9 @@ KeyValues parse_key_values(std::string_view text) {
 
 Value number_value(double number) {
     constexpr double kAllWhole = 1e11;  // from 1e11 on, numbers of twelve digits are whole
-    constexpr double kLargestExact = 0x1p53;
+    constexpr double kMaxExact = 0x1p53;
     const double magnitude = std::abs(number);
-    if (magnitude >= kAllWhole && magnitude < kLargestExact) {
+    if (magnitude >= kAllWhole && magnitude < kMaxExact) {
         return {static_cast<std::int64_t>(std::round(number))};
     }
     return read_value(fmt::format("{:.12g}", number));

@@ -65,7 +65,7 @@ Keys<LoopOptions> loop_keys() {
         "for \"breathe\": relative amplitude of every bubble's area; for \"boil\": relative "
         "amplitude of the areas of the bubbles that do not vanish; for \"shear\": amplitude of the "
         "strain, at most {}",
-        kLargestShearAmplitude);
+        kMaxShearAmplitude);
     const Keys<LoopOptions> common = {
         kind_key(),
         key("amplitude", Reals{0.0, 0.9}, amplitude_meaning, &LoopOptions::amplitude)

@@ -21,7 +21,7 @@ enum class LoopKind {
 };
 
 /// The largest amplitude of the strain of a shear loop.
-inline constexpr double kLargestShearAmplitude = 0.4;
+inline constexpr double kMaxShearAmplitude = 0.4;
 
 /// A loop of frames.count frames: the last frame is followed by the first frame. In Breathe, Shear,
 /// Boil and Drift the foam itself returns to its first state, and no gas diffuses in the loop.

@@ -15,8 +15,10 @@ namespace foam::texgen {
 
 namespace {
 
+// The smallest number of frames of the loop "boil" (check_boil).
 constexpr int kMinBoilFrames = 10;
-constexpr int kBubblesInEddy = 3;
+// The smallest width of an eddy, in foam units (check_current).
+constexpr int kMinEddyWidth = 3;
 
 void check_torus(const Preset& preset, std::span<const Assignment> assignments) {
     const LoopOptions& loop = preset.loop;
@@ -55,7 +57,7 @@ void check_drift(const Preset& preset, std::span<const Assignment> assignments) 
     }
 }
 
-// Checks that an eddy is at least kBubblesInEddy foam units wide; the mean bubble area is 1 in foam
+// Checks that an eddy is at least kMinEddyWidth foam units wide; the mean bubble area is 1 in foam
 // units. The current then hardly varies along a film, and the film stays an arc. A single eddy is
 // always allowed.
 void check_current(const Preset& preset, std::span<const Assignment> assignments) {
@@ -65,7 +67,7 @@ void check_current(const Preset& preset, std::span<const Assignment> assignments
     }
     const double aspect = static_cast<double>(preset.image.width) / preset.image.height;
     const double shorter_side = std::sqrt(preset.seeding.bubbles * std::min(aspect, 1.0 / aspect));
-    const int max_eddies = std::max(static_cast<int>(shorter_side / kBubblesInEddy), 1);
+    const int max_eddies = std::max(static_cast<int>(shorter_side / kMinEddyWidth), 1);
     if (loop.eddies > max_eddies) {
         reject_last(assignments,
                     {"loop.eddies", "loop.current", "foam.bubbles", "image.size"},
@@ -73,7 +75,7 @@ void check_current(const Preset& preset, std::span<const Assignment> assignments
                                 "at least {} bubbles wide",
                                 max_eddies,
                                 preset.seeding.bubbles,
-                                kBubblesInEddy));
+                                kMinEddyWidth));
     }
 }
 
@@ -150,11 +152,11 @@ void check_loop(const Preset& preset, std::span<const Assignment> assignments) {
     check_frames(preset, assignments);
     check_flow(preset, assignments);
     check_boil(preset, assignments);
-    if (preset.loop.kind == LoopKind::Shear && preset.loop.amplitude > kLargestShearAmplitude) {
+    if (preset.loop.kind == LoopKind::Shear && preset.loop.amplitude > kMaxShearAmplitude) {
         reject_last(assignments,
                     {"loop.amplitude", "loop.kind"},
                     fmt::format("loop.amplitude must be at most {} with loop.kind = \"shear\"",
-                                kLargestShearAmplitude));
+                                kMaxShearAmplitude));
     }
 }
 

@@ -53,7 +53,8 @@ Keys<OutputOptions> file_keys() {
                 &OutputOptions::texts),
             key("frames_per_second",
                 Integers{1, 1000},
-                "frame rate of the animation, stored in EXR files and in manifest.json",
+                "frame rate of the animation; it is stored in EXR files and in manifest.json, and "
+                "previews, sheets and scene files use it, too",
                 &OutputOptions::frames_per_second)
                 .in("frames per second"),
             key("png_compression",
@@ -223,7 +224,7 @@ NamedMap parse_named_map(std::string_view text) {
         throw std::invalid_argument(
             fmt::format("'{}': the word must have 1 to {} letters, digits, '_' or '-'",
                         text,
-                        kLongestFileWord));
+                        kMaxFileWordLength));
     }
     return named;
 }

@@ -60,7 +60,8 @@ struct OutputOptions {
     // "shear_modulus" (bake/measurements.h).
     std::vector<std::string> measurements = {};
     FileTexts texts = FileTexts::Written;
-    int frames_per_second = 24;  // stored in EXR files and in manifest.json
+    // Stored in EXR files and in manifest.json; previews, sheets and scene files use it, too.
+    int frames_per_second = 24;
     Compression png_compression = Compression::Fast;
     ExrCompression exr_compression = ExrCompression::Zip;
     // The compression level of Zip and Zips: 1 is the fastest, 9 gives the smallest files.

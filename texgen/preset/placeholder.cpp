@@ -27,7 +27,7 @@ constexpr std::string_view kSheetPatternKey = "output.sheet_pattern";
 
 // The largest number of bytes of a text in a file name. Most file systems allow 255 bytes for the
 // whole name.
-constexpr std::size_t kLongestText = 64;
+constexpr std::size_t kMaxTextBytes = 64;
 
 [[noreturn]] void reject(std::string_view name, std::string_view reason) {
     throw std::invalid_argument(fmt::format("placeholder {{{}}}: {}", name, reason));
@@ -58,11 +58,11 @@ std::string part_of(std::string_view name, const std::string& text) {
     if (part.empty()) {
         reject(name, fmt::format("the value '{}' has no letter and no digit", text));
     }
-    if (part.size() > kLongestText) {
+    if (part.size() > kMaxTextBytes) {
         reject(name,
                fmt::format("the value has {} bytes; a file name may contain a text of at most {}",
                            part.size(),
-                           kLongestText));
+                           kMaxTextBytes));
     }
     return part;
 }

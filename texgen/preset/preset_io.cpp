@@ -25,7 +25,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kLargestAspect = 16;  // longer side of an image divided by the shorter side
+constexpr int kMaxAspect = 16;  // longer side of an image divided by the shorter side
 constexpr std::string_view kEventTable = "event";
 
 // Returns the table that a misspelled table most likely stands for (nearest). The key of a table in
@@ -95,9 +95,9 @@ void check_conditions(const Preset& preset, std::span<const Assignment> assignme
 
 // Returns the number that a key has in the preset. Precondition: the key is numeric and set.
 double number_of(const Key<Preset>& key, const Preset& preset) {
-    constexpr double kLargest = std::numeric_limits<double>::max();
+    constexpr double kMax = std::numeric_limits<double>::max();
     double number = 0.0;
-    Reals{-kLargest, kLargest}.read(value_in(key, preset), number);
+    Reals{-kMax, kMax}.read(value_in(key, preset), number);
     return number;
 }
 
@@ -131,16 +131,16 @@ void check_upper_limits(const Preset& preset, std::span<const Assignment> assign
     }
 }
 
-// Checks that the longer side of the image is at most kLargestAspect times the shorter side. A foam
+// Checks that the longer side of the image is at most kMaxAspect times the shorter side. A foam
 // of few bubbles does not fit a very long torus.
 void check_aspect(const Preset& preset, std::span<const Assignment> assignments) {
     const int shorter = std::min(preset.image.width, preset.image.height);
     const int longer = std::max(preset.image.width, preset.image.height);
-    if (longer > kLargestAspect * shorter) {
-        reject_last(assignments,
-                    {"image.size"},
-                    fmt::format("the longer side must be at most {} times the shorter side",
-                                kLargestAspect));
+    if (longer > kMaxAspect * shorter) {
+        reject_last(
+            assignments,
+            {"image.size"},
+            fmt::format("the longer side must be at most {} times the shorter side", kMaxAspect));
     }
 }
 

@@ -23,7 +23,7 @@ namespace foam::texgen {
 namespace {
 
 // The largest integer that TOML can represent.
-constexpr std::int64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t kMaxSeed = std::numeric_limits<std::int64_t>::max();
 
 Keys<SeedingOptions> seeding_keys() {
     using Options = SeedingOptions;
@@ -35,7 +35,7 @@ Keys<SeedingOptions> seeding_keys() {
             &Options::bubbles)
             .in("bubbles"),
         key("seed",
-            Integers{0, kLargestSeed},
+            Integers{0, kMaxSeed},
             "seed of the random numbers; each seed gives a different foam of the same kind",
             &Options::seed),
         key("lloyd",

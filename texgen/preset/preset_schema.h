@@ -19,9 +19,9 @@ Json to_json(const Value& value);
 /// schema of one kind of event (`anyOf`). Some annotations are not part of JSON Schema. `x-unit` is
 /// the unit of a number or of all numbers of a list. `x-only-for`, `x-used-with` and
 /// `x-unused-with` name another key and some of its values. With `x-only-for`, the key must keep
-/// its default unless the other key has one of these values. With `x-used-with` (`x-unused-with`),
-/// the key has an effect only if the other key has (does not have) one of these values. `x-below`
-/// names another key, whose number must be larger.
+/// its default unless the other key has one of these values. With `x-used-with`, the
+/// key has an effect only if the other key has one of these values; with `x-unused-with`, it has
+/// none in this case. `x-below` names another key, whose number must be larger.
 ///
 /// The schema accepts every preset file that the program accepts. Validators ignore the
 /// annotations. Therefore only the program checks conditions between several keys.

@@ -25,8 +25,9 @@ bool table_affects_simulation(std::string_view table);
 std::string simulation_hash(const Preset& preset);
 
 /// Returns a hash (32 hexadecimal digits) of the version of foamtex and of everything in the preset
-/// that influences the numbers of a map. The size of the images and the choice of frames are left
-/// out.
+/// that influences the values of a map, before they are converted to samples. The hash does not
+/// contain the size of the images in pixels (only the aspect ratio, as in simulation_hash) or the
+/// frames that are drawn; the caller adds them if they matter.
 std::string drawing_hash(const Preset& preset, const Map& map);
 
 /// Throws PresetError if the preset `changed` needs another simulation than the preset `simulated`.

@@ -59,15 +59,15 @@ bool takes_whole_numbers(const Key<Preset>& key, double number) {
 /// range of this width has 20 to 200 different multiples. If `whole` is true and the width is below
 /// 20, the number is rounded to a whole number instead.
 double rounded(double number, double width, bool whole) {
-    constexpr double kFewest = 20.0;
+    constexpr double kMinMultiples = 20.0;
     constexpr double kTen = 10.0;
-    constexpr double kFinest = 1e9;
+    constexpr double kMaxFactor = 1e9;
     double scale = 1.0;
-    while (!whole && width * scale < kFewest && scale < kFinest) {
+    while (!whole && width * scale < kMinMultiples && scale < kMaxFactor) {
         scale *= kTen;
     }
     double step = 1.0;
-    while (width >= kFewest * kTen * step && step < kFinest) {
+    while (width >= kMinMultiples * kTen * step && step < kMaxFactor) {
         step *= kTen;
     }
     return std::round(number * scale / step) * step / scale;
@@ -151,8 +151,8 @@ Value number_at(const KeyValues& varied, const NumberRange& range, double fracti
     // The interval of fractions that gives a whole number is equally long for each whole number.
     const double number =
         whole ? range.low + std::floor(fraction * (width + 1.0)) : range.low + fraction * width;
-    const double shown = varied.key == kSeedKey ? number : rounded(number, width, whole);
-    return number_value(std::clamp(shown, range.low, range.high));
+    const double result = varied.key == kSeedKey ? number : rounded(number, width, whole);
+    return number_value(std::clamp(result, range.low, range.high));
 }
 
 }  // namespace foam::texgen

@@ -152,7 +152,8 @@ void bind_files(py::module_& module) {
         "angle between normals, in degrees. If none of these three limits is given, samples may "
         "differ by at most 1e-6. "
         "`allowed_percent` is the percentage of pixels that may exceed `sample` or `angle`. "
-        "If `picture` is given, a picture of the differences is written to a PNG of this name.",
+        "If `picture` is given, a picture of the differences is written to a PNG of this name, "
+        "unless the images differ in size or channels.",
         py::arg("a"),
         py::arg("b"),
         py::kw_only(),

@@ -25,14 +25,14 @@ using foamtex::StepSettings;
 
 using FoamPointer = std::shared_ptr<SharedFoam>;
 
-FoamPointer shared(foamtex::Foam foam) {
+FoamPointer make_shared_foam(foamtex::Foam foam) {
     return std::make_shared<SharedFoam>(std::move(foam));
 }
 
 template <class Make>
 FoamPointer make_without_gil(const Make& make) {
     const py::gil_scoped_release others_may_run;
-    return shared(make());
+    return make_shared_foam(make());
 }
 
 SeedOptions seed_options(int bubbles,
@@ -64,7 +64,7 @@ Drive drive_of(const std::map<std::int64_t, double>& areas,
     return drive;
 }
 
-Equilibrium checked(const Equilibrium& found) {
+Equilibrium require_converged(const Equilibrium& found) {
     if (!found.converged) {
         throw foamtex::EquilibriumError("the foam found no equilibrium");
     }
@@ -172,13 +172,13 @@ void bind_actions(FoamClass& foam) {
         .def(
             "copy",
             [](SharedFoam& self) {
-                return shared(self.use([](const foamtex::Foam& one) { return one; }));
+                return make_shared_foam(self.use([](const foamtex::Foam& one) { return one; }));
             },
             "An independent copy.")
         .def(
             "relax",
             [](SharedFoam& self, int threads) {
-                return checked(self.change(
+                return require_converged(self.change(
                     [&](foamtex::Foam& one) { return one.relax(threads, throw_if_interrupted); }));
             },
             "Brings the foam to equilibrium at its target areas, to errors below 1e-9. Raises "
@@ -194,7 +194,7 @@ void bind_actions(FoamClass& foam) {
                const std::vector<PushTuple>& pushes,
                const StepSettings& settings) {
                 const Drive drive = drive_of(areas, strain, pushes);
-                return checked(self.change([&](foamtex::Foam& one) {
+                return require_converged(self.change([&](foamtex::Foam& one) {
                     return one.step(time, drive, settings, throw_if_interrupted);
                 }));
             },

@@ -77,7 +77,7 @@ foamtex::Frame next_frame(foamtex::Simulation& simulation) {
 }
 
 template <class Draw>
-py::array drawn(const Draw& draw) {
+py::array array_drawn_by(const Draw& draw) {
     auto image = [&] {
         const py::gil_scoped_release others_may_run;
         return with_texture_errors(draw);
@@ -92,13 +92,13 @@ py::array draw_map(const foamtex::Frame& frame,
     const py::dtype type = py::dtype::from_args(dtype);
     const foamtex::Frame::State& state = frame.state();
     if (type.equal(py::dtype::of<float>())) {
-        return drawn([&] { return number_image(state, map, threads); });
+        return array_drawn_by([&] { return number_image(state, map, threads); });
     }
     if (type.equal(py::dtype::of<std::uint8_t>())) {
-        return drawn([&] { return code_image<std::uint8_t>(state, map, threads); });
+        return array_drawn_by([&] { return code_image<std::uint8_t>(state, map, threads); });
     }
     if (type.equal(py::dtype::of<std::uint16_t>())) {
-        return drawn([&] { return code_image<std::uint16_t>(state, map, threads); });
+        return array_drawn_by([&] { return code_image<std::uint16_t>(state, map, threads); });
     }
     throw foamtex::ArgumentError("dtype must be float32, uint8 or uint16");
 }
@@ -167,10 +167,10 @@ void bind_preset(py::module_& module) {
             py::arg("threads") = 0)
         .def("fit_ranges",
              &fit_ranges,
-             "Fits the automatic ranges of maps to the whole animation. Before a map with an "
-             "automatic range can be drawn as integers, this function must be called, and again "
-             "after each call of `set`. If another thread calls `set` meanwhile, no range is "
-             "fitted.",
+             "Fits the automatic ranges of the maps in image.maps and output.pack to the whole "
+             "animation. To draw a map with an automatic range as integers, call this function "
+             "before `simulate`, and again after each call of `set`. If another thread calls `set` "
+             "meanwhile, no range is fitted.",
              py::kw_only(),
              py::arg("threads") = 0)
         .def("__repr__", [](const foamtex::Preset& self) {
@@ -219,7 +219,7 @@ void bind_texture(py::module_& module) {
             "events",
             &foamtex::Frame::events,
             "The changes of topology since the frame that the simulation returned before this "
-            "one, as a list of Event.")
+            "one, or since the start of the simulation, as a list of Event.")
         .def(
             "stress",
             [](const foamtex::Frame& self) { return matrix_of(self.stress()); },

@@ -27,7 +27,7 @@ struct Thumbnail {
 /// The layout of a contact sheet.
 struct ContactSheetLayout {
     int columns = 0;        // 0: the sheet becomes about 1.5 times as wide as high
-    int magnification = 1;  // of labels, see label.h
+    int magnification = 1;  // magnification of the labels (label.h)
 };
 
 /// Returns an image of thumbnails on a gray background, from left to right and from top to bottom,

@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr float kLargestCode = 255.0F;
+constexpr float kMaxCode = 255.0F;
 
 // The pixels along one axis that a pixel of the smaller image covers. `first` is the index of the
 // first covered pixel. `weights` contains the weights of all covered pixels, which add up to 1.
@@ -85,7 +85,7 @@ Image<std::uint8_t> codes_of(const DisplayFrame& frame) {
         frame.pixels.samples(), codes.samples().begin(), [&](float value) -> std::uint8_t {
             const double clamped = std::clamp(value, 0.0F, 1.0F);
             const double code = frame.is_light ? linear_to_srgb(clamped) : clamped;
-            return static_cast<std::uint8_t>(std::lround(kLargestCode * code));
+            return static_cast<std::uint8_t>(std::lround(kMaxCode * code));
         });
     return codes;
 }

@@ -131,13 +131,12 @@ std::string sheet_pattern(const Preset& preset) {
 // compressed twice.
 const char* needed_formats(const Preset& preset) {
     const FilePattern pattern(preset);
-    if (pattern.is_vector()) {
-        return "PNG or EXR files";
-    }
     if (array_suffix_of(preset.output.sheets).empty()) {
-        return pattern.format().is_lossy ? "PNG or EXR files" : nullptr;
+        const bool fits = !pattern.is_vector() && !pattern.format().is_lossy;
+        return fits ? nullptr : "PNG or EXR files";
     }
-    return pattern.format().samples == FormatSamples::Numbers ? "PNG or DDS files" : nullptr;
+    const bool fits = !pattern.is_vector() && pattern.format().samples != FormatSamples::Numbers;
+    return fits ? nullptr : "PNG or DDS files";
 }
 
 }  // namespace

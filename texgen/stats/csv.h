@@ -19,7 +19,7 @@ std::string frames_csv(const RunRecord& run);
 
 /// Returns a table with one row for each frame and each number of sides that occurs in this frame:
 /// frame,time,sides,bubbles,share,mean_area,mean_pressure,untouched,area_rate,film_rate,law_rate
-/// `area_rate` is empty
+/// `area_rate` is empty:
 /// - in the rows of the first frame and of lone bubbles (0 sides);
 /// - if no foam time has passed since the preceding frame of the table;
 /// - if every bubble with this number of sides has other neighbors than in that frame.
@@ -32,7 +32,7 @@ std::string stress_csv(const RunRecord& run);
 
 /// Returns a table of the topology events with one row for each T1, T2 and birth:
 /// frame,time,kind,x,y,bubbles
-/// `bubbles` lists the identities of the bubbles, separated by spaces.
+/// `bubbles` lists the identities of the bubbles whose neighbors changed, separated by spaces.
 std::string events_csv(const RunRecord& run);
 
 /// Returns a table of the bubbles in the last frame of the run with one row per bubble:

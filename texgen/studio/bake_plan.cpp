@@ -108,9 +108,9 @@ std::array<int, 2> size_in(const JsonValue& value) {
     if (sides.size() != 2) {
         value.reject("a list of a width and a height");
     }
-    constexpr int kLargest = std::numeric_limits<int>::max();
-    return {static_cast<int>(sides[0].integer(1, kLargest)),
-            static_cast<int>(sides[1].integer(1, kLargest))};
+    constexpr int kMax = std::numeric_limits<int>::max();
+    return {static_cast<int>(sides[0].integer(1, kMax)),
+            static_cast<int>(sides[1].integer(1, kMax))};
 }
 
 }  // namespace

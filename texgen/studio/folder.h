@@ -33,7 +33,8 @@ class StudioFolder {
     /// link, or cannot be resolved.
     std::filesystem::path below(const std::string& relative) const;
 
-    /// Returns the names of the preset files in the folder, sorted.
+    /// Returns the names of the files in the folder that end in .toml and are plain names
+    /// (is_plain_name), sorted.
     std::vector<std::string> preset_files() const;
 
     /// Returns the paths, relative to the folder, of the manifests of bakes in the folder and in

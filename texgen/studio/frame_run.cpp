@@ -19,27 +19,27 @@ int FrameRun::complete_frames() const {
     return complete;
 }
 
-std::map<int, SimulatedFrame> FrameRun::states_for(const Preset& shown,
+std::map<int, SimulatedFrame> FrameRun::states_for(const Preset& drawn_preset,
                                                    int frame,
                                                    NextFrames next_frames) const {
     std::map<int, SimulatedFrame> some;
-    for (const int number : states_of(shown, {frame}, next_frames)) {
+    for (const int number : states_of(drawn_preset, {frame}, next_frames)) {
         some.emplace(number, kept.at(number));
     }
     return some;
 }
 
 void assemble(const std::map<int, SimulatedFrame>& kept,
-              const Preset& shown,
+              const Preset& drawn_preset,
               const std::vector<int>& numbers,
               NextFrames next_frames,
               const FrameVisitor& visit) {
-    FrameAssembly assembly(shown, numbers, next_frames, visit);
+    FrameAssembly assembly(drawn_preset, numbers, next_frames, visit);
     std::optional<View> view;
     for (const int number : assembly.states()) {
         SimulatedFrame state = kept.at(number);
-        if (shown.shape.kind == FoamKind::Patch && number == 1) {
-            view = camera_view(*state.frame, shown.image, shown.camera);
+        if (drawn_preset.shape.kind == FoamKind::Patch && number == 1) {
+            view = camera_view(*state.frame, drawn_preset.image, drawn_preset.camera);
         }
         state.view = view;
         assembly.add(state);

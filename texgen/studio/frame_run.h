@@ -31,7 +31,8 @@ struct FrameRun {
     RunProgress progress = {};
     std::optional<RunOutcome> outcome = {};  // nullopt before the end, and after an exception
     std::string failure = {};                // the reason of a failure, otherwise empty
-    std::string drop_reason = {};  // why the simulation is to be stopped; empty if it is not
+    // The reason why the store forgets this run, which also stops its simulation; otherwise empty.
+    std::string drop_reason = {};
 
     bool is_finished() const { return outcome || !failure.empty(); }
     bool is_dropped() const { return !drop_reason.empty(); }
@@ -43,15 +44,16 @@ struct FrameRun {
     int complete_frames() const;
 
     // Returns the kept states that a frame needs. Precondition: all of them are kept.
-    std::map<int, SimulatedFrame> states_for(const Preset& shown,
+    std::map<int, SimulatedFrame> states_for(const Preset& drawn_preset,
                                              int frame,
                                              NextFrames next_frames) const;
 };
 
 /// Assembles the frames with the given numbers from kept states, and passes them to `visit`. The
-/// camera and the loop are those of `shown`. Precondition: `kept` has all states of the frames.
+/// camera and the loop are those of `drawn_preset`. Precondition: `kept` has all states of the
+/// frames.
 void assemble(const std::map<int, SimulatedFrame>& kept,
-              const Preset& shown,
+              const Preset& drawn_preset,
               const std::vector<int>& numbers,
               NextFrames next_frames,
               const FrameVisitor& visit);

@@ -96,8 +96,9 @@ SimulatedFrame FrameStore::frame(const Preset& preset,
     const std::map<int, SimulatedFrame> states = run->states_for(preset, number, next_frames);
     lock.unlock();  // `assemble` may take milliseconds (loop.current); other threads need not wait
     SimulatedFrame found;
-    assemble(
-        states, preset, {number}, next_frames, [&](const SimulatedFrame& shown) { found = shown; });
+    assemble(states, preset, {number}, next_frames, [&](const SimulatedFrame& assembled) {
+        found = assembled;
+    });
     return found;
 }
 
@@ -118,8 +119,10 @@ SimulatedFrame FrameStore::draft(const Preset& preset) {
         }
     }
     SimulatedFrame frame;
-    const RunOutcome outcome = simulate_frames(
-        quick, 0, {1}, NextFrames::Included, [&](const SimulatedFrame& shown) { frame = shown; });
+    const RunOutcome outcome =
+        simulate_frames(quick, 0, {1}, NextFrames::Included, [&](const SimulatedFrame& simulated) {
+            frame = simulated;
+        });
     if (outcome.status != RunStatus::Complete) {
         throw SimulationFailed(failure_of(outcome));
     }

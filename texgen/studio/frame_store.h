@@ -47,11 +47,11 @@ struct SimulationState {
 
 /// Simulates presets in the background, one at a time, and keeps the states of their foams, so that
 /// any frame can be drawn immediately, with any colors. Each page of the studio wants one foam.
-/// When a simulation ends, the foam that was wanted last is simulated next; a simulation that no
-/// page wants any more is stopped. At most eight foams are kept, or fewer if the memory does not
-/// suffice. Foams whose simulation has ended (complete or failed) are forgotten before foams whose
-/// simulation has not. In each of these two groups, the foam that was wanted longest ago is
-/// forgotten first. Thread-safe.
+/// When a simulation ends, the next one is that of the foam that was wanted last among those not
+/// simulated yet. A simulation that no page wants any more is stopped. At most eight foams are
+/// kept, or fewer if the memory does not suffice. Foams whose simulation has ended (complete or
+/// failed) are forgotten before foams whose simulation has not. In each of these two groups, the
+/// foam that was wanted longest ago is forgotten first. Thread-safe.
 class FrameStore {
   public:
     /// Keeps states of at most `bytes` bytes, approximately. If the states of an animation need
@@ -77,8 +77,9 @@ class FrameStore {
                          NextFrames next_frames,
                          const std::string& page);
 
-    /// Returns a draft of frame 1: the seeded foam in equilibrium, without the warm-up, the events
-    /// and the loop, which can take much longer. Throws SimulationFailed.
+    /// Returns a draft of frame 1: the frame without the warm-up, the events and the loop, which
+    /// can take much longer. It shows the seeded foam in equilibrium or, if the preset has
+    /// FirstFrame::Diagram, before its first equilibration. Throws SimulationFailed.
     SimulatedFrame draft(const Preset& preset);
 
     /// Returns a source of the kept frames of a preset, which reports no progress. If all frames

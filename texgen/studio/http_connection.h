@@ -88,7 +88,7 @@ class HttpConnectionOwner {
     /// connections. If a new connection is one too many, the server closes the first idle
     /// connection of this list, but never the new one.
     virtual void move_to_end(const HttpConnection* connection) = 0;
-    /// Forgets a connection, which has ended.
+    /// Forgets a connection that has ended.
     virtual void remove(const HttpConnection* connection) = 0;
 };
 

@@ -18,7 +18,8 @@
 // One thread, which calls run(), does all input and output. It reads a request, posts a call of the
 // handler to a pool of threads, and writes the response when the pool has posted it back. A
 // connection is therefore in one of three states: it reads (idle, until the request is complete),
-// its handler works, or it writes.
+// its handler works, or it writes. In addition, it drains (also idle) after the response to a
+// request that could not be read (HttpConnection::begin_drain).
 
 namespace foam::texgen {
 

@@ -17,7 +17,7 @@
 namespace foam::texgen {
 
 /// The largest width and height of a picture that a page can ask for, in pixels.
-inline constexpr int kLargestPicture = 2048;
+inline constexpr int kMaxPictureSide = 2048;
 
 /// The quality of a picture, which determines how long a page waits for it.
 enum class PictureQuality {
@@ -32,9 +32,10 @@ struct PictureRequest {
     std::string page;  // the word that the page has chosen (REQUESTS.md)
     int frame = 1;
     std::string map;
-    int side = kLargestPicture;  // largest width and height in pixels (reduced_image)
+    int side = kMaxPictureSide;  // largest width and height in pixels (reduced_image)
     PictureQuality quality = PictureQuality::Full;
-    bool floats = false;  // floats in the unit of the map instead of codes of 8 bits
+    // True for floats in the unit of the map; false for codes (integers, as in a PNG) of 8 bits.
+    bool floats = false;
 };
 
 /// Draws the pictures of the pages. Keeps the data that the maps of recent frames share, such as

@@ -68,8 +68,8 @@ Json describe_program(const StudioFolder& folder) {
             {"maps", maps},
             {"profiles", profiles},
             {"schema", Json::parse(preset_schema())},
-            {"largest_width", kLargestPicture},
-            {"largest_foam", kLargestLiveFoam}};
+            {"largest_width", kMaxPictureSide},
+            {"largest_foam", kMaxLiveBubbles}};
 }
 
 }  // namespace foam::texgen

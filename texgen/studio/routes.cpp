@@ -25,19 +25,19 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kLargestFrame = 1'000'000;
+constexpr int kMaxFrame = 1'000'000;
 
 std::string page_of(const JsonValue& request) {
-    constexpr std::size_t kLongestPage = 64;
+    constexpr std::size_t kMaxPageBytes = 64;
     const std::string& page = request["page"].text();
-    if (page.empty() || page.size() > kLongestPage) {
-        request["page"].reject(fmt::format("a text of 1 to {} bytes", kLongestPage));
+    if (page.empty() || page.size() > kMaxPageBytes) {
+        request["page"].reject(fmt::format("a text of 1 to {} bytes", kMaxPageBytes));
     }
     return page;
 }
 
 int frame_of(const JsonValue& request) {
-    return static_cast<int>(request["frame"].integer(1, kLargestFrame));
+    return static_cast<int>(request["frame"].integer(1, kMaxFrame));
 }
 
 BakedImage baked_image(const JsonValue& request) {
@@ -51,7 +51,7 @@ PictureRequest picture_request(const JsonValue& request) {
     PictureRequest picture{
         .page = page_of(request), .frame = frame_of(request), .map = request["map"].text()};
     if (const auto width = request.find("width")) {
-        picture.side = static_cast<int>(width->integer(1, kLargestPicture));
+        picture.side = static_cast<int>(width->integer(1, kMaxPictureSide));
     }
     if (const auto quality = request.find("quality")) {
         const std::string& word = quality->word(kQualities);
@@ -95,9 +95,9 @@ class StudioRoutes {
     }
 
     HttpResponse pick(const JsonValue& request) const {
-        constexpr int kLargest = std::numeric_limits<int>::max();
-        const auto x = static_cast<int>(request["x"].integer(0, kLargest));
-        const auto y = static_cast<int>(request["y"].integer(0, kLargest));
+        constexpr int kMax = std::numeric_limits<int>::max();
+        const auto x = static_cast<int>(request["x"].integer(0, kMax));
+        const auto y = static_cast<int>(request["y"].integer(0, kMax));
         return json_response(painter_.pick(live_preset(request), picture_request(request), x, y));
     }
 
@@ -148,7 +148,7 @@ class StudioRoutes {
         }
         std::optional<int> side;
         if (const auto width = request.find("width")) {
-            side = static_cast<int>(width->integer(1, kLargestPicture));
+            side = static_cast<int>(width->integer(1, kMaxPictureSide));
         }
         return loop_download(preset, map, side, store_);
     }
@@ -158,7 +158,7 @@ class StudioRoutes {
     }
 
     HttpResponse baked(const JsonValue& request) const {
-        const auto side = static_cast<int>(request["width"].integer(1, kLargestPicture));
+        const auto side = static_cast<int>(request["width"].integer(1, kMaxPictureSide));
         return baked_picture(folder_, baked_image(request), side);
     }
 

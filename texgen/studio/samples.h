@@ -27,8 +27,8 @@ MapSize size_of(const MapImage& image);
 /// linear light or an opacity, from 0 to 1. Row 0 is the bottom row.
 float number_of(const MapImage& image, int x, int y, int channel);
 
-/// Returns codes of 1 (gray), 3 or 4 channels as red, green, blue and opacity, row by row from the
-/// top. The opacity is 255 if there is no fourth channel.
+/// Returns codes (integers, as in a PNG) of 1 (gray), 3 or 4 channels as red, green, blue and
+/// opacity, row by row from the top. The opacity is 255 if there is no fourth channel.
 std::string rgba_from_top(const Image<std::uint8_t>& codes);
 
 /// Returns the results of number_of for all samples of a map, as the bytes of 32-bit floats, row by

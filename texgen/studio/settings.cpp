@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kMaxSetArguments = 1000;  // largest number of entries of the list `set`
 
 /// Returns the path of the key that an error message concerns. Messages begin with the location of
-/// an assignment.
+/// an assignment. The result is empty if no assignment has this location.
 std::string key_of(std::string_view message, const std::vector<Assignment>& assignments) {
     const auto found =
         std::find_if(assignments.rbegin(), assignments.rend(), [&](const Assignment& one) {
@@ -122,12 +122,12 @@ PagePreset load_settings(const PageSettings& settings, const StudioFolder& folde
 
 Preset load_live_preset(const PageSettings& settings, const StudioFolder& folder) {
     Preset preset = load_settings(settings, folder).preset;
-    if (preset.seeding.bubbles > kLargestLiveFoam) {
+    if (preset.seeding.bubbles > kMaxLiveBubbles) {
         throw SettingsRejected(
             fmt::format("foam.bubbles = {}: the studio shows foams of at most {} bubbles; larger "
                         "foams can be baked",
                         preset.seeding.bubbles,
-                        kLargestLiveFoam),
+                        kMaxLiveBubbles),
             "foam.bubbles");
     }
     return preset;

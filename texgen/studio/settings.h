@@ -16,7 +16,7 @@
 namespace foam::texgen {
 
 /// The largest number of bubbles that the studio simulates while a page is open.
-inline constexpr int kLargestLiveFoam = 20'000;
+inline constexpr int kMaxLiveBubbles = 20'000;
 
 /// The settings of a page: a preset, and the changes that the page makes to it.
 struct PageSettings {
@@ -59,7 +59,7 @@ struct PagePreset {
 PagePreset load_settings(const PageSettings& settings, const StudioFolder& folder);
 
 /// Returns the preset of load_settings. Throws as load_settings does, and SettingsRejected if the
-/// foam is too large to be simulated while a page is open (kLargestLiveFoam).
+/// foam is too large to be simulated while a page is open (kMaxLiveBubbles).
 Preset load_live_preset(const PageSettings& settings, const StudioFolder& folder);
 
 /// Returns the command that bakes the images of a page. `options` are options of the command, such

@@ -18,7 +18,7 @@ namespace foam::texgen {
 struct VariationDrawing {
     int frame = 1;    // the number of the frame
     std::string map;  // name of the map
-    int side = 256;   // largest width and height of a picture, in pixels
+    int side = 256;   // largest width and height of a picture, in pixels (reduced_image)
     int threads = 0;  // 0: one per hardware thread
 };
 

@@ -28,8 +28,7 @@ std::vector<KeyValues> drawn_keys(const Preset& preset) {
             preset.name));
     }
     if (std::ranges::find(keys, kSeedKey, &KeyValues::key) == keys.end()) {
-        keys.insert(keys.begin(),
-                    {.key = kSeedKey, .values = {NumberRange{1.0, kLargestRandomSeed}}});
+        keys.insert(keys.begin(), {.key = kSeedKey, .values = {NumberRange{1.0, kMaxRandomSeed}}});
     }
     return keys;
 }

@@ -20,7 +20,7 @@ struct RandomDraw {
 };
 
 /// The largest value of foam.seed in a random variation if preset.vary does not list foam.seed.
-inline constexpr int kLargestRandomSeed = 999;
+inline constexpr int kMaxRandomSeed = 999;
 
 /// Returns variations with random values of foam.seed and of the keys in preset.vary, each value
 /// independent of the others. All values of a list and, before rounding (number_at), all numbers of

@@ -17,7 +17,8 @@ namespace foam::texgen {
 namespace {
 
 // The first line of every file of write_variation. The next run replaces or removes only files that
-// begin with exactly this line. If the text changed, it would reject the files of earlier versions.
+// begin with exactly this line. If the line changed, the next run would reject the files of earlier
+// versions of foamtex.
 constexpr std::string_view kMark =
     "# Written by foamtex vary, which replaces this file the next time. Rename it to keep it.\n";
 constexpr std::string_view kSuffix = ".toml";

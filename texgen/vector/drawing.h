@@ -59,7 +59,7 @@ struct Drawing {
     std::vector<Vec2> junctions{};
 
     /// Returns the box that the page shows.
-    Box shown() const { return extended.value_or(Box{{0.0, 0.0}, {width, height}}); }
+    Box page_box() const { return extended.value_or(Box{{0.0, 0.0}, {width, height}}); }
 };
 
 }  // namespace foam::texgen

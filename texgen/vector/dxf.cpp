@@ -109,10 +109,10 @@ void write_header(const Drawing& drawing, DxfWriter& dxf) {
     dxf.group(9, "$MEASUREMENT");
     dxf.group(70, 1);  // metric
     dxf.group(9, "$EXTMIN");
-    dxf.point(drawing.shown().low);
+    dxf.point(drawing.page_box().low);
     dxf.real(30, 0.0);
     dxf.group(9, "$EXTMAX");
-    dxf.point(drawing.shown().high);
+    dxf.point(drawing.page_box().high);
     dxf.real(30, 0.0);
     dxf.end_section();
 }
@@ -127,7 +127,7 @@ void write_view(const Drawing& drawing, DxfWriter& dxf) {
     };
     pair(10, 0.0, 0.0);
     pair(11, 1.0, 1.0);
-    const Box box = drawing.shown();
+    const Box box = drawing.page_box();
     const Vec2 center = 0.5 * (box.low + box.high);
     const Vec2 size = box.high - box.low;
     pair(12, center.x(), center.y());

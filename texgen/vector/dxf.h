@@ -12,8 +12,8 @@ namespace foam::texgen {
 /// 2000 (AC1015), for plotters, laser cutters and CAD. The unit is the millimeter. Every chain of
 /// arcs (Chain) becomes one LWPOLYLINE, a polyline that gives each arc as a number called its
 /// bulge. Every junction is a POINT on the layer "junctions". All other layers are left out: the
-/// filled bubbles, the passages of a maze, and the parts of lines beyond the border of the tile
-/// (Layer::is_beyond_tile). A cutter would follow their arcs a second time.
+/// filled bubbles, the ground under mazes and contours, and the parts of lines beyond the border of
+/// the tile (Layer::is_beyond_tile). A cutter would follow their arcs a second time.
 std::string to_dxf(const Drawing& drawing);
 
 }  // namespace foam::texgen

@@ -13,7 +13,7 @@ namespace foam::texgen {
 
 /// Returns the number of equal parts into which an arc is divided. No point of the arc is farther
 /// than `tolerance` millimeters from the chord of its part. Each part turns by at most half a
-/// radian. Precondition: tolerance > 0.
+/// radian. Preconditions: the arc turns by less than 360 degrees; tolerance > 0.
 std::size_t part_count(const DrawnArc& arc, double tolerance);
 
 /// Returns closed chains as polygons whose corners are on the arcs. No point of an arc is farther

@@ -98,7 +98,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kMeaning
     {"foam", "bubbles and films as arcs"},
     {"maze", "the walls of the maze as arcs"},
     {"maze_solution", "the walls and the solution of the maze as arcs"},
-    {"contour", "the films between levels of pressure as arcs"},
+    {"contour", "the films between levels of pressure, and the outline of a patch, as arcs"},
     {"bubbles", "a table of all bubbles"},
     {"films", "a table of all films"},
     {"junctions", "a table of all junctions"},

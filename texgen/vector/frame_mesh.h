@@ -26,8 +26,8 @@ void check_mesh(const VectorSettings& settings);
 ///
 /// Walls have the outlines of a drawing with VectorWalls::Outlines. They stand on a plate of the
 /// height MeshOptions::base_mm; if this is 0, there is no plate. On a torus with VectorWrap::Cut,
-/// the border of the tile cuts the walls, and the plate is the tile. Otherwise, the plate fills the
-/// outer outline of all films, without holes, and extends half a wall width beyond the walls.
+/// the border of the tile cuts the walls, and the plate is the tile. Without such a cut, the plate
+/// covers the foam, without holes, and extends one wall width beyond its outermost films.
 ///
 /// Throws as check_mesh, page_of, appearance_of and wall_outlines do. Also throws
 /// std::invalid_argument if there are no walls, if walls touch each other in a point, or if they

@@ -21,7 +21,8 @@ Keys<MeshOptions> mesh_keys() {
             key("base_mm",
                 Reals{.low = 0.01, .high = 1000.0, .or_zero = true},
                 "thickness in millimeters of the slab under the lowest point of a relief, or of "
-                "the plate under walls; 0 makes walls without a plate",
+                "the plate under walls; 0 makes walls without a plate; a relief needs at "
+                "least 0.01",
                 &Options::base_mm)
                 .in("millimeters")
                 .used_with("output.pattern", meshes),

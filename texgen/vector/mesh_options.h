@@ -18,13 +18,13 @@ enum class MeshKind {
 struct MeshOptions {
     MeshKind kind = MeshKind::Auto;
     // Thickness of the slab under the lowest point of a relief, or of the plate under walls; 0 for
-    // walls without a plate.
+    // walls without a plate. A relief needs a thickness above 0 (check_mesh).
     double base_mm = 2.0;
     // Height of the highest point of a relief above the lowest one; 0 for the true scale, at which
     // heights and widths have the same unit.
     double relief_mm = 0.0;
-    double wall_mm = 3.0;  // height of walls above the base
-    // The largest distance between an arc and the polygon that replaces it.
+    double wall_mm = 3.0;  // height of walls above the plate
+    // The largest distance between an arc of a wall and the polygon that replaces it.
     double tolerance_mm = 0.02;
 };
 

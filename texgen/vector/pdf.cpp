@@ -105,7 +105,7 @@ void draw_shape(cairo_t* cairo, const Shape& shape, const Style& style) {
 void draw_layers(cairo_t* cairo, const Drawing& drawing) {
     // Use the coordinates of the drawing: millimeters, with y up.
     cairo_scale(cairo, kPointsPerMillimeter, -kPointsPerMillimeter);
-    const Box box = drawing.shown();
+    const Box box = drawing.page_box();
     cairo_translate(cairo, -box.low.x(), -box.high.y());
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
@@ -124,7 +124,7 @@ void draw_layers(cairo_t* cairo, const Drawing& drawing) {
 
 std::string to_pdf(const Drawing& drawing) {
     std::string text;
-    const Vec2 size = kPointsPerMillimeter * (drawing.shown().high - drawing.shown().low);
+    const Vec2 size = kPointsPerMillimeter * (drawing.page_box().high - drawing.page_box().low);
     const Surface surface(cairo_pdf_surface_create_for_stream(append, &text, size.x(), size.y()),
                           cairo_surface_destroy);
     check(cairo_surface_status(surface.get()));

@@ -17,12 +17,13 @@ namespace {
 
 // The command A gives an arc by its ends and its radius. If an arc turns by almost 180 degrees,
 // rounding the radius noticeably changes the area between the arc and its chord. Arcs with a half
-// angle above this limit are therefore written as two arcs. The limit, 85 degrees, is above the
-// largest half angle of an inner film, 80 degrees (E3 in core/EQUATIONS.md).
-constexpr double kLargestHalfAngle = 85.0 / 180.0 * std::numbers::pi;
+// angle above this limit are therefore written as two arcs (four, if the half angle is above 170
+// degrees). The limit, 85 degrees, is above the largest half angle of an inner film, 80 degrees (E3
+// in core/EQUATIONS.md).
+constexpr double kMaxHalfAngle = 85.0 / 180.0 * std::numbers::pi;
 // Arcs with a smaller half angle are written as lines. The area between such an arc and its chord
 // is less than 1e-10 times the square of the chord.
-constexpr double kSmallestHalfAngle = 1e-10;
+constexpr double kMinHalfAngle = 1e-10;
 constexpr double kJunctionRadius = 0.2;  // millimeters
 
 // Escapes a text for XML. Control characters become spaces, because XML forbids most of them.
@@ -75,11 +76,11 @@ class PathWriter {
   private:
     void add(const DrawnArc& arc) {
         const double half_angle = std::abs(arc.half_angle);
-        if (half_angle > kLargestHalfAngle) {
+        if (half_angle > kMaxHalfAngle) {
             const Vec2 middle = arc.tail + point_at(arc.arc(), 0.5);
             add({arc.tail, middle, 0.5 * arc.half_angle});
             add({middle, arc.head, 0.5 * arc.half_angle});
-        } else if (half_angle < kSmallestHalfAngle) {
+        } else if (half_angle < kMinHalfAngle) {
             text_ += "L" + point(arc.head);
         } else {
             const double radius = 0.5 * (arc.head - arc.tail).norm() / ieee::sin(half_angle);
@@ -153,7 +154,7 @@ std::string junctions_of(const Drawing& drawing, const PathWriter& paths) {
 }  // namespace
 
 std::string to_svg(const Drawing& drawing) {
-    const Box box = drawing.shown();
+    const Box box = drawing.page_box();
     const std::string width = length_text(box.high.x() - box.low.x());
     const std::string height = length_text(box.high.y() - box.low.y());
     PathWriter paths(drawing.height);

@@ -30,7 +30,8 @@ Keys<VectorOptions> vector_keys() {
             .used_with("output.pattern", files),
         key("width_mm",
             Reals{0.1, 100'000.0},
-            "width of a drawing or mesh in millimeters; the height follows from image.size",
+            "width in millimeters of the tile of a torus, or of the view of a patch, in drawings "
+            "and meshes; the height follows from image.size",
             &Options::width_mm)
             .in("millimeters")
             .used_with("output.pattern", files),

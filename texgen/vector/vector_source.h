@@ -19,7 +19,7 @@ struct VectorSettings {
     const MeshOptions& mesh;
     std::vector<std::string> map_names;  // image.maps of the preset
     int width = 0;                       // width of the images of the preset, in pixels
-    int height = 0;                      // their height, in pixels
+    int height = 0;                      // height of these images, in pixels
 };
 
 /// A frame, the options on which its vector files depend, and the texts in these files. Borrows the

@@ -238,7 +238,8 @@ std::vector<Chain> wall_outlines(std::span<const NetArc> lines, double width) {
         }
     }
     throw std::invalid_argument(
-        "an outline of the walls does not close at this width: choose another vector.wall_width");
+        "an outline of the walls, or of the solution of a maze, does not close at this width: "
+        "choose another vector.wall_width or maze.solution_width");
 }
 
 }  // namespace foam::texgen

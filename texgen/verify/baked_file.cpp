@@ -15,9 +15,9 @@ DecodedFile read_baked(const ManifestFile& file,
                        const std::filesystem::path& folder,
                        std::vector<std::string>& problems) {
     try {
-        auto read = std::make_shared<const Picture>(read_picture(folder / file.path));
-        if (pixel_hash(*read) == file.pixels) {
-            return read;
+        auto decoded = std::make_shared<const Picture>(read_picture(folder / file.path));
+        if (pixel_hash(*decoded) == file.pixels) {
+            return decoded;
         }
         problems.push_back(fmt::format(
             "{}: the pixels differ from the baked pixels (their hash differs from the hash "

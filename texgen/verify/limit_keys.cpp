@@ -14,10 +14,10 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr double kLargestLimit = 1e300;
-constexpr double kLargestAngle = 180.0;
+constexpr double kMaxLimit = 1e300;
+constexpr double kMaxAngle = 180.0;
 constexpr std::int64_t kMaxPixels = 1'000'000'000'000;
-constexpr Reals kDifferences{0.0, kLargestLimit};
+constexpr Reals kDifferences{0.0, kMaxLimit};
 
 // Returns the number that the whole text represents, or nullopt.
 template <class Number>
@@ -35,7 +35,7 @@ std::optional<PercentileLimit> percentile_limit(std::string_view text) {
     const auto percent = parsed<double>(text.substr(0, equals));
     const auto difference = parsed<double>(text.substr(std::min(equals + 1, text.size())));
     const bool allowed = percent && difference && *percent > 0.0 && *percent <= 100.0 &&
-                         *difference >= 0.0 && *difference <= kLargestLimit;
+                         *difference >= 0.0 && *difference <= kMaxLimit;
     return allowed ? std::optional(PercentileLimit{*percent, *difference}) : std::nullopt;
 }
 
@@ -71,7 +71,7 @@ Keys<DifferenceLimits> severity_keys() {
             "separated by commas",
             &L::percentiles),
         key("{}_angle",
-            Maybe<Reals>{{0.0, kLargestAngle}},
+            Maybe<Reals>{{0.0, kMaxAngle}},
             "largest allowed angle between the normals of a pixel of a normal map, in degrees",
             &L::angle)
             .in("degrees"),

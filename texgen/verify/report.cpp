@@ -32,7 +32,7 @@ std::string tile_line(const VerifiedSet& found) {
         return fmt::format(
             "not checked: needs a frame that tiles, has at least {0} x {0} pixels and is unchanged "
             "since the bake",
-            kSmallestTile);
+            kMinTileSize);
     }
     return fmt::format(
         "{}  (step across the border / largest step inside, at most {})", list, kLargestTileRatio);

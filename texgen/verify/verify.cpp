@@ -168,7 +168,7 @@ std::optional<NumberExtent> numbers_of(const BakedSet& set, const std::string& m
 // are large enough.
 bool is_border_checked(const BakedSet& set, int frame) {
     const FrameStatistics* const found = set.find_frame(frame);
-    return found != nullptr && found->tiles && std::min(set.width, set.height) >= kSmallestTile;
+    return found != nullptr && found->tiles && std::min(set.width, set.height) >= kMinTileSize;
 }
 
 VerifiedSet verify_set(const BakedSet& set,
@@ -183,12 +183,12 @@ VerifiedSet verify_set(const BakedSet& set,
             progress.add();
             continue;
         }
-        if (const DecodedFile read = read_baked(file, folder, found.problems)) {
+        if (const DecodedFile decoded = read_baked(file, folder, found.problems)) {
             ++found.files_same;
             for (const std::string& map : file.maps) {
                 auto& check =
                     checks.try_emplace(map, *set.find_map(map), set.loop.period).first->second;
-                check.add(read, file.frame, is_border_checked(set, file.frame));
+                check.add(decoded, file.frame, is_border_checked(set, file.frame));
             }
         }
         progress.add();

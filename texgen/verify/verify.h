@@ -20,7 +20,7 @@ namespace foam::texgen {
 inline constexpr double kLargestTileRatio = 1.25;
 /// The smallest width and height, in pixels, of images whose tiling is checked. Smaller images have
 /// too few columns or rows for a comparison.
-inline constexpr int kSmallestTile = 64;
+inline constexpr int kMinTileSize = 64;
 /// The smallest period, in frames, of loops that are checked. Shorter loops have too few steps for
 /// a comparison.
 inline constexpr int kShortestLoop = 5;

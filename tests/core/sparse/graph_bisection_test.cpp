@@ -18,7 +18,7 @@ std::vector<Zone> balanced_zones(const WeightedGraph& graph) {
     EXPECT_EQ(test::edges_across(graph, zones), 0);
     const int low = test::weight_of(graph, zones, Zone::Low);
     const int high = test::weight_of(graph, zones, Zone::High);
-    const int limit = heaviest_zone(low + high + test::weight_of(graph, zones, Zone::Outside));
+    const int limit = max_zone_weight(low + high + test::weight_of(graph, zones, Zone::Outside));
     EXPECT_LE(low, limit);
     EXPECT_LE(high, limit);
     return zones;

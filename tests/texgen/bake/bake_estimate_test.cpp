@@ -55,7 +55,7 @@ TEST(BakeEstimate, DrawsLargeImagesAtAReducedSize) {
     preset.seeding.bubbles = 20;
     preset.image.maps = {"id"};
     preset.output.pattern = (folder.path() / "{map}.##.exr").string();
-    preset.image.width = preset.image.height = 2 * kLargestEstimatedSide;
+    preset.image.width = preset.image.height = 2 * kMaxEstimatedSide;
     const BakeOptions options{.frames = {1}, .threads = 1};
     const BakeEstimate estimate = estimate_bake(preset, options, {});
     EXPECT_EQ(estimate.outcome.status, RunStatus::Complete);

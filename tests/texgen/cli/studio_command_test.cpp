@@ -26,7 +26,7 @@ TEST(StudioCommand, GivesAHintIfNoBrowserOpens) {
             "sleep 0.02; done; kill -TERM $!; wait $!; }",
         folder);
     const std::string err = file_content(folder.path() / "err");
-    EXPECT_NE(err.find("foamtex: no browser was found; open the address by hand\n"),
+    EXPECT_NE(err.find("foamtex: the browser could not be opened; open the address by hand\n"),
               std::string::npos)
         << err;
 }

@@ -108,8 +108,9 @@ TEST(MazeGraph, NarrowFilmsAreOpenedLast) {
     const Frame frame = torus();
     constexpr double kNarrow = 0.3;
     EXPECT_GT(open_and_shorter(frame, find_maze(frame, {.chance = 1.0}), kNarrow), 3);
-    EXPECT_EQ(
-        open_and_shorter(frame, find_maze(frame, {.chance = 1.0, .narrow = kNarrow}), kNarrow), 0);
+    EXPECT_EQ(open_and_shorter(
+                  frame, find_maze(frame, {.chance = 1.0, .narrow_length = kNarrow}), kNarrow),
+              0);
 }
 
 TEST(MazeGraph, DependsOnTheSeedIfChanceDecides) {
@@ -176,7 +177,7 @@ TEST(MazeGraph, APatchHasAnEntranceAndAnExit) {
 TEST(MazeGraph, TheEntranceIsNeverTheExit) {
     const Frame frame = patch();
     for (const double narrow : {0.5, 1.0, 1.3, 1.6, 10.0}) {
-        const Maze maze = find_maze(frame, {.narrow = narrow});
+        const Maze maze = find_maze(frame, {.narrow_length = narrow});
         EXPECT_NE(film_of(maze.solution.front()), film_of(maze.solution.back())) << narrow;
         EXPECT_GE(maze.solution.size(), 3U);
     }

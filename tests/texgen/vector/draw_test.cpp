@@ -112,10 +112,10 @@ TEST(Draw, AMazeHasWallsAndAGround) {
 TEST(Draw, ThePageHoldsWholeBubbles) {
     Drawn drawn;
     const Drawing cut = drawn.of(VectorContent::Foam);
-    EXPECT_EQ(cut.shown().high, Vec2(cut.width, cut.height));
+    EXPECT_EQ(cut.page_box().high, Vec2(cut.width, cut.height));
     drawn.options.wrap = VectorWrap::Whole;
     const Drawing whole = drawn.of(VectorContent::Foam);
-    const Box page = whole.shown();
+    const Box page = whole.page_box();
     EXPECT_LT(page.low.maxCoeff(), 0.0);
     EXPECT_GT(page.high.x(), whole.width);
     EXPECT_GT(page.high.y(), whole.height);

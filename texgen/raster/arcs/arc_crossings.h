@@ -113,7 +113,9 @@ class RoundedCrossings {
         : head_(head.x, head.y), sine_(sine), in_floats_(head_, sine_) {}
 
     /// Returns true if crossings are computed in floats.
-    bool is_short() const { return std::abs(head_.x()) <= kLongest && head_.y() <= kLongest; }
+    bool is_short() const {
+        return std::abs(head_.x()) <= kMaxShortSide && head_.y() <= kMaxShortSide;
+    }
     const CrossingSolver<float>& in_floats() const { return in_floats_; }
     CrossingSolver<double> in_doubles() const { return {head_, sine_}; }
 
@@ -124,7 +126,8 @@ class RoundedCrossings {
     }
 
   private:
-    static constexpr double kLongest = 256 * kSubpixel;  // largest width and height of short arcs
+    // The largest width and height of short arcs, in subpixels.
+    static constexpr double kMaxShortSide = 256 * kSubpixel;
 
     Vec2 head_{0.0, 1.0};
     double sine_ = 0.0;

@@ -34,7 +34,7 @@ std::size_t region_count(const Frame& frame);
 /// The width in pixels of a margin around the image. Parts of arcs beyond this margin are cut off
 /// or, on the left, replaced by vertical lines (outline/clip_arc.h), so that coordinates in
 /// subpixels fit in 32 bits. This does not change any pixel.
-inline constexpr double kClipMargin = kLargestGridSide;
+inline constexpr double kClipMargin = kMaxGridSide;
 
 /// Returns false only if a loop neither crosses nor encloses a part of the image. The test assumes
 /// that an arc may extend from its tail by its length in any direction.

@@ -8,9 +8,10 @@
 
 namespace foam::texgen {
 
-/// kSubpixel is the side of a pixel in subpixels, and kSubpixelBits is its binary logarithm. A
-/// subpixel is the unit of length of the rasterizer's integer coordinates.
+/// The binary logarithm of kSubpixel.
 inline constexpr int kSubpixelBits = 10;
+/// The side of a pixel in subpixels. A subpixel is the unit of length of the rasterizer's integer
+/// coordinates.
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
 
 /// A point or a vector in subpixels. x points right, y up.

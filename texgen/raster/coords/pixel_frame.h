@@ -8,15 +8,15 @@
 namespace foam::texgen {
 
 /// A frame on a torus, in the coordinates of the unshifted grid (RasterGrid). Borrows the frame.
-/// The constructor throws std::invalid_argument if the grid and the domain of the frame do not fit
-/// together (pixels_per_unit).
+/// The constructor throws the exceptions of pixels_per_unit, for example if the grid and the domain
+/// of the frame do not fit together.
 struct PixelFrame {
-    PixelFrame(const Frame& of, const RasterGrid& on)
-        : frame(of),
-          grid(on),
-          scale(pixels_per_unit(on, of.domain)),
-          shear(shear_in_subpixels(on, of.domain)),
-          snap(on, of.domain) {}
+    PixelFrame(const Frame& torus_frame, const RasterGrid& raster_grid)
+        : frame(torus_frame),
+          grid(raster_grid),
+          scale(pixels_per_unit(raster_grid, torus_frame.domain)),
+          shear(shear_in_subpixels(raster_grid, torus_frame.domain)),
+          snap(raster_grid, torus_frame.domain) {}
 
     /// Returns the position of a junction, rounded to subpixels.
     SubpixelPoint rounded_position(JunctionId junction) const {

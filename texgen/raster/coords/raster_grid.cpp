@@ -10,10 +10,9 @@
 namespace foam::texgen {
 
 double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
-    if (std::min(grid.width, grid.height) < 1 ||
-        std::max(grid.width, grid.height) > kLargestGridSide) {
+    if (std::min(grid.width, grid.height) < 1 || std::max(grid.width, grid.height) > kMaxGridSide) {
         throw std::invalid_argument("image width and height must be from 1 to " +
-                                    std::to_string(kLargestGridSide));
+                                    std::to_string(kMaxGridSide));
     }
     if (domain.is_plane() != grid.view.has_value()) {
         throw std::invalid_argument(
@@ -25,8 +24,8 @@ double pixels_per_unit(const RasterGrid& grid, const Domain& domain) {
     }
     const double across = grid.width / domain.width;
     const double up = grid.height / domain.height;
-    constexpr double kLargestAnisotropy = 1e-6;
-    if (!(std::abs(across / up - 1.0) <= kLargestAnisotropy)) {
+    constexpr double kMaxAnisotropy = 1e-6;
+    if (!(std::abs(across / up - 1.0) <= kMaxAnisotropy)) {
         throw std::invalid_argument(
             "image and torus must have the same aspect ratio, because pixels are square");
     }

@@ -37,7 +37,7 @@ struct RasterGrid {
 
 /// The largest width and height of a grid in pixels. The limit ensures that coordinates in
 /// subpixels fit in 32 bits, even for points that are a few periods away from the grid.
-inline constexpr int kLargestGridSide = 1 << 14;
+inline constexpr int kMaxGridSide = 1 << 14;
 
 /// The length, in pixels, up to which a chord is too short to have a reliable direction. Insets and
 /// distance fields ignore sides of bubbles with such a chord. An inset is the part of a bubble that
@@ -45,7 +45,7 @@ inline constexpr int kLargestGridSide = 1 << 14;
 inline constexpr double kShortestChord = 1e-9;
 
 /// Returns the number of pixels per foam unit. Throws std::invalid_argument in these cases:
-/// - The width or the height of the grid is not in [1, kLargestGridSide].
+/// - The width or the height of the grid is not in [1, kMaxGridSide].
 /// - The domain is the plane, and the grid has no view.
 /// - The domain is a torus, and the grid has a view.
 /// - The pixels on a torus are not square (within one part in a million).

@@ -89,10 +89,12 @@ class ArcSplitter {
     std::int32_t rows_;
     std::size_t size_ = 0;
     std::array<Arc, kMaxArcs> arcs_;
-    std::array<CrossingQuery, kMaxArcs> row_queries_;  // for crossings with upper borders of rows
-    std::array<CrossingQuery, kMaxArcs> column_queries_;  // with borders between columns
-    std::vector<std::int32_t> xs_;                        // results of row_queries_
-    std::vector<std::int32_t> ys_;                        // results of column_queries_
+    // The queries for crossings with the upper borders of rows.
+    std::array<CrossingQuery, kMaxArcs> row_queries_;
+    // The queries for crossings with the borders between columns.
+    std::array<CrossingQuery, kMaxArcs> column_queries_;
+    std::vector<std::int32_t> xs_;  // results of row_queries_
+    std::vector<std::int32_t> ys_;  // results of column_queries_
     // Scratch array for the arc that is being processed; between arcs, all elements are 0. The
     // columns of pixels through which the arc passes are numbered from 0, in its direction. Element
     // k is 0 if the arc crosses no border between rows within column k. Otherwise it is the number

@@ -23,11 +23,11 @@ namespace foam::texgen {
 /// The binary logarithm of the area of a pixel. The unit of areas is half a square subpixel.
 inline constexpr int kAreaBits = 2 * kSubpixelBits + 1;
 
-static_assert(kLargestGridSide <= std::numeric_limits<std::uint16_t>::max(),
+static_assert(kMaxGridSide <= std::numeric_limits<std::uint16_t>::max(),
               "Coverage stores columns in 16 bits");
 
 /// The largest possible mean of 16-bit values.
-inline constexpr std::int32_t kLargestMean = std::numeric_limits<std::uint16_t>::max();
+inline constexpr std::int32_t kMaxMean = std::numeric_limits<std::uint16_t>::max();
 
 /// The area of a pixel.
 inline constexpr double kPixelArea = 1 << kAreaBits;
@@ -44,7 +44,7 @@ using PixelSums = std::array<double, std::bit_ceil(Channels)>;
 inline std::uint16_t mean_of(double sum) {
     constexpr double kHalf = 0.5;  // makes the truncation round to the nearest
     const auto mean = static_cast<std::int32_t>(sum * (1.0 / kPixelArea) + kHalf);
-    return static_cast<std::uint16_t>(std::min(std::max(mean, 0), kLargestMean));
+    return static_cast<std::uint16_t>(std::min(std::max(mean, 0), kMaxMean));
 }
 
 /// The topology of a row of pixels: a ring around a torus, or a line segment in the plane.

@@ -43,8 +43,8 @@ struct StraightMeans {
         PackedPixel pixel{};
         for (std::size_t c = 0; c + 1 < Channels; ++c) {
             const auto whole = static_cast<std::int64_t>(sums[c]);
-            const std::int64_t color = (whole * kLargestMean + opacity / 2) / opacity;
-            pixel[c] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(color, 0, kLargestMean));
+            const std::int64_t color = (whole * kMaxMean + opacity / 2) / opacity;
+            pixel[c] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(color, 0, kMaxMean));
         }
         pixel[Channels - 1] = mean_of(sums[Channels - 1]);
         return std::bit_cast<std::uint64_t>(pixel);

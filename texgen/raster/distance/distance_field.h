@@ -37,8 +37,8 @@ struct DistanceField {
     /// smaller than the distance. In a lone bubble of radius R, s = (R² - r²) / (2 R) at a distance
     /// r from its center. In the surroundings of a patch s is the distance.
     Image<float> smooth;
-    /// The gradient of the smooth distance, in pixels per pixel. Its length is 1 on films and 0 at
-    /// the maxima of the smooth distance.
+    /// The gradient of the smooth distance, in pixels per pixel. In a bubble, its length is 1 on
+    /// films and 0 at the maxima of the smooth distance.
     Image<float> smooth_gradient;
 };
 

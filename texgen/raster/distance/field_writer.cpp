@@ -56,7 +56,9 @@ inline void FieldWriter::write_span(const PixelBatch& batch,
                                     const PixelBatch::Span& span,
                                     std::uint32_t id) {
     const auto pixel = [&](auto& image) { return image.pixel(span.column, span.row).data(); };
-    const auto values = [&](const PixelBatch::Values& of) { return &of[span.first]; };
+    const auto values = [&](const PixelBatch::Values& all_values) {
+        return &all_values[span.first];
+    };
     std::uint32_t* ids = pixel(field_.ids);
     in_pieces(span.count, [&](std::size_t k, auto size) { std::fill_n(ids + k, size(), id); });
     copy_values(values(batch.distance()), span.count, pixel(field_.distance));

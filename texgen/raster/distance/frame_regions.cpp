@@ -30,7 +30,7 @@ constexpr int kBandRows = 128;
 // A copy of a region that overlaps the image.
 struct RegionCopy {
     const Region* region = nullptr;
-    SubpixelPoint translation;  // from the region to its copy
+    SubpixelPoint translation;  // moves the region to its copy
 };
 
 int bands_of(const RasterGrid& grid) {
@@ -47,7 +47,7 @@ PixelRows band_rows(const RasterGrid& grid, int band) {
 // image are wrapped around when the region is painted. A copy one period up is also moved to the
 // right by `shear` subpixels.
 template <class Visit>
-void for_each_copy(const Region& of,
+void for_each_copy(const Region& region,
                    const RasterGrid& grid,
                    std::int32_t shear,
                    const Visit& visit) {
@@ -58,10 +58,11 @@ void for_each_copy(const Region& of,
     const SubpixelPoint shift = shift_of(grid);
     const std::int32_t width = grid.width * kSubpixel;
     const std::int32_t height = grid.height * kSubpixel;
-    const std::int32_t high = of.highest.y + shift.y;
-    for (std::int32_t up = floor_div(of.lowest.y + shift.y, height); up * height <= high; ++up) {
+    const std::int32_t high = region.highest.y + shift.y;
+    for (std::int32_t up = floor_div(region.lowest.y + shift.y, height); up * height <= high;
+         ++up) {
         const std::int32_t x = shift.x - up * shear;
-        const std::int32_t columns = floor_div(of.first.x + x, width) * width;
+        const std::int32_t columns = floor_div(region.first.x + x, width) * width;
         visit(SubpixelPoint{x - columns, shift.y - up * height});
     }
 }
@@ -165,13 +166,13 @@ void paint_regions(const Frame& frame,
 
 void RegionPixels::rasterize(const Region& region, SubpixelPoint translation, PixelRows rows) {
     box_ = box_around(region, translation);
-    const SubpixelPoint by =
+    const SubpixelPoint to_box =
         translation - SubpixelPoint{box_.left * kSubpixel, box_.bottom * kSubpixel};
-    const PixelRows shown{std::max(rows.begin - box_.bottom, 0),
-                          std::min(rows.end, box_.top) - box_.bottom};
-    const Vec2 subpixels(by.x, by.y);
+    const PixelRows box_rows{std::max(rows.begin - box_.bottom, 0),
+                             std::min(rows.end, box_.top) - box_.bottom};
+    const Vec2 subpixels(to_box.x, to_box.y);
     offset_ = subpixels / kSubpixel;
-    mask_.reset(box_.columns(), shown, region.kind == RegionKind::Surroundings);
+    mask_.reset(box_.columns(), box_rows, region.kind == RegionKind::Surroundings);
     mask_.flip_right_of(region.boundary.outline(), subpixels, region.is_chain);
 }
 

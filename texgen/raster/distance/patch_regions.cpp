@@ -181,19 +181,19 @@ std::vector<Region> patch_regions(const Frame& frame, const RasterGrid& grid, in
     const PixelPatch pixels{frame, grid, pixels_per_unit(grid, frame.domain)};
     const std::size_t ghost = index_of(frame.network.ghost());
     const auto make = [&](std::size_t first, std::size_t last) {
-        std::vector<Region> seen;
+        std::vector<Region> visible;
         for (std::size_t k = first; k < last; ++k) {
             if (auto region = k == ghost ? std::nullopt : region_of(pixels, k)) {
-                seen.push_back(std::move(*region));
+                visible.push_back(std::move(*region));
             }
         }
-        return seen;
+        return visible;
     };
     std::vector<Region> regions;
     regions.push_back(surroundings(pixels));
-    for (std::vector<Region>& seen :
+    for (std::vector<Region>& visible :
          parallel_map(region_count(frame), kRegionsPerTask, threads, make)) {
-        std::move(seen.begin(), seen.end(), std::back_inserter(regions));
+        std::move(visible.begin(), visible.end(), std::back_inserter(regions));
     }
     return regions;
 }

@@ -235,8 +235,8 @@ struct SmoothSums {
 
 void PixelBatch::clear(const Vec2& middle) {
     middle_ = middle;
-    first_x_ = static_cast<float>(middle.x() - 0.5);
-    first_y_ = static_cast<float>(middle.y() - 0.5);
+    to_middle_x_ = static_cast<float>(middle.x() - 0.5);
+    to_middle_y_ = static_cast<float>(middle.y() - 0.5);
     count_ = 0;
     span_count_ = 0;
 }

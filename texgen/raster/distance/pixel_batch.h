@@ -53,7 +53,7 @@ struct FilmFunctions {
 class PixelBatch {
   public:
     static constexpr std::size_t kCapacity = 1600;
-    static constexpr std::size_t kLanes = 16;  // pixels that are measured at once
+    static constexpr std::size_t kLanes = 16;  // number of pixels measured at once
     static constexpr double kMargin = 0.01;    // upper bound of the error of a distance, pixels
     using Values = std::array<float, kCapacity + kLanes>;
 
@@ -100,8 +100,10 @@ class PixelBatch {
     std::size_t padded_count() const { return (count_ + kLanes - 1) / kLanes * kLanes; }
 
     Vec2 middle_{0.0, 0.0};
-    float first_x_ = 0.0F;  // vector from the center of pixel (0, 0) to the middle, exact
-    float first_y_ = 0.0F;
+    // The x and the y of the vector from the center of pixel (0, 0) to the middle. The floats are
+    // exact, because the coordinates of the middle are multiples of 1/2.
+    float to_middle_x_ = 0.0F;
+    float to_middle_y_ = 0.0F;
     std::size_t count_ = 0;
     std::size_t span_count_ = 0;
     std::array<Span, kCapacity> spans_;
@@ -120,8 +122,8 @@ class PixelBatch {
 inline void PixelBatch::add_span(int column, int row, int count) {
     const auto size = static_cast<std::uint32_t>(count);
     spans_[span_count_++] = {column, row, static_cast<std::uint32_t>(count_), size};
-    const float x = static_cast<float>(column) - first_x_;
-    const float y = static_cast<float>(row) - first_y_;
+    const float x = static_cast<float>(column) - to_middle_x_;
+    const float y = static_cast<float>(row) - to_middle_y_;
     for (std::size_t begin = 0; begin < size; begin += kLanes) {
         const float first = x + static_cast<float>(static_cast<int>(begin));
         float* const xs = x_.data() + count_ + begin;

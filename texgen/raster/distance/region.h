@@ -32,7 +32,7 @@ struct DistanceArc {
 
 /// An arc or a straight edge of the outline that decides which pixels get the id of a region. The
 /// coordinates of its ends are whole numbers of subpixels. `cosine` and `sine` are the cosine and
-/// the sine of half the angle by which it turns left.
+/// the sine of half the angle by which the arc turns left; for an edge, this angle is 0.
 struct OutlineArc {
     Vec2 from{0.0, 0.0};
     Vec2 to{0.0, 0.0};

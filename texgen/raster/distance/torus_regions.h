@@ -54,7 +54,7 @@ class TorusRegions {
     // has the value of the forward side first, then the value of its twin.
     struct alignas(64) Film {
         PixelArc arc;                       // the arc of the forward side
-        std::array<SubpixelPoint, 2> tail;  // in the fundamental cell
+        std::array<SubpixelPoint, 2> tail;  // tails in the fundamental cell
         std::array<Side, 2> next{};         // the next side around the bubble
         SubpixelPoint offset;               // lattice offset of the forward side as a translation
     };

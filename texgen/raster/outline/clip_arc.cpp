@@ -12,7 +12,7 @@ namespace {
 
 // Returns the part of a piece between the heights `low` and `high`. Precondition: both are between
 // the heights of the ends of the piece.
-MonotonePiece between(const MonotonePiece& piece, double low, double high) {
+MonotonePiece part_between(const MonotonePiece& piece, double low, double high) {
     const CrossingSolver<double> arc(piece.head - piece.tail, piece.sine);
     const auto point_at = [&](double y) {
         return Vec2(piece.tail.x() + arc.x_at(y - piece.tail.y()), y);
@@ -53,15 +53,15 @@ boost::container::static_vector<MonotonePiece, 2> clipped(const MonotonePiece& p
     if (bottom >= top) {
         return pieces;
     }
-    const MonotonePiece shown = between(piece, bottom, top);
+    const MonotonePiece visible = part_between(piece, bottom, top);
     const double left = low.x();
-    const double at_left = height_at(shown, left);
-    const double at_right = height_at(shown, high.x());
-    if (shown.tail.x() < shown.head.x()) {
+    const double at_left = height_at(visible, left);
+    const double at_right = height_at(visible, high.x());
+    if (visible.tail.x() < visible.head.x()) {
         append({{left, bottom}, {left, at_left}});
-        append(between(shown, at_left, at_right));
+        append(part_between(visible, at_left, at_right));
     } else {
-        append(between(shown, at_right, at_left));
+        append(part_between(visible, at_right, at_left));
         append({{left, at_left}, {left, top}});
     }
     return pieces;

@@ -47,8 +47,8 @@ class DiscIndex {
 
     void build_tree(std::size_t count);
 
-    std::vector<Disc> discs_;       // empty if there are few
-    std::vector<std::size_t> all_;  // all indices if there are few
+    std::vector<Disc> discs_;       // empty if there are at most kFewDiscs discs
+    std::vector<std::size_t> all_;  // all indices if there are at most kFewDiscs discs
     std::unique_ptr<Tree> tree_;
     std::vector<std::size_t> found_;
 };

@@ -43,7 +43,7 @@ bool FullInset::offset_sides(std::span<const ArcLoops::Side> loop, double distan
     for (const ArcLoops::Side& side : loop) {
         const OffsetArc arc = offset_arc_from(side.arc, side.tail);
         if (!(side.arc.chord.norm() > kShortestChord) || !(arc.cosine >= kMinSideCosine) ||
-            !(shrinkage(arc, distance) >= kSmallestShrinkage)) {
+            !(shrinkage(arc, distance) >= kMinShrinkage)) {
             return false;
         }
         sides_.push_back({arc, offset_left(arc, distance)});

@@ -28,8 +28,8 @@ inline constexpr double kShortestPiece = 1e-6;
 /// reused between loops.
 class FullInset {
   public:
-    /// Returns the inset of a closed loop, whose region is on its left. Returns null if the bounds
-    /// do not prove that the inset has the simple form. The result is valid until the next call.
+    /// Returns the inset of a closed loop, whose region is on its left. Returns null if the code
+    /// cannot prove that the inset has the simple form. The result is valid until the next call.
     /// `distance` is in pixels. Precondition: distance > 0.
     const ArcLoops* trace(std::span<const ArcLoops::Side> loop, double distance);
 
@@ -40,7 +40,7 @@ class FullInset {
         OffsetArc offset;
         double from = 0.0;  // parameters (OffsetArc) of the ends of the piece
         double to = 0.0;
-        Vec2 tail{0.0, 0.0};  // of the piece
+        Vec2 tail{0.0, 0.0};  // tail of the piece
     };
 
     // Returns side k, counted around the loop. Precondition: k < 2 sides_.size().

@@ -25,14 +25,14 @@ namespace {
 // The value of InsetTracer::Offset::side for the offset of a corner.
 constexpr std::size_t kCorner = std::numeric_limits<std::size_t>::max();
 
-// Tolerances in pixels. Coordinates within a bubble have errors of about 1e-11, and crossings of
-// arcs that meet at a small angle have errors of about 1e-7. A point therefore counts as far enough
-// from a side if its distance falls short of the required distance by at most kDistanceTolerance.
-// Pieces of offsets (see the class InsetTracer) are linked into loops. Two pieces can be linked
-// only if the tail of the second is less than kLargestGap from the head of the first. This limit is
-// about one subpixel of the rasterizer (1 / kSubpixel pixels).
+// A point counts as far enough from a side if its distance falls short of the required distance by
+// at most this length, in pixels. Coordinates within a bubble have errors of about 1e-11 pixels,
+// but crossings of arcs that meet at a small angle have errors of about 1e-7 pixels.
 constexpr double kDistanceTolerance = 1e-7;
-constexpr double kLargestGap = 1e-3;
+// Pieces of offsets (see the class InsetTracer) are linked into loops. Two pieces can be linked
+// only if the tail of the second is less than this far, in pixels, from the head of the first. The
+// limit is about one subpixel of the rasterizer (1 / kSubpixel pixels).
+constexpr double kMaxGap = 1e-3;
 
 // Returns false only if two arcs are certainly farther apart than `distance`.
 bool may_be_within(const OffsetArc& a, const OffsetArc& b, double distance) {
@@ -96,7 +96,7 @@ void InsetTracer::add_loop(std::span<const ArcLoops::Side> loop) {
     for (std::size_t k = first; k < sides_.size(); ++k) {
         const OffsetArc& side = sides_[k];
         const OffsetArc& next = sides_[k + 1 < sides_.size() ? k + 1 : first];
-        if (shrinkage(side, distance_) >= kSmallestShrinkage) {
+        if (shrinkage(side, distance_) >= kMinShrinkage) {
             offsets_.push_back({offset_left(side, distance_), k});
         }
         if (turns_right(side, next) || turns_back(side, next)) {
@@ -162,11 +162,11 @@ void InsetTracer::collect_pieces(std::size_t index) {
 
 // Returns the piece that follows `piece` in a loop: the candidate whose tail is nearest to the head
 // of `piece`. Candidates are all pieces that are not linked yet, and the first piece of the loop.
-// Returns null if the tail of no candidate is within kLargestGap of the head.
+// Returns null if the tail of no candidate is within kMaxGap of the head.
 InsetTracer::Piece* InsetTracer::successor(const Piece& piece, const Piece& first) {
     Piece* nearest = nullptr;
-    double min_gap = kLargestGap * kLargestGap;
-    for (const std::size_t k : piece_index_.near({piece.head, kLargestGap})) {
+    double min_gap = kMaxGap * kMaxGap;
+    for (const std::size_t k : piece_index_.near({piece.head, kMaxGap})) {
         Piece& candidate = pieces_[k];
         const double gap = (candidate.tail - piece.head).squaredNorm();
         if (gap < min_gap && (!candidate.linked || &candidate == &first)) {

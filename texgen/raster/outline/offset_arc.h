@@ -28,7 +28,7 @@ struct OffsetArc {
 
 /// A side has no offset if the radius of the offset would be below this fraction of the radius of
 /// the side.
-inline constexpr double kSmallestShrinkage = 1e-9;
+inline constexpr double kMinShrinkage = 1e-9;
 
 /// Converts an arc that starts at `tail`. Precondition: the chord is not zero.
 inline OffsetArc offset_arc_from(const PixelArc& arc, const Vec2& tail) {

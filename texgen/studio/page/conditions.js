@@ -15,7 +15,10 @@ function matches(value, pattern) {
     return toToml(value) === pattern;
 }
 
-/** Returns true if the key has an effect. `values` are the values of all keys by their path. */
+/**
+ * Returns true if the condition of the key is met, or if the key has none. The program knows a few more cases in which
+ * a key has no effect (`notes` in ../REQUESTS.md). `values` are the values of all keys by their path.
+ */
 export function applies(key, values) {
     if (!key.condition || !(key.condition.key in values)) {
         return true;

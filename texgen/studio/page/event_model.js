@@ -39,7 +39,8 @@ export function withValue(event, name, text) {
     return text === null ? rest : {...rest, [name]: text};
 }
 
-// Frame 1 is at time 0; each step is `growth` times as long as the one before.
+// Returns the number of the frame at a foam time. Each step is `growth` times as long as the step before it. Frame 1
+// counts as time 0: the warm-up (frames.warm_up) is ignored.
 function frameAt(time, values) {
     const step = values["frames.time_step"] || 1;
     const growth = values["frames.step_growth"] ?? 1;

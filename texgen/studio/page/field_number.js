@@ -9,7 +9,7 @@ import {toToml} from "./toml.js";
 
 const kShortUnits = {pixels: "px", degrees: "°", nanometers: "nm", "percent of the bubbles": "%"};
 const kPause = 800; // milliseconds after which another press of an arrow key is an edit of its own
-const kLargestDice = 100000;
+const kRandomSeeds = 100000; // a random seed is below this number
 
 // Returns the text of a field as a value in TOML. A text that is no number becomes a string, which is sent to the
 // program, too: the program accepts it (a word such as "auto"), or its error message says what is wrong.
@@ -188,4 +188,4 @@ function diceFor(key, edit) {
 }
 
 /** Returns a random seed. */
-export const randomSeed = () => Math.floor(Math.random() * kLargestDice);
+export const randomSeed = () => Math.floor(Math.random() * kRandomSeeds);

@@ -160,10 +160,9 @@ function fixedNumbersField(key, id, edit, {label}) {
             const item = Array.isArray(value) ? value[index] : value;
             input.value = typeof item === "number" ? formatNumber(item) : (item ?? "");
         });
-    return {element: group, control: group, show, busy: () => group.contains(document.activeElement) && dirty(inputs)};
+    const hasFocus = () => inputs.some((input) => input === document.activeElement);
+    return {element: group, control: group, show, busy: () => group.contains(document.activeElement) && hasFocus()};
 }
-
-const dirty = (inputs) => inputs.some((input) => input === document.activeElement);
 
 function textField(key, id, edit, {label}) {
     const input = textInput(key, id, label);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The tab that shows the material on a lit surface. While the loop plays, the surface shows the
-// frame that the player (player.js) has reached, as soon as the maps of this frame are loaded. The
-// maps of all frames are loaded one frame after another and kept.
+// frame that the player (player.js) has reached, as soon as the maps of this frame are loaded. While
+// it plays, the maps of all frames are loaded, one frame after another, and kept until the next edit.
 
 import {$, debounce} from "./dom.js";
 import {ApiError, postPicture} from "./api.js";

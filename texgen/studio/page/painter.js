@@ -23,11 +23,14 @@ const kDraft = 0,
 
 export class Painter {
     /**
-     * Emits {busy, message, error}. `busy` is true while a full picture is awaited; `message` is
-     * the message of the last picture's error, or null; `error` is this ApiError, if any.
+     * Emits {busy, message, error}. `busy` is true while a full picture is awaited; `error` is the
+     * ApiError of the last request for a picture, if it failed; `message` is its message, or null.
      */
     status = new Signal();
-    /** Emits each picture of the simulated frame, not of a draft, that an edit requests, whatever its width. */
+    /**
+     * Emits each picture of a simulated frame, small ones included, unless an edit has followed its request. Does not
+     * emit drafts, sharpened pictures and the pictures that the player loads.
+     */
     painted = new Signal();
 
     #view;
@@ -38,7 +41,7 @@ export class Painter {
     #full = new Lane(kPatience);
     #sharp = new Lane(kPatience);
     #edit = 0; // the number of the newest edit; counts the calls of `refresh`
-    #shown = [0, 0]; // the edit and the rank of the shown picture
+    #shownRank = [0, 0]; // the edit and the rank of the shown picture
     #fullTime = 0; // milliseconds that the last full picture took
     #showsFrame = false;
     #rest = debounce(kRest, () => this.#paint());
@@ -98,7 +101,7 @@ export class Painter {
 
     /** Requests a draft as well. Called when the last edit turns out to change the foam. */
     addDraft() {
-        if (this.#showsFrame && this.#shown[0] < this.#edit) {
+        if (this.#showsFrame && this.#shownRank[0] < this.#edit) {
             this.#showsFrame = false;
             this.#paintDraft(false);
         }
@@ -186,23 +189,23 @@ export class Painter {
     }
 
     #show(edit, rank, picture) {
-        if (edit < this.#shown[0] || (edit === this.#shown[0] && rank < this.#shown[1])) {
+        if (edit < this.#shownRank[0] || (edit === this.#shownRank[0] && rank < this.#shownRank[1])) {
             return;
         }
-        this.#shown = [edit, rank];
+        this.#shownRank = [edit, rank];
         this.#view.show(picture);
     }
 
     // Shows a frame of the loop, or requests it if it is not loaded.
     #onFrame(picture) {
         if (picture) {
-            this.#shown = [this.#edit, kFull];
+            this.#shownRank = [this.#edit, kFull];
             this.#view.show(picture);
             if (!this.#player.playing) {
                 this.#sharpen();
             }
         } else if (this.#source) {
-            this.#shown = [this.#edit, kDraft];
+            this.#shownRank = [this.#edit, kDraft];
             this.#paint();
         }
     }
@@ -211,12 +214,12 @@ export class Painter {
     // width that is allowed, if the shown picture is smaller and the screen magnifies its pixels.
     #paintSharp() {
         const source = this.#source;
-        const shown = this.#view.picture;
-        if (!source || !shown || !shown.exact || this.#player.playing || this.#full.busy || !this.#showsFrame) {
+        const current = this.#view.picture;
+        if (!source || !current || !current.exact || this.#player.playing || this.#full.busy || !this.#showsFrame) {
             return;
         }
         const full = Math.min(source.size[0], source.largestWidth);
-        if (shown.width >= full || this.#view.deviceZoom * source.size[0] < 1.2 * shown.width) {
+        if (current.width >= full || this.#view.deviceZoom * source.size[0] < 1.2 * current.width) {
             return;
         }
         const edit = this.#edit;

@@ -17,7 +17,7 @@ export class Player {
      * not loaded.
      */
     framed = new Signal();
-    /** Emits when frames were loaded or dropped, or when playing starts or stops. */
+    /** Emits when frames were loaded or dropped, when playing starts or stops, and after `configure` and `seek`. */
     changed = new Signal();
     /** Emits an ApiError that stopped the loading. */
     failed = new Signal();
@@ -69,7 +69,10 @@ export class Player {
         return this.#abort !== null;
     }
 
-    /** Returns `width`, or a smaller width at which all frames of the loop fit into memory. */
+    /**
+     * Returns `width`, or a smaller width at which all frames of the loop fit into kMemory bytes. Widths of 64 pixels
+     * or less are returned even if the frames do not fit.
+     */
     loopWidth(width, aspect) {
         let narrow = width;
         while (narrow > 64 && 4 * narrow * narrow * aspect * this.count > kMemory) {

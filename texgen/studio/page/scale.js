@@ -10,7 +10,7 @@ const kPositions = 1000; // largest position of a slider that is not linear
 // kWide times the reference value.
 const kWide = 10;
 const kSpan = 5;
-const kLargestSlider = 1e9; // the widest range that has a slider
+const kMaxSliderRange = 1e9; // the widest range that has a slider
 
 /**
  * Returns the number as text, with at most `digits` significant digits unless it is an integer.
@@ -31,7 +31,7 @@ export function formatNumber(value, digits = 6) {
  */
 export function scaleOf(key, largest = Infinity) {
     const max = Math.min(key.max, largest);
-    if (max - key.min > kLargestSlider) {
+    if (max - key.min > kMaxSliderRange) {
         return null;
     }
     const reference = referenceOf(key, max);

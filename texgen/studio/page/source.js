@@ -6,7 +6,8 @@
 // `map` (the name of the map that it shows), and two functions:
 //   picture(frame, width, quality, signal)
 //     returns a picture: {pixels, width, height, frame, exact, low, high, map, transparent, draft}
-//     `exact` is false for a draft, and while an automatic range of the map is provisional.
+//     `exact` is false for a draft, and while an automatic range of the map is provisional. It is always true for a
+//     baked image.
 //   pick(picture, x, y, signal)
 //     returns the answer to /api/pick or /api/baked/pick for a pixel of a picture
 

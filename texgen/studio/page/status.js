@@ -6,7 +6,7 @@ import {ApiError, connectionState, page, post} from "./api.js";
 import {$} from "./dom.js";
 
 const kPoll = 300; // milliseconds between two requests for the progress of the simulation
-const kShown = 6000; // milliseconds for which a message stays
+const kMessageTime = 6000; // milliseconds for which a message stays
 
 export class StatusBar {
     #studio;
@@ -30,7 +30,7 @@ export class StatusBar {
         clearTimeout(this.#hide);
         this.#hide = setTimeout(() => {
             $("message").textContent = "";
-        }, kShown);
+        }, kMessageTime);
     }
 
     #onPainter({busy, message, error}) {

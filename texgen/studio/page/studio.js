@@ -23,8 +23,8 @@ export class Studio {
     /** Emits each answer of /api/settings that belongs to the newest settings. */
     answered = new Signal();
     /**
-     * Emits when the picture is requested anew: after an edit, and when the map, the width or the source (the document
-     * or a baked set) changes.
+     * Emits when the picture is requested anew: after an edit, when the map, the width or the source (the document or
+     * a baked set) changes, and when an answer shows that the request was based on a wrong guess.
      */
     refreshed = new Signal();
     /** Emits {key, message} if the newest settings are not allowed. */

@@ -18,8 +18,8 @@ const kQualities = {
 };
 const kSmoothing = 1;  // heights are read this many mip levels above the level with one texel per cell of the mesh
 const kRest = 250;  // milliseconds without a change after which the picture is drawn with more samples
-const kLongestBeforeRest = 1500;  // a picture that takes more milliseconds gets no further samples
-const kLargestAtRest = 4e6;  // largest number of samples of a picture, unless it has one per pixel
+const kMaxMilliseconds = 1500;  // a picture that takes more milliseconds gets no further samples
+const kMaxSamples = 4e6;  // largest number of samples of a picture, unless it has one per pixel
 const kNoWebGl = "The lit preview needs WebGL 2, which this browser does not offer or has turned off.";
 
 // Draws on a canvas whenever something changed. After the user has moved the light, the canvas gets the event
@@ -141,9 +141,9 @@ export class Surface {
     refine() {
         if (!this.fence.isPassed()) {
             this.timer = setTimeout(() => this.refine(), kRest);
-        } else if (this.fence.milliseconds < kLongestBeforeRest) {
+        } else if (this.fence.milliseconds < kMaxMilliseconds) {
             const area = this.canvas.clientWidth * this.canvas.clientHeight;
-            this.draw(Math.sqrt(Math.min(this.quality.samplesAtRest, Math.max(kLargestAtRest / area, 1))));
+            this.draw(Math.sqrt(Math.min(this.quality.samplesAtRest, Math.max(kMaxSamples / area, 1))));
         }
     }
 

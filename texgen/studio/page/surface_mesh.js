@@ -87,12 +87,12 @@ function plane(cells) {
 // but they are not pinched. The displacement shrinks with them.
 function sphere(columns) {
     const rows = columns / 2;
-    const kLargestLatitude = 89.6 / 180 * Math.PI;
+    const kMaxLatitude = 89.6 / 180 * Math.PI;
     const builder = builderFor([[columns, rows]]);
     builder.grid(columns, rows, (a, b) => {
         const longitude = 2 * Math.PI * (a - 0.5);
         const latitude = Math.PI * (b - 0.5);
-        const clamped = Math.min(Math.max(latitude, -kLargestLatitude), kLargestLatitude);
+        const clamped = Math.min(Math.max(latitude, -kMaxLatitude), kMaxLatitude);
         const radius = Math.abs(b - 0.5) === 0.5 ? 0 : Math.cos(latitude);
         const normal = [radius * Math.sin(longitude), Math.sin(latitude), radius * Math.cos(longitude)];
         const tangent = [Math.cos(longitude), 0, -Math.sin(longitude)];

@@ -211,19 +211,20 @@ void main() {
     float roughness = pow(alpha * alpha + variance, 0.25);
 
     vec3 normal = normalize(tangent * slopes.x * u_slopes.x + bitangent * slopes.y * u_slopes.y + face * slopes.z);
-    float shown = smoothstep(-0.05, 0.2, dot(face, u_light));
+    // The fraction of the direct light that reaches the point.
+    float unshaded = smoothstep(-0.05, 0.2, dot(face, u_light));
     if (v_wall > 0.5) {
         face = normalize(cross(dFdx(v_position), dFdy(v_position)));
         normal = face;
-        shown = step(0.0, dot(face, u_light));
-    } else if (shown > 0.0) {
-        shown *= visible_light(tangent, bitangent, face, data.a * u_height_top);
+        unshaded = step(0.0, dot(face, u_light));
+    } else if (unshaded > 0.0) {
+        unshaded *= visible_light(tangent, bitangent, face, data.a * u_height_top);
     }
 
     Material material = Material(color.rgb * (1.0 - data.b), mix(vec3(0.04), color.rgb, data.b), roughness, data.r);
     vec3 light = ambient_light(material, normal, view) + texture(u_emission, v_uv).rgb;
-    if (shown > 0.0) {
-        light += shown * direct_light(material, normal, view);
+    if (unshaded > 0.0) {
+        light += unshaded * direct_light(material, normal, view);
     }
     o_color = vec4(mix(u_background, srgb(tone_mapped(light)), color.a), 1.0);
 }

@@ -9,8 +9,8 @@ import {kShapes} from "./surface_mesh.js";
 // is the position of the middle of the magnified image on the canvas, in half-widths and
 // half-heights of the canvas from the center of the canvas.
 const kFieldOfView = 28 / 180 * Math.PI;
-const kLargestZoom = 24;
-const kSmallestZoom = 0.5;
+const kMaxZoom = 24;
+const kMinZoom = 0.5;
 
 export class View {
     constructor(shape) {
@@ -39,7 +39,7 @@ export class View {
     // Magnifies the image by `factor`. The point of the image that is at the position `at` of the canvas (in the units
     // of `pan`) stays there, unless the limits of `pan` prevent this.
     zoomBy(factor, at = [0, 0]) {
-        const zoom = Math.min(Math.max(this.zoom * factor, kSmallestZoom), kLargestZoom);
+        const zoom = Math.min(Math.max(this.zoom * factor, kMinZoom), kMaxZoom);
         const applied = zoom / this.zoom;
         const limit = Math.max(zoom - 1, 0);
         this.zoom = zoom;

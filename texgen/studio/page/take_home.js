@@ -62,7 +62,7 @@ export class TakeHome {
     }
 
     /**
-     * Downloads the preset, the frame as a picture or a drawing, or the loop. `width` is the width
+     * Downloads the preset, the frame as a picture or a drawing, or the loop. `width` is the largest width and height
      * of the loop in pixels; null stands for the size of the preset.
      */
     async download(kind, width = null) {

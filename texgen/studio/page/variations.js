@@ -14,9 +14,9 @@ import {toToml} from "./toml.js";
 const kWidth = 256; // largest width and height of a picture in pixels
 const kGap = 12; // CSS pixels between pictures, as in tools.css
 const kCaption = 28; // height of the text below a picture in CSS pixels
-const kSmallest = 96; // smallest side of a picture in CSS pixels
+const kMinSide = 96; // smallest side of a picture in CSS pixels
 const kEdit = 250; // milliseconds from the last edit until the sheet is drawn again
-const kEven = {position: (value) => value, value: (position) => position}; // a linear scale for any range
+const kLinearScale = {position: (value) => value, value: (position) => position}; // a linear scale for any range
 
 export class Variations {
     #studio;
@@ -124,7 +124,7 @@ export class Variations {
     #numbers(key, count) {
         const [from, to] = [Number($("vary-from").value), Number($("vary-to").value)];
         const range = {...key, min: Math.min(from, to), max: Math.max(from, to)};
-        const scale = (range.min < range.max && scaleOf(range)) || kEven;
+        const scale = (range.min < range.max && scaleOf(range)) || kLinearScale;
         const position = (index) =>
             scale.position(from) + ((scale.position(to) - scale.position(from)) * index) / (count - 1);
         const values = Array.from({length: count}, (_, index) => scale.value(position(index)));
@@ -160,8 +160,8 @@ export class Variations {
             return Math.min((width - kGap * (columns - 1)) / columns, (height - kGap * (rows - 1)) / rows - kCaption);
         };
         const sides = Array.from({length: count}, (_, index) => sideFor(index + 1));
-        const side = Math.max(kSmallest, ...sides);
-        const columns = side > kSmallest ? sides.indexOf(side) + 1 : "auto-fill";
+        const side = Math.max(kMinSide, ...sides);
+        const columns = side > kMinSide ? sides.indexOf(side) + 1 : "auto-fill";
         $("sheet").style.gridTemplateColumns = `repeat(${columns}, ${Math.floor(side)}px)`;
     }
 

@@ -8,7 +8,7 @@ import {ViewGestures} from "./view_gestures.js";
 import {clamp} from "./dom.js";
 
 const kMargin = 24; // CSS pixels around a picture that fits
-const kLargestZoom = 64; // CSS pixels per pixel of the images (View.size)
+const kMaxZoom = 64; // CSS pixels per pixel of the images (View.size)
 const kSmoothBelow = 2; // a pixel of the picture that is at least this many device pixels wide is drawn as a square
 // If the shorter side of the canvas has at most this many device pixels, pictures 512 pixels wide are sharp enough.
 const kSmallCanvas = 900;
@@ -131,7 +131,7 @@ export class View {
 
     setZoom(zoom, x = this.#canvas.clientWidth / 2, y = this.#canvas.clientHeight / 2) {
         const [u, v] = this.#toTilePixels(x, y);
-        this.#zoom = clamp(zoom, 0.02, kLargestZoom);
+        this.#zoom = clamp(zoom, 0.02, kMaxZoom);
         this.#center[0] += u - this.#toTilePixels(x, y)[0];
         this.#center[1] += v - this.#toTilePixels(x, y)[1];
         this.#fitted = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Mouse, pen, touch and arrow keys on the picture: pan, zoom, and the point under the pointer.
+// Mouse, pen, touch, and Shift with arrow keys on the picture: pan, zoom, and the point under the pointer.
 
 import {Signal} from "./signal.js";
 import {wheelPixels} from "./dom.js";

@@ -69,9 +69,10 @@ struct Push {
 /// The changes that are imposed on a foam from outside during a step (E9).
 struct Drive {
     /// Bubbles whose target areas change evenly during the step. On a torus, the other bubbles give
-    /// and take the gas. If the driven bubbles would fill more than nine tenths of the torus, their
-    /// target areas are scaled down so that they fill nine tenths. If every bubble is driven, all
-    /// target areas are scaled to fill the torus. Bubbles that have vanished are ignored.
+    /// and take the gas; in a patch, the atmosphere does. If the driven bubbles would fill more
+    /// than nine tenths of a torus, their target areas are scaled down so that they fill nine
+    /// tenths. If every bubble of a torus is driven, all target areas are scaled to fill the torus.
+    /// Bubbles that have vanished are ignored.
     std::vector<DrivenArea> areas{};
     /// Simple shear of a torus, from -100 to 100: every point moves to the right by strain * y.
     double strain = 0.0;
@@ -152,12 +153,13 @@ class FOAMTEX_EXPORT Foam {
 
     /// Returns the shear modulus of a torus in equilibrium (E11): the derivative of the shear
     /// stress with respect to the strain, without T1s. Returns nothing for a patch, if the
-    /// errors of the foam are above 1e-3, or if Newton's method does not converge. `threads` is as
-    /// in StepSettings.
+    /// errors of the foam are not below 1e-3, or if Newton's method does not converge. `threads` is
+    /// as in StepSettings.
     std::optional<double> shear_modulus(int threads = 0) const;
 
     /// Returns the changes of topology since the last call, in the order in which they happened,
-    /// and removes them from the foam. The first call returns all changes since the foam was made.
+    /// and removes them from the foam. The first call returns all changes since the foam was made;
+    /// a copy of a foam also has the changes that were not yet removed from the original.
     std::vector<Event> take_events();
 
     /// Returns all bubbles, films and junctions.

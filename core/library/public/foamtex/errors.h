@@ -21,8 +21,8 @@ class FOAMTEX_EXPORT ArgumentError : public Error {
     using Error::Error;
 };
 
-/// A file cannot be read, or its content is malformed. The message names the file and, where there
-/// is one, the line.
+/// A file cannot be read, or its content or the text of a state is malformed. The message names the
+/// file, if there is one, and the line, if it is known.
 class FOAMTEX_EXPORT InputError : public Error {
   public:
     using Error::Error;

@@ -20,9 +20,9 @@ TEST(RasterGrid, RejectsPixelsThatAreNotSquare) {
 
 TEST(RasterGrid, RejectsSidesOutOfRange) {
     EXPECT_THROW(pixels_per_unit({0, 0, 0, 0}, {1.0, 1.0}), std::invalid_argument);
-    EXPECT_THROW(pixels_per_unit({kLargestGridSide + 1, kLargestGridSide + 1, 0, 0}, {1.0, 1.0}),
+    EXPECT_THROW(pixels_per_unit({kMaxGridSide + 1, kMaxGridSide + 1, 0, 0}, {1.0, 1.0}),
                  std::invalid_argument);
-    EXPECT_NO_THROW(pixels_per_unit({kLargestGridSide, kLargestGridSide, 0, 0}, {1.0, 1.0}));
+    EXPECT_NO_THROW(pixels_per_unit({kMaxGridSide, kMaxGridSide, 0, 0}, {1.0, 1.0}));
 }
 
 TEST(RasterGrid, HasAViewOnlyOfThePlane) {

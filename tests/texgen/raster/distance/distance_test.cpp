@@ -167,7 +167,7 @@ TEST(Distance, ARejectedGridLeavesTheFieldUnchanged) {
     const Frame frame = test::fitted_frame(honeycomb(2, 2), 8, 8);
     const DistanceField field = distance_field(frame, {8, 8}, kAll, 1);
     DistanceField used = field;
-    for (const RasterGrid& grid : {RasterGrid{9, 8}, {kLargestGridSide + 1, 1}}) {
+    for (const RasterGrid& grid : {RasterGrid{9, 8}, {kMaxGridSide + 1, 1}}) {
         EXPECT_THROW(write_distance_field(frame, grid, {}, 1, used), std::invalid_argument);
         expect_equal(used, field);
     }

@@ -99,8 +99,10 @@ class FOAMTEX_EXPORT Preset {
 
     /// Fits automatic ranges, such as height.full = "auto", to the whole animation, as
     /// `foamtex bake` does. Fits the ranges of the maps in image.maps and output.pack. Only integer
-    /// samples (Frame::draw) need this. Throws EquilibriumError if the animation fails. Throws
-    /// ArgumentError if no valid foam can be seeded. `threads`: 0 for all threads of the machine.
+    /// samples (Frame::draw) need this. Frames have the ranges that the preset had when their
+    /// Simulation was constructed. Throws EquilibriumError if the animation fails. Throws
+    /// ArgumentError if `threads` is not allowed, or if no valid foam can be seeded. `threads`: 0
+    /// for all threads of the machine.
     void fit_ranges(int threads = 0);
 
     struct State;  ///< internal to the library
@@ -143,6 +145,7 @@ class FOAMTEX_EXPORT Frame {
     /// opacity if there is one. `threads`: 0 for all threads of the machine. Throws ArgumentError
     /// in these cases:
     /// - The map is unknown.
+    /// - `threads` is not allowed.
     /// - The size of the buffer is not that of shape(map).
     /// - The map needs the next frame, as "motion" and "growth" do, but neither image.maps nor
     ///   output.pack contains a map that needs the next frame.
@@ -151,7 +154,7 @@ class FOAMTEX_EXPORT Frame {
     /// Draws a map as integers of 8 bits. If PNGs of the map have 8 bits, the integers are exactly
     /// those that `foamtex bake` stores. Throws as above, but the buffer must have the size of
     /// shape(map, true). Also throws ArgumentError if a range of the map is automatic and has not
-    /// been fitted (Preset::fit_ranges).
+    /// been fitted (Preset::fit_ranges) before the Simulation was constructed.
     void draw(const std::string& map, std::span<std::uint8_t> samples, int threads = 1) const;
     /// Draws a map as integers of 16 bits. If PNGs of the map have 16 bits, the integers are
     /// exactly those that `foamtex bake` stores. Throws as the function for 8 bits does. Also
@@ -183,11 +186,12 @@ class FOAMTEX_EXPORT Simulation {
     /// Stops the simulation. Waits until the step that is running has ended.
     ~Simulation();
 
-    /// Waits for the next frame and returns it; nothing after the last one. Frames come in
-    /// increasing order, except in a loop of the kind pingpong. Throws EquilibriumError if the foam
-    /// finds no equilibrium or the loop does not close, and ArgumentError if no valid foam can be
-    /// seeded. While it waits, calls `poll` ten times per second, if there is one; an exception of
-    /// `poll` ends the wait.
+    /// Waits for the next frame and returns it; nothing after the last one. Frames usually
+    /// come in increasing order; exceptions are loops of the kind pingpong, and frames after the
+    /// first period of a loop of the kind flow. Throws EquilibriumError if the foam finds no
+    /// equilibrium or the loop does not close, and ArgumentError if no valid foam can be seeded.
+    /// While it waits, calls `poll` ten times per second, if there is one; an exception of `poll`
+    /// ends the wait.
     std::optional<Frame> next(const std::function<void()>& poll = {});
 
   private:
