@@ -2,6 +2,7 @@
 
 #include "texgen/studio/access.h"
 
+#include "core/files/shown_text.h"
 #include "texgen/json/json_writer.h"
 
 #include <fmt/format.h>
@@ -131,7 +132,8 @@ HttpResponse with_safety_fields(HttpResponse response) {
 }
 
 HttpResponse error_response(HttpStatus status, const std::string& message, const std::string& key) {
-    const Json error = {{"message", message}, {"key", key.empty() ? Json(nullptr) : Json(key)}};
+    const Json error = {{"message", shown_text(message)},
+                        {"key", key.empty() ? Json(nullptr) : Json(key)}};
     return {.status = status, .body = json_text(Json{{"error", error}})};
 }
 

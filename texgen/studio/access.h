@@ -59,8 +59,8 @@ class Access {
 /// what a page may load and which pages may embed or read the response, and forbid caching.
 HttpResponse with_safety_fields(HttpResponse response);
 
-/// Returns an error response. The message is one line; `key` names the preset key that the error
-/// concerns, or is empty.
+/// Returns an error response. Its message is the given one as the program prints it: one line of
+/// limited length (shown_text). `key` names the preset key that the error concerns, or is empty.
 HttpResponse error_response(HttpStatus status,
                             const std::string& message,
                             const std::string& key = {});

@@ -4,6 +4,7 @@
 
 #include "core/files/file_io.h"
 #include "core/files/scratch_folder.h"
+#include "core/files/shown_text.h"
 #include "texgen/image/png.h"
 #include "texgen/studio/page_files.h"
 #include "texgen/studio/samples.h"
@@ -220,6 +221,15 @@ TEST_F(StudioTest, MalformedRequestsAreNamed) {
     EXPECT_EQ(response.status, HttpStatus::Unprocessable);
     EXPECT_NE(message_of(response).find("frame"), std::string::npos);
     EXPECT_EQ(post("/api/nothing", {}).status, HttpStatus::NotFound);
+}
+
+// The program prints its messages so, too.
+TEST_F(StudioTest, MessagesAreOneLineOfLimitedLength) {
+    const auto message = [&](const std::string& set) {
+        return message_of(post("/api/settings", {{"settings", settings({set})}}));
+    };
+    EXPECT_TRUE(message("foam.seed=3\nfoam.bubbles=5").starts_with("--set foam.seed=3 foam.bub"));
+    EXPECT_LE(message("foam.seed=" + std::string(5000, 'x')).size(), kLongestMessage);
 }
 
 TEST_F(StudioTest, APictureHasThePixelsOfABake) {
