@@ -49,16 +49,19 @@ READERS = {
 NOT_OF_READER = {
     "cache_file": ["libdeflate_compressor", "compressed", "write_packed", "read_packed"],
     "cache_info": ["is_cache", "state_path", "pressures_path", "write_info", "read_info"],
+    "cache_state": ["pack_numbers", "unpack_numbers"],
     "dds": ["level_bytes", "encode_dds"],
     "frame_range": ["closes_loop"],
     "ktx2": ["pad", "animation_value", "key_value_data", "level_of", "compressed", "append_offset_and_size",
              "header_of", "encode_ktx2"],
-    "loop_start": ["loop_hash", "matching_loop_start", "stored_loop_start"],
+    "loop_start": ["stored_loop_start"],
     "preset": ["read_value", "read_set_argument", "describe_event_keys", "preset_tables", "describe_keys",
                "describe_table", "describe_conditions"],
+    "profile": ["text_in", "load_profile", "profile_assignments"],
     "set_argument": ["collect", "collect_tables", "collect_node", "read_assignments", "parse"],
     "tolerances": ["read_tolerances", "write", "option_name", "value_of_argument"],
-    "wkt_polygon": ["disc_outline", "rectangle_outline", "clipped"],
+    "wkt_polygon": ["disc_outline", "rectangle_outline", "clipped", "is_apart", "is_apart_from_rings", "box_around",
+                    "touch"],
 }
 
 

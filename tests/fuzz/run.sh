@@ -26,12 +26,13 @@ export ASAN_OPTIONS=quarantine_size_mb=16:allocator_may_return_null=0 UBSAN_OPTI
 # dictionary_of TARGET: prints the option of libFuzzer with the dictionary of a target, or nothing if it has none.
 dictionary_of() {
     case $1 in
+        cache_file | cache_state) echo -dict=tests/fuzz/dictionaries/cache.dict ;;
         cache_info | earlier_sheets | flipbook | foam_state | loop_start | manifest)
             echo -dict=tests/fuzz/dictionaries/json.dict
             ;;
         job_file | preset | profile | set_argument | tolerances) echo -dict=tests/fuzz/dictionaries/toml.dict ;;
         file_pattern | frame_range | wkt_polygon) echo -dict=tests/fuzz/dictionaries/text.dict ;;
-        evolver | exr | png | studio | svg_outline) echo "-dict=tests/fuzz/dictionaries/$1.dict" ;;
+        dds | evolver | exr | ktx2 | png | studio | svg_outline) echo "-dict=tests/fuzz/dictionaries/$1.dict" ;;
     esac
 }
 

@@ -10,6 +10,8 @@ namespace foam::fuzz {
 
 void fuzz_cache_state(std::string_view input) {
     const std::vector<double> first_pressures = {0.0, 1.0};
+    // In a cache without pressures.foam, states must contain their pressures.
+    unless_rejected<texgen::BadContent>([&] { return texgen::unpack_state(bytes_of(input), {}); });
     auto state = unless_rejected<texgen::BadContent>(
         [&] { return texgen::unpack_state(bytes_of(input), first_pressures); });
     if (!state) {

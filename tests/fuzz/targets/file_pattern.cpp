@@ -8,8 +8,23 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 
 namespace foam::fuzz {
+
+namespace {
+
+// Parses the patterns that the program makes from the pattern of a preset. Precondition: the
+// pattern of the preset is valid.
+void check_changed(texgen::Preset preset) {
+    const std::string pattern = preset.output.pattern;
+    preset.output.pattern = texgen::with_size_folder(pattern);
+    texgen::FilePattern{preset};
+    preset.output.pattern = texgen::without_shared_folders(pattern);
+    texgen::FilePattern{preset};
+}
+
+}  // namespace
 
 void fuzz_file_pattern(std::string_view input) {
     texgen::Preset preset;
@@ -32,6 +47,14 @@ void fuzz_file_pattern(std::string_view input) {
                           }).value_or(false);
     require(distinct == (first != second), "check_distinct finds equal names of two frames");
     pattern->path_pattern("albedo");
+    const bool distinct_maps = unless_rejected<std::invalid_argument>([&] {
+                                   pattern->check_distinct(1, 2);
+                                   return true;
+                               }).value_or(false);
+    require(distinct_maps || !pattern->stores_all_maps_in_one_file(),
+            "check_distinct allows several maps in a file with layers");
+    check_changed(preset);
+    unless_rejected<std::invalid_argument>([&] { return texgen::FilePattern(input); });
 }
 
 }  // namespace foam::fuzz

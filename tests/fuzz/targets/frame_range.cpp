@@ -10,9 +10,16 @@
 
 namespace foam::fuzz {
 
+namespace {
+
+// The number of frames of the preset, all of which an empty range selects.
+constexpr int kFrames = 24;
+
+}  // namespace
+
 void fuzz_frame_range(std::string_view input) {
-    const auto frames =
-        unless_rejected<std::invalid_argument>([&] { return texgen::parse_frame_range(input); });
+    const auto frames = unless_rejected<std::invalid_argument>(
+        [&] { return texgen::frames_or_all(input, kFrames); });
     if (!frames) {
         return;
     }
