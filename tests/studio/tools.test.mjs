@@ -132,6 +132,29 @@ test("an event can be added only to a loop that allows events", () =>
         assert.deepEqual(errors, []);
     }));
 
+// The expected frames are those of tests/texgen/preset/event_frames_test.cpp.
+test("an event with times lasts for the frames in which the program makes it", () =>
+    with_studio(async ({ studio, browser }) => {
+        const { page, errors } = await open_studio(browser, studio.url);
+        const frames_of = (time, values) =>
+            page.evaluate(
+                async ([text, keys]) => {
+                    const { rangeOf } = await import("./event_model.js");
+                    return rangeOf({ time: text }, keys);
+                },
+                [time, values],
+            );
+        const tenths = { "frames.time_step": 0.1 };
+        assert.deepEqual(await frames_of("0.3", tenths), [4, 4]);
+        assert.deepEqual(await frames_of("[0.0, 0.3]", tenths), [2, 4]);
+        assert.deepEqual(await frames_of("[0.3, 0.5]", tenths), [5, 6]);
+        const growing = { "frames.time_step": 1, "frames.warm_up": 10, "frames.step_growth": 2 };
+        assert.deepEqual(await frames_of("5.0", growing), [2, 2]);
+        assert.deepEqual(await frames_of("[11.0, 17.0]", growing), [3, 4]);
+        assert.deepEqual(await frames_of("18.0", growing), [5, 5]);
+        assert.deepEqual(errors, []);
+    }));
+
 test("the readout gives the bubble below the pointer", () =>
     with_studio(async ({ studio, browser }) => {
         const { page, errors } = await open_studio(browser, studio.url);

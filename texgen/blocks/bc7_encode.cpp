@@ -19,9 +19,9 @@
 #include <vector>
 
 // Blocks of a single color are stored exactly, in mode 5. All other blocks are compressed in
-// groups, one block per lane of a SIMD register. They are first stored in mode 6, which approximates
-// the colors of a block by a line between two colors. Blocks that a line approximates badly are
-// collected in new groups, which are then tried in other modes.
+// groups, one block per lane of a SIMD register. They are first stored in mode 6, which
+// approximates the colors of a block by a line between two colors. Blocks that a line approximates
+// badly are collected in new groups, which are then tried in other modes.
 
 namespace foam::texgen {
 

@@ -229,7 +229,7 @@ TEST_F(StudioTest, MessagesAreOneLineOfLimitedLength) {
         return message_of(post("/api/settings", {{"settings", settings({set})}}));
     };
     EXPECT_TRUE(message("foam.seed=3\nfoam.bubbles=5").starts_with("--set foam.seed=3 foam.bub"));
-    EXPECT_LE(message("foam.seed=" + std::string(5000, 'x')).size(), kLongestMessage);
+    EXPECT_LE(message("foam.seed=" + std::string(5000, 'x')).size(), kMaxMessageLength);
 }
 
 TEST_F(StudioTest, APictureHasThePixelsOfABake) {

@@ -5,6 +5,8 @@
 import {fromToml, toToml} from "./toml.js";
 
 const kLength = 10; // frames of a new event
+const kLastFrame = 100000; // no event is searched for in later frames
+const kSameTime = 1e-6; // times that differ by less than this fraction of a time step count as equal
 
 /** Returns the events of an answer of /api/settings as the page keeps them. */
 export const toTexts = (events) =>
@@ -22,7 +24,7 @@ export function rangeOf(event, values) {
         return [fromToml(event.frame), fromToml(event.frame)];
     }
     const times = [fromToml(event.time ?? "0")].flat();
-    return [times[0], times.at(-1)].map((time) => frameAt(time, values));
+    return framesBetween(times[0], times.at(-1), values);
 }
 
 const without = (event, names) => Object.fromEntries(Object.entries(event).filter(([name]) => !names.includes(name)));
@@ -39,17 +41,24 @@ export function withValue(event, name, text) {
     return text === null ? rest : {...rest, [name]: text};
 }
 
-// Returns the number of the frame at a foam time. Each step is `growth` times as long as the step before it. Frame 1
-// counts as time 0: the warm-up (frames.warm_up) is ignored.
-function frameAt(time, values) {
-    const step = values["frames.time_step"] || 1;
+// Returns the first and the last frame of an event that lasts from one foam time to another, as frames_of in
+// texgen/preset/event_frames.cpp does. Frame 1 shows the time frames.warm_up and cannot have events. Each step is
+// frames.step_growth times as long as the step before it.
+function framesBetween(from, to, values) {
     const growth = values["frames.step_growth"] ?? 1;
-    let frame = 1;
-    for (let end = 0, length = step; end < time && frame < 100000; length *= growth) {
-        end += length;
-        frame += 1;
-    }
-    return frame;
+    let step = values["frames.time_step"] || 1;
+    let time = (values["frames.warm_up"] ?? 0) + step;
+    let frame = 2;
+    const advanceWhile = (condition) => {
+        for (; frame < kLastFrame && condition(); ++frame) {
+            step *= growth;
+            time += step;
+        }
+    };
+    advanceWhile(() => from < to && time <= from + kSameTime * step);
+    const first = frame;
+    advanceWhile(() => time < to - kSameTime * step);
+    return [from < to ? first : frame, frame];
 }
 
 /** Returns a new event of a kind (see schema.js) that begins near a frame. */
