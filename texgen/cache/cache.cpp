@@ -40,6 +40,15 @@ auto read_content(const std::filesystem::path& path,
     }
 }
 
+// Adds the efforts of the states [first, end), which no frame needs.
+void add_skipped_efforts(const StoredStates& stored, int first, int end, FrameAssembly& assembly) {
+    for (int number = first; number < end; ++number) {
+        if (const auto effort = stored.skipped_effort(number)) {
+            assembly.add_effort(*effort);
+        }
+    }
+}
+
 }  // namespace
 
 Cache::Cache(std::filesystem::path folder)
@@ -105,11 +114,7 @@ FrameSource frames_from_states(const Preset& preset,
                 if (on_progress && progress.done > 0) {
                     on_progress(progress);
                 }
-                for (; next < number; ++next) {
-                    if (const auto effort = stored.skipped_effort(next)) {
-                        assembly.add_effort(*effort);
-                    }
-                }
+                add_skipped_efforts(stored, next, number, assembly);
                 SimulatedFrame state = stored.state(number);
                 if (preset.shape.kind == FoamKind::Patch && number == 1) {
                     view = camera_view(*state.frame, preset.image, preset.camera);
