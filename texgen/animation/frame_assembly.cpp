@@ -271,4 +271,10 @@ FrameEffort FrameAssembly::effort_since_last(const FrameEffort& total, std::size
     return effort;
 }
 
+std::vector<int> states_of(const Preset& preset,
+                           const std::vector<int>& frames,
+                           NextFrames next_frames) {
+    return FrameAssembly(preset, frames, next_frames, {}).states();
+}
+
 }  // namespace foam::texgen

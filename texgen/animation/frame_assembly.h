@@ -47,8 +47,9 @@ class FrameAssembly {
     /// time and events. For the first state, it covers all steps since the start of the simulation.
     void add(const SimulatedFrame& state);
 
-    /// Adds the effort of a state that no frame needs, between the calls of add(). Efforts that are
-    /// not added are missing in the efforts of the frames. Precondition: as in add().
+    /// Adds the effort of a state that no frame needs; the next frame reports it. No frame reports
+    /// efforts that are not added. Precondition: this function and add() are called in the order of
+    /// the numbers of the states.
     void add_effort(const FrameEffort& effort);
 
   private:
@@ -90,5 +91,10 @@ class FrameAssembly {
     std::size_t event_count_ = 0;            // number of events up to the last added state
     std::vector<TopologyEvent> unreported_;  // events that no emitted frame has reported yet
 };
+
+/// Returns the numbers of the states that frames need, in increasing order.
+std::vector<int> states_of(const Preset& preset,
+                           const std::vector<int>& frames,
+                           NextFrames next_frames);
 
 }  // namespace foam::texgen

@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <system_error>
@@ -37,15 +38,6 @@ auto read_content(const std::filesystem::path& path,
         return unpack(content);
     } catch (const BadContent& error) {
         fail_to_read(path, error.what());
-    }
-}
-
-// Adds the efforts of the states [first, end), which no frame needs.
-void add_skipped_efforts(const StoredStates& stored, int first, int end, FrameAssembly& assembly) {
-    for (int number = first; number < end; ++number) {
-        if (const auto effort = stored.skipped_effort(number)) {
-            assembly.add_effort(*effort);
-        }
     }
 }
 
@@ -86,11 +78,17 @@ SimulatedFrame Cache::state(int number) const {
     return found;
 }
 
+// Only the states that the frames of the cache need are counted. The folder may contain others,
+// which an earlier simulation of more frames has left; the states of the cache include their
+// effort.
 FrameSource Cache::frames_of(const Preset& preset, SkippedEfforts skipped) const {
-    const auto skipped_effort = [this, skipped](int number) -> std::optional<FrameEffort> {
-        const bool is_counted =
-            skipped == SkippedEfforts::Counted && is_file(state_path(folder_, number));
-        return is_counted ? std::optional(state(number).effort) : std::nullopt;
+    std::vector<int> counted;
+    if (skipped == SkippedEfforts::Counted) {
+        counted = states_of(info_.preset, info_.frames, NextFrames::Included);
+    }
+    const auto skipped_effort = [this, counted](int number) -> std::optional<FrameEffort> {
+        return std::ranges::binary_search(counted, number) ? std::optional(state(number).effort)
+                                                           : std::nullopt;
     };
     return frames_from_states(preset,
                               {[this](int number) { return state(number); }, skipped_effort},
@@ -109,12 +107,23 @@ FrameSource frames_from_states(const Preset& preset,
             FrameAssembly assembly(preset, numbers, next_frames, on_frame);
             RunProgress progress{.phase = Phase::States,
                                  .total = static_cast<int>(assembly.states().size())};
+            const auto report = [&] {
+                if (on_progress && progress.done > 0) {
+                    on_progress(progress);  // may throw, so that the user can end the reading
+                }
+            };
+            const auto skip = [&](int number) {
+                report();
+                if (const auto effort = stored.skipped_effort(number)) {
+                    assembly.add_effort(*effort);
+                }
+            };
             int next = 1;  // number of the first state that was neither added nor skipped
             for (const int number : assembly.states()) {
-                if (on_progress && progress.done > 0) {
-                    on_progress(progress);
+                for (; next < number; ++next) {
+                    skip(next);
                 }
-                add_skipped_efforts(stored, next, number, assembly);
+                report();
                 SimulatedFrame state = stored.state(number);
                 if (preset.shape.kind == FoamKind::Patch && number == 1) {
                     view = camera_view(*state.frame, preset.image, preset.camera);
@@ -123,7 +132,7 @@ FrameSource frames_from_states(const Preset& preset,
                 state.closing_error = closing_error;
                 assembly.add(state);
                 ++progress.done;
-                next = number + 1;
+                ++next;
             }
             return RunOutcome{RunStatus::Complete, 0, closing_error};
         };

@@ -47,8 +47,7 @@ RunOutcome SharedSimulation::simulate(FrameAssembly& assembly,
             assembly.add_effort(state.effort);
         }
     };
-    const std::vector<int> states =
-        FrameAssembly(preset_, frames_, NextFrames::Included, {}).states();
+    const std::vector<int> states = states_of(preset_, frames_, NextFrames::Included);
     return simulate_states(preset_, threads_, states, add, on_progress);
 }
 

@@ -87,8 +87,7 @@ std::uint64_t estimated_cache_size(const Preset& preset,
     // Measured bytes per bubble and state: 63 in the preset sea_foam (400 bubbles), and 79 in the
     // presets potion (130 bubbles) and coarsening (3,000 bubbles).
     constexpr std::uint64_t kBytesPerBubble = 80;
-    const std::vector<int> states =
-        FrameAssembly(preset, frames, NextFrames::Included, {}).states();
+    const std::vector<int> states = states_of(preset, frames, NextFrames::Included);
     const auto missing = std::ranges::count_if(states, [&](int number) {
         std::error_code ignored;
         return !std::filesystem::exists(state_path(folder, number), ignored);
@@ -103,8 +102,7 @@ RunOutcome simulate_into_cache(const Preset& preset,
                                const ProgressCallback& on_progress) {
     check(options);
     CacheWriter writer(preset, options.frames, folder);
-    const std::vector<int> states =
-        FrameAssembly(preset, options.frames, NextFrames::Included, {}).states();
+    const std::vector<int> states = states_of(preset, options.frames, NextFrames::Included);
     ProgressMeter meter(Phase::Frames, static_cast<int>(states.size()), on_progress);
     const auto write = [&](const SimulatedFrame& state) {
         writer.write(state);

@@ -46,10 +46,4 @@ void assemble(const std::map<int, SimulatedFrame>& kept,
     }
 }
 
-std::vector<int> states_of(const Preset& preset,
-                           const std::vector<int>& frames,
-                           NextFrames next_frames) {
-    return FrameAssembly(preset, frames, next_frames, {}).states();
-}
-
 }  // namespace foam::texgen

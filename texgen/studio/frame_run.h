@@ -58,9 +58,4 @@ void assemble(const std::map<int, SimulatedFrame>& kept,
               NextFrames next_frames,
               const FrameVisitor& visit);
 
-/// Returns the numbers of the states that frames need, in increasing order.
-std::vector<int> states_of(const Preset& preset,
-                           const std::vector<int>& frames,
-                           NextFrames next_frames);
-
 }  // namespace foam::texgen

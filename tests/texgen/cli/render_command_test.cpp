@@ -121,6 +121,10 @@ TEST_F(RenderCommand, StatisticsOfACacheCountTheEventsOfSkippedStates) {
     EXPECT_EQ(content("a/events.csv"), content("b/events.csv"));
     ASSERT_EQ(run("render foam8 --frames 2,7 --stats --out 'c/{map}.####.png' -q").code, 0);
     EXPECT_EQ(content("a/events.csv"), content("c/coarsening_stats/events.csv"));
+    // A second simulation of fewer frames leaves the states of the other frames in the folder.
+    ASSERT_EQ(run("simulate " + foam + "--frames 2,7 --cache foam8").code, 0);
+    ASSERT_EQ(run("stats foam8 --out d -q").code, 0);
+    EXPECT_EQ(content("a/events.csv"), content("d/events.csv"));
 }
 
 // The ranges are fitted by `simulate`, and again by the first `render` of another surface.
