@@ -40,12 +40,13 @@ constexpr DefectOptions kLaterDefects{.force = 0.02, .area = 0.05};
 // A step of the whole foam with a new factor is slow if it leaves more than this share of the norm
 // of the residual. Defect regions are then assumed to limit the progress.
 constexpr double kSlowRatio = 0.1;
-// The tolerance of Newton's method for forces, in film tensions, and for relative area errors
-// (newton_tolerance), in foams of usual size. The tolerance is never below this number.
+// The smallest tolerance of Newton's method for forces, in film tensions, and for relative area
+// errors (newton_tolerance).
 constexpr double kNewtonTolerance = 1e-11;
-// In a larger foam, the tolerance is this number times the size of the foam.
+// The tolerance is this number times the size of the foam if that is more than kNewtonTolerance. On
+// a torus, this is so from about 10,000 bubbles on.
 constexpr double kNewtonTolerancePerSize = 1e-13;
-// The tolerance of a larger foam is at most this number times the tolerance of the equilibrium.
+// The tolerance grows with the foam to at most this number times the tolerance of the equilibrium.
 constexpr double kMaxToleranceRatio = 0.1;
 // After this many rounds without equilibrium, defect regions are no longer solved on their own.
 constexpr int kRoundsWithRegions = 20;

@@ -40,7 +40,8 @@ constexpr double kNearEquilibrium = 0.05;
 // In a foam of a million bubbles, nearly every step would bring some films to a T1. If such a step
 // were not made, the foam would make no progress. In a foam of at least kLargeFoam films, a step is
 // therefore made if at most one film in kFilmsPerT1 needs a T1. These films get their T1s after the
-// step; the limits of moves (limit_moves) keep them from collapsing in it.
+// step. A limited step (limit_moves) shortens a film by at most about 40 %
+// (NewtonOptions::largest_move).
 constexpr std::size_t kLargeFoam = 60'000;
 constexpr std::size_t kFilmsPerT1 = 10'000;
 
@@ -180,16 +181,16 @@ NewtonSummary newton(Foam& foam, NewtonSystem& system, const NewtonOptions& opti
         if (!is_worth_keeping(advance, is_chord_step, current.norms, options)) {
             system.drop_factor();
         }
-        const bool is_stalled = !advance.moved && !is_chord_step;
-        if (need_t1) {
-            end = is_stalled ? NewtonStatus::Stalled : NewtonStatus::FilmsNeedT1;
+        // If a step with a new factor makes no progress, the precision of the factor may be the
+        // reason. If films need a T1, they are the likelier reason.
+        if (!advance.moved && !is_chord_step &&
+            (need_t1 ||
+             !(may_raise_precision(current.norms, options) && system.raise_precision(foam)))) {
+            end = NewtonStatus::Stalled;
             break;
         }
-        // If a step with a new factor makes no progress, the precision of the factor may be the
-        // reason.
-        if (is_stalled &&
-            !(may_raise_precision(current.norms, options) && system.raise_precision(foam))) {
-            end = NewtonStatus::Stalled;
+        if (need_t1) {
+            end = NewtonStatus::FilmsNeedT1;
             break;
         }
         const bool is_slow = advance.moved && !is_chord_step && advance.ratio > options.slow_ratio;

@@ -25,10 +25,11 @@ struct NewtonOptions {
     // The method ends with the status Slow if a step with a new factor leaves more than this share
     // of the norm of the residual. The value 1 disables this status.
     double slow_ratio = 1.0;
-    // Decides which of the films that are shorter than their T1 distance get a T1 before a step is
-    // made. If this is true and the foam is near equilibrium, these are the films that would still
-    // be shorter after the step (films_staying_short). Otherwise, these are only the films that the
-    // step would shorten by more than half (collapsing_films). Collapsed films always get a T1.
+    // Decides which of the films that are shorter than their T1 distance need a T1 when a step has
+    // been computed. If this is true and the foam is near equilibrium, these are the films that
+    // would still be shorter after the step (films_staying_short). Otherwise, these are only the
+    // films that the step would shorten by more than half (collapsing_films). Collapsed films
+    // always need a T1.
     bool predicts_t1 = true;
     // If false, the precision of the factor is raised only near equilibrium. Farther away, defects
     // are a likelier cause of a stall than low precision is, and a factor in double precision is
