@@ -33,10 +33,9 @@ class AreaField {
     Vec2 random_point(Random& random) const;
 
     /// Returns the area that a bubble covering a polygon should have: the harmonic mean of the
-    /// field over the polygon. Sample points are at most about as far apart as the shorter side of
-    /// a cell of the grid is long. In a large polygon, they are about 1/32 of its size apart
-    /// (visit_polygon_samples).
-    /// Precondition: the polygon is counter-clockwise.
+    /// field over the polygon. The distance between sample points is at most about the shorter side
+    /// of a cell of the grid or, in a large polygon, about 1/32 of the size of the polygon
+    /// (visit_polygon_samples). Precondition: the polygon is counter-clockwise.
     double mean_over(std::span<const Vec2> polygon) const;
 
     /// Returns the point to which Lloyd's algorithm moves the site of a Voronoi cell. The polygon

@@ -197,15 +197,6 @@ std::vector<Vec2> polygon_of(const PolygonMesh& mesh, const Cell& cell) {
     return polygon;
 }
 
-double polygon_area(const PolygonMesh& mesh, const Cell& cell) {
-    double twice_area = 0.0;
-    for (std::size_t k = 0; k + 1 < cell.size(); ++k) {
-        twice_area += cross(mesh.points[cell[k]] - mesh.points[cell[0]],
-                            mesh.points[cell[k + 1]] - mesh.points[cell[0]]);
-    }
-    return 0.5 * twice_area;
-}
-
 Vec2 lloyd_center(std::span<const Vec2> polygon, const AreaField* areas) {
     return areas != nullptr ? areas->centroid_of(polygon) : polygon_centroid(polygon);
 }

@@ -34,9 +34,6 @@ ClippedCells clip_cells(const Outline& outline,
 /// Returns the corners of a cell of the mesh, counter-clockwise.
 std::vector<Vec2> polygon_of(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
 
-/// Returns the area of a cell of the mesh.
-double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
-
 /// Merges every cell smaller than a tenth of the mean area into the neighbor with which it shares
 /// the longest border. If `areas` is not null, each area is compared relative to the mean of the
 /// field over the cell (AreaField::mean_over). If the boundary of the union of the two cells is not

@@ -119,6 +119,17 @@ bool is_line_space(char c) {
     return c == '\n' || c == '\r' || c == '\t';
 }
 
+// Throws std::invalid_argument unless the text of a point has two numbers.
+void check_point(const std::string& text) {
+    std::istringstream words(text);
+    const auto numbers = std::distance(std::istream_iterator<std::string>(words), {});
+    if (numbers != 2) {
+        throw std::invalid_argument(
+            "each point must have two numbers, such as '6 4', but a point has " +
+            std::to_string(numbers));
+    }
+}
+
 // Throws std::invalid_argument unless each point of a WKT polygon has two numbers. Boost.Geometry
 // replaces missing numbers by 0 and ignores further ones. Precondition: Boost.Geometry has read the
 // text as a polygon.
@@ -127,13 +138,8 @@ void check_points(const std::string& text) {
     std::size_t begin = text.find('(');
     while (begin != std::string::npos) {
         const std::size_t end = text.find_first_of("(),", begin + 1);
-        const bool is_point = end != std::string::npos && text[end] != '(' && text[begin] != ')';
-        std::istringstream words(is_point ? text.substr(begin + 1, end - begin - 1) : "");
-        const auto numbers = std::distance(std::istream_iterator<std::string>(words), {});
-        if (is_point && numbers != 2) {
-            throw std::invalid_argument(
-                "each point must have two numbers, such as '6 4', but a point has " +
-                std::to_string(numbers));
+        if (end != std::string::npos && text[end] != '(' && text[begin] != ')') {
+            check_point(text.substr(begin + 1, end - begin - 1));
         }
         begin = end;
     }

@@ -80,19 +80,9 @@ class PatchBuilder {
         for (const PolygonMesh::Cell& corners : mesh_.cells) {
             foam_.network.add_bubble();
             foam_.pressures.push_back(0.0);
-            foam_.target_areas.push_back(area_of(corners));
+            foam_.target_areas.push_back(polygon_area(mesh_, corners));
             foam_.identities.push_back(foam_.next_identity++);
         }
-    }
-
-    double area_of(const PolygonMesh::Cell& corners) const {
-        const Vec2 start = mesh_.points[corners.front()];
-        double twice_area = 0.0;
-        for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
-            twice_area +=
-                cross(mesh_.points[corners[k]] - start, mesh_.points[corners[k + 1]] - start);
-        }
-        return 0.5 * twice_area;
     }
 
     // Adds a film for each chain of sides from junction to junction. Stores the half-edges around
@@ -166,6 +156,15 @@ class PatchBuilder {
 };
 
 }  // namespace
+
+double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell) {
+    double twice_area = 0.0;
+    for (std::size_t k = 0; k + 1 < cell.size(); ++k) {
+        twice_area += cross(mesh.points[cell[k]] - mesh.points[cell[0]],
+                            mesh.points[cell[k + 1]] - mesh.points[cell[0]]);
+    }
+    return 0.5 * twice_area;
+}
 
 Foam foam_from_mesh(const PolygonMesh& mesh) {
     return PatchBuilder(mesh).build();

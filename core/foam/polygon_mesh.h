@@ -19,6 +19,9 @@ struct PolygonMesh {
     std::vector<Cell> cells;
 };
 
+/// Returns the area of a cell of the mesh.
+double polygon_area(const PolygonMesh& mesh, const PolygonMesh::Cell& cell);
+
 /// Returns the mesh as a patch with straight films and pressures of 0. Bubbles are the cells, in
 /// the same order; target areas are the areas of the cells. A chain of sides becomes one film: a
 /// point where only two sides meet is dissolved. Throws std::runtime_error in three cases:

@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::json;
 
 // Largest number of nested objects and arrays. A state of a foam has three levels.
-constexpr std::size_t kMaxNesting = 16;
+constexpr std::size_t kMaxDepth = 16;
 
 // The position up to which the parser has read. After a number, this is one character beyond the
 // end of the number. This character may be a line feed, which token_line() does not count.
@@ -127,8 +127,8 @@ class TreeBuilder : public Json::json_sax_t {
 
     template <class Container>
     bool open(Container container) {
-        if (open_.size() == kMaxNesting) {
-            fail(fmt::format("nested more than {} levels deep", kMaxNesting));
+        if (open_.size() == kMaxDepth) {
+            fail(fmt::format("nested more than {} levels deep", kMaxDepth));
         }
         JsonTree& node = next_node();
         node.data = std::move(container);

@@ -38,8 +38,9 @@ struct StepSettings {
     double kappa = 0.01;        ///< diffusion constant (E6), in foam units; 0 for no diffusion
     double tolerance = 1e-9;    ///< largest error of areas (relative) and of angles (radians)
     double t1_distance = 0.05;  ///< a film with a shorter chord may flip (E7), foam units
-    double t2_area = 0.01;      ///< target area at which bubbles of up to three sides vanish (E8)
-    int threads = 0;            ///< at most 256; 0: all threads of the machine
+    /// Target area at which bubbles of up to three sides vanish (E8), square foam units.
+    double t2_area = 0.01;
+    int threads = 0;  ///< at most 256; 0: all threads of the machine
 };
 
 /// The work and the result of `relax` or `step`.
