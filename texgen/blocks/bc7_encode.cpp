@@ -102,6 +102,13 @@ FOAM_INLINE void try_line(Group<Simd> group, const Array<std::size_t, kChannels>
     group.offer(fit.error, [&](std::size_t lane) { return stored.fields(6, lane); });
 }
 
+// Estimates the squared error of a partition in a mode: the squared distances of the colors from
+// the lines, and the rounding errors along the lines (kRoundingShare).
+template <class Format, class Simd>
+FOAM_INLINE typename Simd::Floats estimated_error(const Spread<Simd>& spread) {
+    return spread.across + spread.along * kRoundingShare<Format>;
+}
+
 // Tries the given partitions in a mode of several subsets. Then tries the best of them again with
 // other initial endpoints (Fitter::start).
 template <class Format, class Simd>
@@ -143,10 +150,8 @@ struct TwoLines {
         for_partitions<Simd, 2, 3>(
             relative<Simd, 3>(colors),
             [&](int partition, const Spread<Simd>& spread) FOAM_INLINE_LAMBDA {
-                mode1_partitions.insert(spread.across + spread.along * kRoundingShare<Mode1>,
-                                        partition);
-                mode3_partitions.insert(spread.across + spread.along * kRoundingShare<Mode3>,
-                                        partition);
+                mode1_partitions.insert(estimated_error<Mode1>(spread), partition);
+                mode3_partitions.insert(estimated_error<Mode3>(spread), partition);
             });
         try_partitions<Mode1>(group, colors, mode1_partitions, 1);
         try_partitions<Mode3>(group, colors, mode3_partitions, 3);
@@ -166,11 +171,9 @@ struct ThreeLines {
             relative<Simd, 3>(colors),
             [&](int partition, const Spread<Simd>& spread) FOAM_INLINE_LAMBDA {
                 if (partition < kPartitionsOfMode0) {
-                    mode0_partitions.insert(spread.across + spread.along * kRoundingShare<Mode0>,
-                                            partition);
+                    mode0_partitions.insert(estimated_error<Mode0>(spread), partition);
                 }
-                mode2_partitions.insert(spread.across + spread.along * kRoundingShare<Mode2>,
-                                        partition);
+                mode2_partitions.insert(estimated_error<Mode2>(spread), partition);
             });
         try_partitions<Mode0>(group, colors, mode0_partitions, 0);
         try_partitions<Mode2>(group, colors, mode2_partitions, 2);
@@ -186,8 +189,7 @@ struct TransparentModes {
         for_partitions<Simd, 2, 4>(
             relative<Simd, 4>(colors),
             [&](int partition, const Spread<Simd>& spread) FOAM_INLINE_LAMBDA {
-                mode7_partitions.insert(spread.across + spread.along * kRoundingShare<Mode7>,
-                                        partition);
+                mode7_partitions.insert(estimated_error<Mode7>(spread), partition);
             });
         try_partitions<Mode7>(group, colors, mode7_partitions, 7);
         try_own_indices<Mode4, Simd, 4>(group, colors);
