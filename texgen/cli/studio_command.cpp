@@ -53,15 +53,16 @@ class NoPages : public std::exception {};
 /// browser, so nothing waits for it.
 void open_browser(const std::string& url) {
     std::thread([url] {
-        try {
-            const std::optional<int> code =
-                run_external({"xdg-open", url}, {.shows_errors = false});
-            // The code is below 0 if a signal ended the program. In this case no message is needed:
-            // the signal usually comes from Ctrl-C, which also ends the studio.
-            if (code.value_or(1) > 0) {
-                print_stderr("foamtex: the browser could not be opened; open the address by hand");
+        const auto is_opened = [&url] {
+            try {
+                // The code is below 0 if a signal ended the program. In this case no message is
+                // needed: the signal usually comes from Ctrl-C, which also ends the studio.
+                return run_external({"xdg-open", url}, {.shows_errors = false}).value_or(1) <= 0;
+            } catch (const OutputError&) {
+                return false;
             }
-        } catch (const OutputError&) {
+        };
+        if (!is_opened()) {
             print_stderr("foamtex: the browser could not be opened; open the address by hand");
         }
     }).detach();

@@ -131,12 +131,12 @@ std::string sheet_pattern(const Preset& preset) {
 // compressed twice.
 const char* needed_formats(const Preset& preset) {
     const FilePattern pattern(preset);
-    if (array_suffix_of(preset.output.sheets).empty()) {
-        const bool fits = !pattern.is_vector() && !pattern.format().is_lossy;
-        return fits ? nullptr : "PNG or EXR files";
-    }
-    const bool fits = !pattern.is_vector() && pattern.format().samples != FormatSamples::Numbers;
-    return fits ? nullptr : "PNG or DDS files";
+    const bool is_array = !array_suffix_of(preset.output.sheets).empty();
+    const bool fits =
+        !pattern.is_vector() && (is_array ? pattern.format().samples != FormatSamples::Numbers
+                                          : !pattern.format().is_lossy);
+    const char* const suitable = is_array ? "PNG, DDS or KTX2 files" : "PNG or EXR files";
+    return fits ? nullptr : suitable;
 }
 
 }  // namespace

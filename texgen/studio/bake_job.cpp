@@ -2,6 +2,7 @@
 
 #include "texgen/studio/bake_job.h"
 
+#include "core/files/shown_text.h"
 #include "texgen/animation/phase_clock.h"
 #include "texgen/animation/progress.h"
 #include "texgen/animation/progress_text.h"
@@ -60,7 +61,7 @@ struct BakeJobs::Job {
     void finish(const std::string& verdict, const std::string& reason) {
         const std::scoped_lock lock(mutex);
         status = verdict;
-        message = reason;
+        message = shown_text(reason);
         end = PhaseClock::Clock::now();
     }
 };

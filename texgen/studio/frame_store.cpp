@@ -2,6 +2,7 @@
 
 #include "texgen/studio/frame_store.h"
 
+#include "core/files/shown_text.h"
 #include "texgen/preset/simulation_keys.h"
 #include "texgen/studio/frame_run.h"
 
@@ -267,10 +268,10 @@ void FrameStore::work() {
 // (forget_old_runs). If each request interrupted the run, two pages that ask in turn could
 // interrupt each other's runs forever.
 void FrameStore::simulate(const RunPointer& run) {
-    const auto finish = [&](std::optional<RunOutcome> outcome, std::string failure) {
+    const auto finish = [&](std::optional<RunOutcome> outcome, const std::string& failure) {
         const std::scoped_lock lock(mutex_);
         run->outcome = std::move(outcome);
-        run->failure = std::move(failure);
+        run->failure = shown_text(failure);
         changed_.notify_all();
     };
     const auto report = [&](const RunProgress& progress) {

@@ -4,6 +4,7 @@
 
 #include "core/files/file_io.h"
 #include "texgen/animation/progress_text.h"
+#include "texgen/bake/frame_range.h"
 #include "texgen/json/json_value.h"
 #include "texgen/maps/all_maps.h"
 #include "texgen/studio/access.h"
@@ -25,8 +26,6 @@ namespace foam::texgen {
 
 namespace {
 
-constexpr int kMaxFrame = 1'000'000;
-
 std::string page_of(const JsonValue& request) {
     constexpr std::size_t kMaxPageBytes = 64;
     const std::string& page = request["page"].text();
@@ -37,7 +36,7 @@ std::string page_of(const JsonValue& request) {
 }
 
 int frame_of(const JsonValue& request) {
-    return static_cast<int>(request["frame"].integer(1, kMaxFrame));
+    return static_cast<int>(request["frame"].integer(1, kLastFrame));
 }
 
 BakedImage baked_image(const JsonValue& request) {

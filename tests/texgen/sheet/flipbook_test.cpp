@@ -56,7 +56,7 @@ TEST(Flipbook, SheetsThatCannotBeMadeAreRejectedBeforeTheBake) {
     EXPECT_NO_THROW(check(SheetKind::Grid, "{map}.####.exr", "albedo"));
     EXPECT_NO_THROW(check(SheetKind::None, "{map}.####.svg", "albedo"));
     expect_rejected("bake sea_foam --set output.sheets=dds --out '{map}.####.exr'",
-                    "output.sheets = \"dds\" needs PNG or DDS files, but output.pattern is "
+                    "output.sheets = \"dds\" needs PNG, DDS or KTX2 files, but output.pattern is "
                     "'{map}.####.exr'; set output.sheets to \"none\" for no sheets");
 }
 

@@ -223,7 +223,7 @@ TEST_F(StudioTest, MalformedRequestsAreNamed) {
     EXPECT_EQ(post("/api/nothing", {}).status, HttpStatus::NotFound);
 }
 
-// The program prints its messages so, too.
+// As in the messages that the program prints (shown_text).
 TEST_F(StudioTest, MessagesAreOneLineOfLimitedLength) {
     const auto message = [&](const std::string& set) {
         return message_of(post("/api/settings", {{"settings", settings({set})}}));

@@ -5,7 +5,7 @@
 import {fromToml, toToml} from "./toml.js";
 
 const kLength = 10; // frames of a new event
-const kLastFrame = 100000; // no event is searched for in later frames
+const kLastFrame = 100000; // the last frame that can have events: kLastEventFrame in texgen/events/event_base.h
 const kSameTime = 1e-6; // times that differ by less than this fraction of a time step count as equal
 
 /** Returns the events of an answer of /api/settings as the page keeps them. */

@@ -160,8 +160,7 @@ function fixedNumbersField(key, id, edit, {label}) {
             const item = Array.isArray(value) ? value[index] : value;
             input.value = typeof item === "number" ? formatNumber(item) : (item ?? "");
         });
-    const hasFocus = () => inputs.some((input) => input === document.activeElement);
-    return {element: group, control: group, show, busy: () => group.contains(document.activeElement) && hasFocus()};
+    return {element: group, control: group, show, busy: () => inputs.includes(document.activeElement)};
 }
 
 function textField(key, id, edit, {label}) {

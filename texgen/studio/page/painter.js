@@ -41,7 +41,8 @@ export class Painter {
     #full = new Lane(kPatience);
     #sharp = new Lane(kPatience);
     #edit = 0; // the number of the newest edit; counts the calls of `refresh`
-    #shownRank = [0, 0]; // the edit and the rank of the shown picture
+    #shownEdit = 0; // the edit of the shown picture
+    #shownRank = 0; // its rank
     #fullTime = 0; // milliseconds that the last full picture took
     #showsFrame = false;
     #rest = debounce(kRest, () => this.#paint());
@@ -101,7 +102,7 @@ export class Painter {
 
     /** Requests a draft as well. Called when the last edit turns out to change the foam. */
     addDraft() {
-        if (this.#showsFrame && this.#shownRank[0] < this.#edit) {
+        if (this.#showsFrame && this.#shownEdit < this.#edit) {
             this.#showsFrame = false;
             this.#paintDraft(false);
         }
@@ -189,23 +190,26 @@ export class Painter {
     }
 
     #show(edit, rank, picture) {
-        if (edit < this.#shownRank[0] || (edit === this.#shownRank[0] && rank < this.#shownRank[1])) {
+        if (edit < this.#shownEdit || (edit === this.#shownEdit && rank < this.#shownRank)) {
             return;
         }
-        this.#shownRank = [edit, rank];
+        this.#shownEdit = edit;
+        this.#shownRank = rank;
         this.#view.show(picture);
     }
 
     // Shows a frame of the loop, or requests it if it is not loaded.
     #onFrame(picture) {
         if (picture) {
-            this.#shownRank = [this.#edit, kFull];
+            this.#shownEdit = this.#edit;
+            this.#shownRank = kFull;
             this.#view.show(picture);
             if (!this.#player.playing) {
                 this.#sharpen();
             }
         } else if (this.#source) {
-            this.#shownRank = [this.#edit, kDraft];
+            this.#shownEdit = this.#edit;
+            this.#shownRank = kDraft;
             this.#paint();
         }
     }

@@ -8,10 +8,9 @@ const kTurnPerHeight = Math.PI;  // radians by which a drag along the height of 
 const kTurnPerKey = Math.PI / 36;
 const kLightPerKey = 0.06;
 const kZoomPerKey = 1.15;
-const kHelp = "Lit preview of the surface. Arrow keys turn it, with Shift they move the light; plus and minus zoom.";
 const kArrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
 
-// Makes the canvas focusable, and labels it unless it has a label. Calls the functions of `actions` when the user works
+// Makes the canvas focusable. Calls the functions of `actions` when the user works
 // with the canvas:
 //   orbit(turn, tilt)   turns the shape, in radians
 //   light(x, y)         moves the light, in half-heights of the canvas, x to the right and y up
@@ -25,10 +24,6 @@ export function attachControls(canvas, actions) {
         canvas.addEventListener(type, listener, {...options, signal: stop.signal});
     canvas.style.touchAction = "none";
     canvas.tabIndex = Math.max(canvas.tabIndex, 0);
-    if (!canvas.hasAttribute("aria-label")) {
-        canvas.setAttribute("role", "img");
-        canvas.setAttribute("aria-label", kHelp);
-    }
     const pointers = new Map();
     let movesLight = false;
 
