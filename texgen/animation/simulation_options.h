@@ -12,8 +12,9 @@ namespace foam::texgen {
 CycleOptions cycle_options_of(const Preset& preset);
 
 /// Returns about how many cycles a boil takes to close: the median that tests/bench/boil_table has
-/// measured (NOTES.md of this folder). The table has a few numbers of bubbles. The result is the
-/// median of the smallest one that is at least `bubbles`, or of 2,000 if all are smaller.
+/// measured (NOTES.md of this folder) for 100, 300, 500, 1,000 and 2,000 bubbles. The result is the
+/// median for the smallest of these numbers that is at least `bubbles`, or for 2,000 if there is
+/// none.
 int usual_cycles(int bubbles);
 
 /// Returns the options of the time steps of a preset, with a new linear system, which the steps

@@ -37,8 +37,8 @@ struct Stopped {};
 }  // namespace
 
 struct Simulation::Stream {
-    Stream(Preset simulated, std::vector<int> numbers, int threads)
-        : preset(std::move(simulated)),
+    Stream(Preset simulation_preset, std::vector<int> numbers, int threads)
+        : preset(std::move(simulation_preset)),
           thread([this, numbers = std::move(numbers), threads] { run(numbers, threads); }) {}
 
     ~Stream() {

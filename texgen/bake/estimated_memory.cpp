@@ -29,8 +29,8 @@ namespace {
 // The peak memory of drawing, encoding and writing one frame of a map, in bytes per pixel.
 struct MeasuredMemory {
     std::string_view map;
-    double png;  // if the file is a PNG, or has another format that stores codes
-    double exr;  // if the file is an EXR
+    double codes;    // if the file stores codes, as a PNG does
+    double numbers;  // if the file stores numbers, as an EXR does
 };
 
 // Measured with bakes of one frame of the preset sea_foam on one thread. Each number is the growth
@@ -53,7 +53,7 @@ constexpr std::array<MeasuredMemory, 28> kMeasured{
 // Also the memory of the reduced images to which automatic ranges are fitted.
 constexpr MeasuredMemory kUnmeasuredMap{"", 40, 50};
 
-constexpr double kGrainBytesPerPixel = 12.0;  // bytes per pixel of a grain: three floats
+constexpr double kGrainBytesPerPixel = 12.0;  // a grain has three floats
 
 constexpr double kProgramBytes = 10e6;          // bytes of the process without a foam
 constexpr double kFoamBytesPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
@@ -69,7 +69,7 @@ constexpr double kPackedSampleBytes = 4.0;
 double map_bytes_per_pixel(std::string_view map, bool stores_codes) {
     const auto* const found = std::ranges::find(kMeasured, map, &MeasuredMemory::map);
     const MeasuredMemory& memory = found != kMeasured.end() ? *found : kUnmeasuredMap;
-    return stores_codes ? memory.png : memory.exr;
+    return stores_codes ? memory.codes : memory.numbers;
 }
 
 double bytes_per_pixel(const DrawnImage& image, bool stores_codes) {
@@ -164,7 +164,8 @@ std::uint64_t estimated_foam_memory(const Preset& preset) {
 std::uint64_t estimated_cache_memory(const Preset& preset, std::size_t frames, int threads) {
     const auto drawn = std::min(frames, static_cast<std::size_t>(thread_count(threads)));
     const double pixels = static_cast<double>(drawn) * kMeasuredSide * kMeasuredSide;
-    return estimated_foam_memory(preset) + static_cast<std::uint64_t>(pixels * kUnmeasuredMap.png);
+    return estimated_foam_memory(preset) +
+           static_cast<std::uint64_t>(pixels * kUnmeasuredMap.codes);
 }
 
 std::uint64_t estimated_memory(const Preset& preset, std::size_t frames, int threads) {

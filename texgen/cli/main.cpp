@@ -13,8 +13,8 @@ namespace {
 // the system. Clearing the pages of each new image then takes 3 to 12 % of the time of a bake.
 void keep_freed_memory() {
 #ifdef __GLIBC__
-    constexpr int kMaxBlockBytes = 32 << 20;  // bytes; the largest value that mallopt accepts
-    constexpr int kKeptBytes = 256 << 20;  // bytes; free memory that stays at the end of the heap
+    constexpr int kMaxBlockBytes = 32 << 20;  // the largest value that mallopt accepts
+    constexpr int kKeptBytes = 256 << 20;     // free memory that stays at the end of the heap
     mallopt(M_MMAP_THRESHOLD, kMaxBlockBytes);
     mallopt(M_TRIM_THRESHOLD, kKeptBytes);
 #endif

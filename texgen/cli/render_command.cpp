@@ -68,6 +68,7 @@ ExitCode run_render(const RenderArguments& arguments) {
     note_keys_without_maps(arguments.run, presets.front());
     const std::vector<int> frames =
         arguments.run.frames ? frames_of(arguments.run, presets.front()) : info.frames;
+    // A job of a farm draws a few of many frames, and need not read the states of the others.
     const SkippedEfforts skipped =
         arguments.images.stats ? SkippedEfforts::Counted : SkippedEfforts::Ignored;
     std::vector<ImageRun> runs;

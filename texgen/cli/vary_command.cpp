@@ -10,6 +10,7 @@
 #include "texgen/cli/run_arguments.h"
 #include "texgen/cli/standard_error.h"
 #include "texgen/maps/all_maps.h"
+#include "texgen/preset/key_values.h"
 #include "texgen/preset/preset_remarks.h"
 #include "texgen/preset/preset_schema.h"
 #include "texgen/variations/drawn_variations.h"
@@ -50,7 +51,6 @@ seed and random values of the keys in preset.vary. Keys that --set sets do not v
 becomes a preset file beside the sheet. Preset files of earlier runs are replaced or removed.)";
 
 constexpr int kMaxVariationSide = 2048;
-constexpr int kMaxVariations = 400;  // limit of --random
 
 struct VaryArguments {
     RunArguments run;
@@ -214,7 +214,7 @@ void add_random_options(CLI::App& command, VaryArguments& arguments) {
             .add_option("--random",
                         arguments.random,
                         "Number of variations with random values of the keys in preset.vary")
-            ->check(CLI::Range(1, kMaxVariations))
+            ->check(CLI::Range(1, kMaxValues))
             ->option_text("COUNT");
     random->excludes("--seeds")->excludes("--sweep");
     command

@@ -46,14 +46,13 @@ class BakeRecorder {
     /// Calls `begin`, and writes the manifest at the end of the bake. `failure` is the reason why
     /// the bake ended early, or empty. `patience` is the longest time to wait for the lock of the
     /// manifest.
-    void close(const std::string& failure,
-               std::chrono::milliseconds patience = FileLock::kLongestWait);
+    void close(const std::string& failure, std::chrono::milliseconds patience = FileLock::kMaxWait);
 
     /// Returns true if `begin` has changed the manifest.
     bool begun() const { return begun_; }
 
   private:
-    void save(std::chrono::milliseconds patience = FileLock::kLongestWait);
+    void save(std::chrono::milliseconds patience = FileLock::kMaxWait);
 
     std::filesystem::path folder_;
     BakedSet set_;

@@ -14,13 +14,12 @@ class FileLock {
   public:
     /// The longest time to wait for a lock, by default. Programs hold a lock only while they read,
     /// change and write a manifest.
-    static constexpr std::chrono::milliseconds kLongestWait = std::chrono::minutes(1);
+    static constexpr std::chrono::milliseconds kMaxWait = std::chrono::minutes(1);
 
     /// Creates the lock file `path` if it does not exist, and waits until this object holds the
     /// lock. Throws OutputError if the file cannot be created, or if this object does not get the
     /// lock within the time `patience`.
-    explicit FileLock(std::filesystem::path path,
-                      std::chrono::milliseconds patience = kLongestWait);
+    explicit FileLock(std::filesystem::path path, std::chrono::milliseconds patience = kMaxWait);
     ~FileLock();
 
     FileLock(const FileLock&) = delete;

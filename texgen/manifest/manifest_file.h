@@ -35,6 +35,6 @@ Manifest manifest_in(const std::filesystem::path& folder);
 /// OutputError if it cannot be written or its lock is not free within the time `patience`.
 void update_manifest(const std::filesystem::path& folder,
                      const std::function<void(Manifest&)>& change,
-                     std::chrono::milliseconds patience = FileLock::kLongestWait);
+                     std::chrono::milliseconds patience = FileLock::kMaxWait);
 
 }  // namespace foam::texgen

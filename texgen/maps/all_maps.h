@@ -195,11 +195,11 @@ const AutoReal* range_option_of(const Map& map, const MapOptions& options);
 bool uses_table(const Map& map, std::string_view table);
 
 /// Returns false only if the image of a map cannot depend on a key of map_keys, such as
-/// "albedo.colormap", when all other keys have the values in `options`. These are all keys of
-/// tables that the map does not use (uses_table), and some keys of the other tables. For example,
-/// most maps that use the table "albedo" use only its keys of films, and the maps `lit` and
-/// `emission` use the colors of only one map (LitOptions::colors). Returns true for all other keys.
-/// Some of these have no effect either, such as "lit.azimuth" for the map `emission`.
+/// "albedo.colormap", when all other keys have the values in `options`. The result is false for all
+/// keys of tables that the map does not use (uses_table), and for some keys of the other tables.
+/// For example, most maps that use the table "albedo" use only its keys of films, and the maps
+/// `lit` and `emission` use the colors of only one map (LitOptions::colors). The result is true for
+/// all other keys. Some of these have no effect either, such as "lit.azimuth" for `emission`.
 bool uses_key(const Map& map, std::string_view key, const MapOptions& options);
 
 /// Returns true if at least one of the maps with the given names shows a maze (MapOptions::maze).

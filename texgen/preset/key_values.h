@@ -25,8 +25,8 @@ struct KeyValues {
     std::vector<std::variant<Value, NumberRange>> values;  // at least one
 };
 
-/// The largest count of a range, the largest number of values of a sweep, and the largest number of
-/// combinations of several sweeps.
+/// The largest count of a range, of values of a sweep, of combinations of several sweeps, and of
+/// random variations.
 inline constexpr int kMaxValues = 400;
 
 /// Parses KEY=VALUES. VALUES are separated by commas; commas within brackets or quotes do not

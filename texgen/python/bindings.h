@@ -14,8 +14,8 @@ namespace foam::texgen {
 
 /// These functions add the parts of the module: records and errors, settings and results of steps,
 /// the class Foam, presets with their images, and functions that bake, compare images, write PNGs
-/// and list presets and maps. A class must
-/// be added before functions whose default arguments are objects of this class.
+/// and list presets and maps. A class must be added before functions whose default arguments are
+/// objects of this class.
 void bind_records(pybind11::module_& module);
 void bind_steps(pybind11::module_& module);
 void bind_foam(pybind11::module_& module);

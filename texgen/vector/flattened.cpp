@@ -19,10 +19,10 @@ std::size_t part_count(const DrawnArc& arc, double tolerance) {
     }
     // An arc of radius r and half angle a is at most r (1 - cos a) <= r a² / 2 away from its chord.
     // For each part, this distance must not exceed the tolerance, and a must not exceed
-    // kMaxHalfAngle.
-    constexpr double kMaxHalfAngle = 0.25;
+    // kMaxPartHalfAngle.
+    constexpr double kMaxPartHalfAngle = 0.25;
     const double radius = 0.5 * length / sine;
-    const double part = std::min(kMaxHalfAngle, std::sqrt(2.0 * tolerance / radius));
+    const double part = std::min(kMaxPartHalfAngle, std::sqrt(2.0 * tolerance / radius));
     return static_cast<std::size_t>(std::max(1.0, std::ceil(half_angle / part)));
 }
 

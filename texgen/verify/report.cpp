@@ -35,13 +35,13 @@ std::string tile_line(const VerifiedSet& found) {
             kMinTileSize);
     }
     return fmt::format(
-        "{}  (step across the border / largest step inside, at most {})", list, kLargestTileRatio);
+        "{}  (step across the border / largest step inside, at most {})", list, kMaxTileRatio);
 }
 
 // Returns the reason why no loop of this period was checked.
 std::string unchecked_loop(int period) {
-    if (period < kShortestLoop) {
-        return fmt::format("not checked: needs a loop of at least {} frames", kShortestLoop);
+    if (period < kMinLoopPeriod) {
+        return fmt::format("not checked: needs a loop of at least {} frames", kMinLoopPeriod);
     }
     return fmt::format("not checked: needs frames 1 to {}, unchanged since the bake", period);
 }
@@ -145,8 +145,8 @@ Json value_of(const VerifiedSet& found) {
              {{"kind", set.loop.kind},
               {"called", set.loop.description},
               {"largest_ratio",
-               set.loop.period >= kShortestLoop ? Json(largest_loop_ratio(set.loop.period))
-                                                : Json(nullptr)}}},
+               set.loop.period >= kMinLoopPeriod ? Json(largest_loop_ratio(set.loop.period))
+                                                 : Json(nullptr)}}},
             {"maps", maps},
             {"problems", found.problems}};
 }
@@ -174,7 +174,7 @@ std::string to_json(const Verification& found) {
     }
     const Json report{{"status", found.holds() ? "holds" : "failed"},
                       {"folder", found.folder.string()},
-                      {"largest_tile_ratio", kLargestTileRatio},
+                      {"largest_tile_ratio", kMaxTileRatio},
                       {"sets", sets},
                       {"unchecked", found.unchecked}};
     return json_text(report) + "\n";

@@ -54,11 +54,11 @@ class MapCheck {
         }
     }
 
-    // Returns the result. The loop is checked only if its period is at least kShortestLoop and all
+    // Returns the result. The loop is checked only if its period is at least kMinLoopPeriod and all
     // frames of the period were added.
     VerifiedMap finish() {
         const bool has_all_frames =
-            period_ >= kShortestLoop && first_frame_ == 1 && steps_ == period_ - 1;
+            period_ >= kMinLoopPeriod && first_frame_ == 1 && steps_ == period_ - 1;
         if (has_all_frames) {
             loop_.across = step(*last_, *first_);
             found_.loop = loop_;
@@ -135,7 +135,7 @@ void note_missing(const BakedSet& set, std::vector<std::string>& problems) {
 // Adds a problem for each seam of a map whose Seam::ratio is above its limit. `period` is the
 // period of the loop.
 void note_seams(const VerifiedMap& map, int period, std::vector<std::string>& problems) {
-    if (map.tile && map.tile->ratio() > kLargestTileRatio) {
+    if (map.tile && map.tile->ratio() > kMaxTileRatio) {
         problems.push_back(
             fmt::format("{}: frame {} does not tile: the step across its border is {:.3g} times "
                         "the largest step inside any frame",
@@ -222,7 +222,7 @@ double largest_loop_ratio(int period) {
 }
 
 bool VerifiedMap::holds(int period) const {
-    return (!tile || tile->ratio() <= kLargestTileRatio) &&
+    return (!tile || tile->ratio() <= kMaxTileRatio) &&
            (!loop || loop->ratio() <= largest_loop_ratio(period));
 }
 

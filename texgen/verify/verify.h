@@ -17,15 +17,15 @@ namespace foam::texgen {
 /// The largest allowed Seam::ratio of frames that tile. The ratio is the largest step across the
 /// border of any frame, divided by the largest step within any frame. A step is the mean difference
 /// of the samples of two adjacent columns, rows or frames (steps.h).
-inline constexpr double kLargestTileRatio = 1.25;
+inline constexpr double kMaxTileRatio = 1.25;
 /// The smallest width and height, in pixels, of images whose tiling is checked. Smaller images have
 /// too few columns or rows for a comparison.
 inline constexpr int kMinTileSize = 64;
 /// The smallest period, in frames, of loops that are checked. Shorter loops have too few steps for
 /// a comparison.
-inline constexpr int kShortestLoop = 5;
+inline constexpr int kMinLoopPeriod = 5;
 
-/// Returns the largest allowed Seam::ratio of a loop with a period of `period` >= kShortestLoop
+/// Returns the largest allowed Seam::ratio of a loop with a period of `period` >= kMinLoopPeriod
 /// frames. The ratio is the step from the last frame to the first, divided by the largest step
 /// between successive frames. If all pixels change like sines of the same phase, the steps before
 /// and after the largest step are cos(2 pi / period) times as large. The allowed ratio is 1.1 /
@@ -45,7 +45,7 @@ struct VerifiedMap {
     // numbers.
     std::optional<NumberExtent> numbers{};
 
-    /// Returns true if the ratio of `tile` is at most kLargestTileRatio and the ratio of `loop`, a
+    /// Returns true if the ratio of `tile` is at most kMaxTileRatio and the ratio of `loop`, a
     /// loop of `period` frames, is at most largest_loop_ratio(period). A seam that was not checked
     /// does not count.
     bool holds(int period) const;
@@ -90,8 +90,8 @@ struct Verification {
 /// have the hash that the manifest records for them. The content of every vector file and scene
 /// file must have its recorded hash, too. The ratios of the seams (Seam::ratio) of frames that tile
 /// and of loops must not exceed their limits. A loop is only checked if its period is at least
-/// kShortestLoop frames, and if all frames of the period have the recorded pixels. Frames after the
-/// period are ignored. `path` is the folder or the manifest in it. Throws InputError if the
+/// kMinLoopPeriod frames, and if all frames of the period have the recorded pixels. Frames after
+/// the period are ignored. `path` is the folder or the manifest in it. Throws InputError if the
 /// manifest has sets, but the choice selects none; all other problems are part of the result.
 /// `on_progress` receives the progress of the phase Phase::Files.
 Verification verify(const Manifest& manifest,

@@ -22,7 +22,7 @@ namespace foam::texgen {
 namespace {
 
 // The largest step of the color of a bubble from one frame to the next, in codes of 8-bit sRGB.
-constexpr int kLargestStep = 30;
+constexpr int kMaxStep = 30;
 
 // Simulating more bubbles takes too long for a test.
 constexpr int kMaxBubbles = 1000;
@@ -123,10 +123,9 @@ TEST_P(ColorSteps, AreSmallInEveryShippedPreset) {
         });
     ASSERT_EQ(outcome.status, RunStatus::Complete);
     RecordProperty("largest_step", largest);
-    EXPECT_LT(largest, kLargestStep) << "frame " << largest_frame;
+    EXPECT_LT(largest, kMaxStep) << "frame " << largest_frame;
     if (preset.loop.is_cycle()) {
-        EXPECT_LT(largest_step(previous, first), kLargestStep)
-            << "from the last to the first frame";
+        EXPECT_LT(largest_step(previous, first), kMaxStep) << "from the last to the first frame";
     }
 }
 

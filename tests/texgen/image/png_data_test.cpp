@@ -45,13 +45,13 @@ TEST(PngData, APartIsDividedIntoChunks) {
     const Image<std::uint8_t> image = numbered_codes(30, 20, 3);
     const PngRows rows(image.view());
     const PngEncoding encoding{.compression = Compression::None};
-    const auto stream_of = [&](std::size_t most_bytes, std::size_t chunks) {
-        PngData data(rows, encoding, most_bytes);
+    const auto stream_of = [&](std::size_t max_bytes, std::size_t chunks) {
+        PngData data(rows, encoding, max_bytes);
         Bytes stream;
         const auto found = data.next_chunks();
         EXPECT_EQ(found.size(), chunks);
         for (const PngData::Chunk& chunk : found) {
-            EXPECT_LE(chunk.middle.size(), most_bytes);
+            EXPECT_LE(chunk.middle.size(), max_bytes);
             for (const auto& piece : {chunk.begin, chunk.middle, chunk.end}) {
                 stream.insert(stream.end(), piece.begin(), piece.end());
             }

@@ -273,8 +273,8 @@ TEST(PressureMap, WithAColorMapHasTheTraitsOfColors) {
 
 TEST_P(EveryMap, HasNoSeam) {
     const MapImage image = draw_case(GetParam(), test::torus_subject(), test::torus_grid(kSize));
-    visit_numbers(
-        image, [](const auto& pixels) { EXPECT_LE(test::seam_ratio(pixels), kLargestTileRatio); });
+    visit_numbers(image,
+                  [](const auto& pixels) { EXPECT_LE(test::seam_ratio(pixels), kMaxTileRatio); });
 }
 
 // A step is added along the whole border, as high as the largest step in the image, for example at
@@ -287,7 +287,7 @@ TEST_P(EveryMap, ASeamNoStrongerThanAFilmIsFound) {
     }
     const MapImage image = draw_case(GetParam(), test::torus_subject(), test::torus_grid(kSize));
     visit_numbers(image, [](const auto& pixels) {
-        EXPECT_GT(test::seam_ratio(pixels, largest_step(pixels)), kLargestTileRatio);
+        EXPECT_GT(test::seam_ratio(pixels, largest_step(pixels)), kMaxTileRatio);
     });
 }
 

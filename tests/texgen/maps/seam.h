@@ -13,7 +13,7 @@ namespace foam::texgen::test {
 /// Returns the seam ratio of a tile, as `verify` measures it: the mean step from the last column to
 /// the first one, divided by the largest mean step between two adjacent columns. The same is
 /// computed for the rows, and the larger ratio is returned. The ratio of a tile without a seam is
-/// at most kLargestTileRatio.
+/// at most kMaxTileRatio.
 ///
 /// Before that, adds a ramp from 0 at the left border to `ramp` at the right border, which makes a
 /// seam of this height.
