@@ -17,8 +17,8 @@ struct EvolverFoam {
     std::vector<std::string> notes;  // remarks for the user, one line each
 };
 
-/// Reads a Surface Evolver data file or dump: a two-dimensional string model on a torus or a free
-/// cluster, with straight edges or arcs. Bubbles are the faces, films are the edges, and junctions
+/// Reads a Surface Evolver data file or dump. It must contain a two-dimensional string model: a
+/// torus, or a free cluster in the plane. Edges are straight or arcs. Bubbles are the faces, films are the edges, and junctions
 /// are the vertices of three edges, all in the order of the file. Vertices of two edges are
 /// dissolved. On a torus, the magnitude of the shear is reduced to at most half of the width
 /// (reduced_lattice). Target areas are the volumes of the bodies; pressures are the Lagrange

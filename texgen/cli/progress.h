@@ -37,8 +37,8 @@ struct ProgressOptions {
 ///   variable NO_COLOR is unset or empty.
 /// - nothing, in all other cases, and always for Verbosity::Quiet.
 ///
-/// In the styles JSON lines and bar, a thread repeats the latest report, with the present times, if
-/// no other report has followed for a second. Long steps, such as the first equilibrium of a large
+/// In the styles JSON lines and bar, a thread prints the latest report, with the present times, if
+/// nothing has been printed for a second. Long steps, such as the first equilibrium of a large
 /// foam, are therefore not silent.
 ///
 /// With Verbosity::Normal and without JSON, a note tells the user if the rest of the run takes a

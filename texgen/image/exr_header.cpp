@@ -30,7 +30,8 @@ constexpr double kBytesOfOffset = 8.0;
 // may be as large as the image.
 constexpr double kMaxBlock = 64.0 * 1024 * 1024;
 // The largest compression ratio of deflate. The other methods of EXR, except DWA, compress samples
-// of 16 bits by at most this ratio, too.
+// of 16 bits by at most this ratio, too. All samples are counted as samples of 16 bits, so longer
+// ones need no other ratio.
 constexpr double kMaxDeflateRatio = 1032.0;
 // The largest compression ratio of DWA, a lossy method of EXR. Before it uses deflate, DWA reduces
 // each square of 8 x 8 samples, in the extreme case to a single number.

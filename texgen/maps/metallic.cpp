@@ -20,10 +20,10 @@ Keys<MetallicOptions> metallic_keys() {
 
 NumberPixels draw_metallic(FrameLayers& layers,
                            const MetallicOptions& options,
-                           const AlbedoOptions& films) {
+                           const AlbedoOptions& film_shape) {
     const auto cell = [&](const auto&) { return options.cell; };
     const auto cells = per_bubble<double>(layers.frame(), cell, cell);
-    return {fill_numbers(layers, {cells, options.film}, films), 0.0, 1.0};
+    return {fill_numbers(layers, {cells, options.film}, film_shape), 0.0, 1.0};
 }
 
 }  // namespace foam::texgen

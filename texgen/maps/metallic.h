@@ -28,6 +28,6 @@ Keys<MetallicOptions> metallic_keys();
 /// to 1 and is 0 around a patch.
 NumberPixels draw_metallic(FrameLayers& layers,
                            const MetallicOptions& options,
-                           const AlbedoOptions& films);
+                           const AlbedoOptions& film_shape);
 
 }  // namespace foam::texgen

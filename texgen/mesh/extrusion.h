@@ -23,9 +23,9 @@ struct Extrusion {
 };
 
 /// An extrusion has at most about this number of triangles per corner of its walls. Triangles at
-/// the corners of the plate are not counted. Each corner of the walls belongs to two triangles of a
-/// side. It also belongs to about one triangle of each of four faces: the walls and the floors,
-/// from above and from below.
+/// the corners of the plate are not counted. For each corner, there are two triangles of a side of
+/// the walls, and about one triangle in each of four faces: the top and the bottom of the walls,
+/// and the top and the bottom of the floors (the parts of the plate that no wall covers).
 inline constexpr std::size_t kTrianglesPerCorner = 6;
 
 /// Returns the solid as one mesh. Horizontal coordinates are rounded to PrintGrid. Throws

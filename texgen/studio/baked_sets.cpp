@@ -47,7 +47,7 @@ void add_sets(const StudioFolder& studio, const std::filesystem::path& manifest,
     } catch (const InputError&) {
         // A folder with a damaged manifest is not offered.
     } catch (const PathRejected&) {
-        // A folder that requests may not name is not offered either.
+        // A folder is not offered either if requests for its images would be rejected.
     }
 }
 
@@ -98,8 +98,8 @@ int pixel_at(double fraction, int count) {
 }
 
 /// Returns the channels of a map in its file, in the order of MapSamples::channels. In files of
-/// codes (integer samples) the channels have the names R, G and B, or Y, whatever their names in
-/// the map. Padding channels, which have the name 0, are left out.
+/// codes (integer samples) the channels have the names that code_channel_names returns, such as R,
+/// G and B, whatever their names in the map. Padding channels, which have the name 0, are left out.
 std::vector<PictureChannel> channels_of_map(const Picture& picture, const MapSamples& samples) {
     const std::vector<PictureChannel> all = channels_of(picture);
     const ChannelGroup& group = picture.groups.front();
@@ -117,9 +117,9 @@ std::vector<PictureChannel> channels_of_map(const Picture& picture, const MapSam
     return found;
 }
 
-/// Returns the numbers, in the unit of the map, that the results 0 and 1 of read_numbers stand for.
-/// They are 0 and 1 unless the samples are codes, which read_numbers scales so that the largest
-/// code becomes 1.
+/// The function read_numbers scales codes so that the largest code becomes 1. This function returns
+/// the two numbers, in the unit of the map, that 0 and 1 then stand for. Samples that are not codes
+/// are not scaled, and the two numbers are 0 and 1.
 std::array<double, 2> range_of(const MapSamples& samples, const ChannelGroup& group) {
     if (!group.has_codes()) {
         return {0.0, 1.0};

@@ -10,8 +10,8 @@
 
 namespace foam::texgen {
 
-/// Returns the answer to /api/bakes (REQUESTS.md): the sets of images (BakedSet) that the manifests
-/// in `folder` and below it list. A manifest that cannot be read, or whose folder
+/// Returns the answer to /api/bakes (REQUESTS.md): the sets of images (BakedSet) of all manifests
+/// that StudioFolder::bakes finds. A manifest that cannot be read, or whose folder
 /// StudioFolder::below rejects, is left out.
 Json describe_baked_sets(const StudioFolder& folder);
 
@@ -30,8 +30,9 @@ struct BakedImage {
 /// vector files, which have no pixels.
 HttpResponse baked_picture(const StudioFolder& folder, const BakedImage& image, int side);
 
-/// Returns the answer to /api/baked/pick: what the file of the image contains at a point. This is a
-/// color if the map is one of colors; otherwise, it is a list of numbers in the unit of the map.
+/// Returns the answer to /api/baked/pick: what the file of the image contains at a point. If the map
+/// is one of colors, this is the color, shown over gray where the image is transparent. Otherwise,
+/// it is a list of numbers in the unit of the map.
 /// `x` and `y` are fractions of the width and of the height, from the upper left. Throws the
 /// exceptions of baked_picture.
 Json pick_baked(const StudioFolder& folder, const BakedImage& image, double x, double y);

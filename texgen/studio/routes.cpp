@@ -49,6 +49,7 @@ PictureRequest picture_request(const JsonValue& request) {
     constexpr std::array<std::string_view, 2> kSamples = {"rgba", "float"};
     PictureRequest picture{
         .page = page_of(request), .frame = frame_of(request), .map = request["map"].text()};
+    // The member `width` is the largest width and height (REQUESTS.md).
     if (const auto width = request.find("width")) {
         picture.side = static_cast<int>(width->integer(1, kMaxPictureSide));
     }
@@ -166,6 +167,7 @@ class StudioRoutes {
             folder_, baked_image(request), request["x"].number(), request["y"].number()));
     }
 
+    // The handler has already noted that there was a request; that keeps the server running.
     HttpResponse alive(const JsonValue& request) const {
         page_of(request);
         return {.status = HttpStatus::NoContent};
@@ -209,6 +211,9 @@ HttpResponse json_response(const Json& json) {
 
 HttpResponse answer_json(const std::string& body,
                          const std::function<HttpResponse(const JsonValue& request)>& answer) {
+    if (body.empty()) {
+        return error_response(HttpStatus::BadRequest, "the request must have a JSON object");
+    }
     std::optional<JsonDocument> document;
     try {
         document.emplace(body, "the request");

@@ -48,8 +48,8 @@ int ArcBands::row_count(int band) const {
 }
 
 // Returns the tile, within its band, that contains the x of the lower end of an arc. On a torus the
-// column is wrapped, because arcs of unwrapped outlines may be several periods to the left or right
-// of the image. In the plane it is clamped.
+// column is wrapped: outlines of bubbles are continued beyond the border of the torus, so arcs may
+// be several periods to the left or right of the image. In the plane the column is clamped.
 std::size_t ArcBands::tile_of(std::int32_t x) const {
     int column = pixel_of(x);
     if (grid_.view) {

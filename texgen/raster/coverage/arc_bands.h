@@ -14,8 +14,8 @@ namespace foam::texgen {
 /// The rows of an image, divided into bands, and for each band a list of the arcs that overlap it.
 /// On a torus, arcs are moved by the shift of the grid (shift_of) and wrapped in y. The arcs of a
 /// band are sorted by tile, that is, by the range of columns that contains the lower end of the
-/// arc. In each row, successive parts of arcs (Coverage) then add to the sums of nearby pixels,
-/// most of which are already in the processor's cache.
+/// arc. When a band is drawn (Coverage), successive arcs therefore change nearby pixels, most of
+/// which are already in the processor's cache.
 class ArcBands {
   public:
     /// A copy of an arc, moved by a translation to its position in the image. On a torus, the
