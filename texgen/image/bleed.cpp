@@ -2,9 +2,12 @@
 
 #include "texgen/image/bleed.h"
 
+#include "core/parallel/simd_level.h"
+
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 // The pull-push algorithm (Gortler et al., "The Lumigraph", 1996). Pull: each coarser level has
@@ -18,68 +21,78 @@ namespace foam::texgen {
 
 namespace {
 
+constexpr std::size_t kChannels = 4;
+
 // Three components of a color, which is not premultiplied, and an opacity. The color is the mean
 // color of the pixels that the texel covers, weighted by opacity. The opacity is the sum of the
-// opacities of these pixels.
-using Texel = std::array<float, 4>;
+// opacities of these pixels. A level is an image of such texels.
+using Texel = std::array<float, kChannels>;
+using ColorLevel = Image<float>;
 
-struct ColorLevel {
-    int width = 0;
-    int height = 0;
-    std::vector<Texel> texels;
-
-    Texel& at(int x, int y) {
-        return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(x)];
-    }
-};
-
-Texel texel_of(ImageView<std::uint16_t> image, int x, int y) {
-    const auto pixel = image.pixel(x, y);
-    return {static_cast<float>(pixel[0]),
-            static_cast<float>(pixel[1]),
-            static_cast<float>(pixel[2]),
-            static_cast<float>(pixel[3])};
-}
-
-void add_weighted(Texel& sum, const Texel& texel) {
+template <class Sample>
+void add_weighted(Texel& sum, const Sample* texel) {
+    const auto weight = static_cast<float>(texel[3]);
     for (std::size_t c = 0; c < 3; ++c) {
-        sum[c] += texel[3] * texel[c];
+        sum[c] += weight * static_cast<float>(texel[c]);
     }
-    sum[3] += texel[3];
+    sum[3] += weight;
 }
 
 // Returns the mean for a sum that add_weighted has computed: divides its color by its opacity.
 // Returns zeros if the opacity is 0.
 Texel weighted_mean(const Texel& sum) {
-    return sum[3] > 0.0F ? Texel{sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]}
-                         : Texel{};
+    const bool is_clear = sum[3] == 0.0F;
+    const float divisor = is_clear ? 1.0F : sum[3];  // a sum without opacity is zero
+    return {sum[0] / divisor, sum[1] / divisor, sum[2] / divisor, sum[3]};
 }
 
-// Returns the mean of up to four texels of a level, weighted by opacity. The level has the given
-// width and height, and finer(i, j) returns its texel (i, j). The texel (x, y) is the lower left
-// one of the four.
-template <class Finer>
-Texel mean_of_four(int width, int height, const Finer& finer, int x, int y) {
+// Returns the mean of the texels from (left, bottom) to (right, top), weighted by opacity. Texels
+// outside of the image are ignored.
+template <class Sample>
+Texel mean_of(ImageView<const Sample> image, int left, int bottom, int right, int top) {
     Texel sum{};
-    for (int j = y; j < std::min(y + 2, height); ++j) {
-        for (int i = x; i < std::min(x + 2, width); ++i) {
-            add_weighted(sum, finer(i, j));
+    for (int y = std::max(bottom, 0); y <= std::min(top, image.height() - 1); ++y) {
+        for (int x = std::max(left, 0); x <= std::min(right, image.width() - 1); ++x) {
+            add_weighted(sum, image.pixel(x, y).data());
         }
     }
     return weighted_mean(sum);
 }
 
-// Returns the next coarser level. The finer level has the given width and height, and finer(x, y)
-// returns its texel (x, y).
-template <class Finer>
-ColorLevel halved(int width, int height, const Finer& finer) {
-    ColorLevel level{(width + 1) / 2, (height + 1) / 2, {}};
-    level.texels.reserve(static_cast<std::size_t>(level.width) *
-                         static_cast<std::size_t>(level.height));
-    for (int y = 0; y < height; y += 2) {
-        for (int x = 0; x < width; x += 2) {
-            level.texels.push_back(mean_of_four(width, height, finer, x, y));
+// Writes the means of `count` squares of 2 x 2 texels, weighted by opacity, to a row of texels.
+template <class Sample>
+void write_means(const Sample* lower, const Sample* upper, std::size_t count, float* to) {
+    at_simd_level([=] {
+        for (std::size_t k = 0; k < count; ++k) {
+            Texel sum{};
+            add_weighted(sum, lower + 2 * kChannels * k);
+            add_weighted(sum, lower + 2 * kChannels * k + kChannels);
+            add_weighted(sum, upper + 2 * kChannels * k);
+            add_weighted(sum, upper + 2 * kChannels * k + kChannels);
+            const Texel mean = weighted_mean(sum);
+            for (std::size_t c = 0; c < kChannels; ++c) {
+                to[kChannels * k + c] = mean[c];
+            }
+        }
+    });
+}
+
+// Returns the next coarser level.
+template <class Sample>
+ColorLevel halved(ImageView<const Sample> finer) {
+    ColorLevel level((finer.width() + 1) / 2, (finer.height() + 1) / 2, kChannels);
+    const int whole = finer.height() > 1 ? finer.width() / 2 : 0;
+    for (int y = 0; y < level.height(); ++y) {
+        const bool has_two_rows = 2 * y + 1 < finer.height();
+        if (has_two_rows) {
+            write_means(finer.row(2 * y).data(),
+                        finer.row(2 * y + 1).data(),
+                        static_cast<std::size_t>(whole),
+                        level.row(y).data());
+        }
+        for (int x = has_two_rows ? whole : 0; x < level.width(); ++x) {
+            std::ranges::copy(mean_of(finer, 2 * x, 2 * y, 2 * x + 1, 2 * y + 1),
+                              level.pixel(x, y).begin());
         }
     }
     return level;
@@ -87,69 +100,55 @@ ColorLevel halved(int width, int height, const Finer& finer) {
 
 // Returns all levels that are coarser than the image, from fine to coarse. The last level has one
 // texel.
-std::vector<ColorLevel> coarser_levels(ImageView<std::uint16_t> image) {
-    std::vector<ColorLevel> levels{
-        halved(image.width(), image.height(), [&](int x, int y) { return texel_of(image, x, y); })};
-    while (levels.back().texels.size() > 1) {
-        ColorLevel& finer = levels.back();
-        levels.push_back(
-            halved(finer.width, finer.height, [&](int x, int y) { return finer.at(x, y); }));
+std::vector<ColorLevel> coarser_levels(ImageView<const std::uint16_t> image) {
+    std::vector<ColorLevel> levels{halved(image)};
+    while (levels.back().width() > 1 || levels.back().height() > 1) {
+        levels.push_back(halved(std::as_const(levels.back()).view()));
     }
     return levels;
 }
 
-void take_color(Texel& texel, const Texel& from) {
-    std::copy_n(from.begin(), 3, texel.begin());
-}
-
 // Gives every texel without opacity the color of the coarser texel that contains it.
-void bleed_into(ColorLevel& level, ColorLevel& coarser) {
-    for (int y = 0; y < level.height; ++y) {
-        for (int x = 0; x < level.width; ++x) {
-            Texel& texel = level.at(x, y);
+void bleed_into(ColorLevel& level, const ColorLevel& coarser) {
+    for (int y = 0; y < level.height(); ++y) {
+        for (int x = 0; x < level.width(); ++x) {
+            const auto texel = level.pixel(x, y);
             if (texel[3] == 0.0F) {
-                take_color(texel, coarser.at(x / 2, y / 2));
+                std::ranges::copy(coarser.pixel(x / 2, y / 2).first(3), texel.begin());
             }
         }
     }
 }
 
-// Returns the mean of a pixel and its eight neighbors, weighted by opacity.
-Texel mean_around(ImageView<std::uint16_t> image, int x, int y) {
-    Texel sum{};
-    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, image.height() - 1); ++j) {
-        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, image.width() - 1); ++i) {
-            add_weighted(sum, texel_of(image, i, j));
-        }
-    }
-    return weighted_mean(sum);
-}
-
 // Returns true if the coarser texels that cover a pixel and its eight neighbors have no opacity. In
-// this case mean_around would return an opacity of 0, too, and need not be called.
-bool is_clear_around(ColorLevel& coarser, int x, int y) {
-    const int right = std::min((x + 1) / 2, coarser.width - 1);
-    const int above = std::min((y + 1) / 2, coarser.height - 1);
+// this case the mean of these pixels would have no opacity, either, and need not be computed.
+bool is_clear_around(const ColorLevel& coarser, int x, int y) {
+    const int right = std::min((x + 1) / 2, coarser.width() - 1);
+    const int above = std::min((y + 1) / 2, coarser.height() - 1);
     const int left = std::max(x - 1, 0) / 2;
     const int below = std::max(y - 1, 0) / 2;
-    return coarser.at(left, below)[3] == 0.0F && coarser.at(right, below)[3] == 0.0F &&
-           coarser.at(left, above)[3] == 0.0F && coarser.at(right, above)[3] == 0.0F;
+    const auto is_clear = [&](int i, int j) { return coarser.pixel(i, j)[3] == 0.0F; };
+    return is_clear(left, below) && is_clear(right, below) && is_clear(left, above) &&
+           is_clear(right, above);
 }
 
 // Gives every pixel without opacity the mean color of its neighbors, or else the color of the
 // coarser texel that contains it.
-void bleed_into(ImageView<std::uint16_t> image, ColorLevel& coarser) {
+void bleed_into(ImageView<std::uint16_t> image, const ColorLevel& coarser) {
+    constexpr double kHalf = 0.5;  // rounds positive numbers if it is added before truncation
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x) {
             const auto pixel = image.pixel(x, y);
             if (pixel[3] != 0) {
                 continue;
             }
-            const Texel neighbors =
-                is_clear_around(coarser, x, y) ? Texel{} : mean_around(image, x, y);
-            const Texel& from = neighbors[3] > 0.0F ? neighbors : coarser.at(x / 2, y / 2);
+            const Texel neighbors = is_clear_around(coarser, x, y)
+                                        ? Texel{}
+                                        : mean_of<std::uint16_t>(image, x - 1, y - 1, x + 1, y + 1);
+            const auto from = neighbors[3] > 0.0F ? std::span<const float>(neighbors)
+                                                  : coarser.pixel(x / 2, y / 2);
             for (std::size_t c = 0; c < 3; ++c) {
-                pixel[c] = static_cast<std::uint16_t>(std::lround(from[c]));
+                pixel[c] = static_cast<std::uint16_t>(static_cast<double>(from[c]) + kHalf);
             }
         }
     }
@@ -159,9 +158,9 @@ void bleed_into(ImageView<std::uint16_t> image, ColorLevel& coarser) {
 
 void bleed_colors(ImageView<std::uint16_t> image, const std::array<std::uint16_t, 3>& fallback) {
     std::vector<ColorLevel> levels = coarser_levels(image);
-    Texel& last = levels.back().texels.front();
+    const auto last = levels.back().pixel(0, 0);
     if (last[3] == 0.0F) {
-        std::copy(fallback.begin(), fallback.end(), last.begin());
+        std::ranges::copy(fallback, last.begin());
     }
     for (std::size_t k = levels.size() - 1; k > 0; --k) {
         bleed_into(levels[k - 1], levels[k]);
