@@ -8,10 +8,10 @@
 
 #include "tests/bench/bench_foams.h"
 #include "tests/bench/encode_cost.h"
+#include "tests/support/albedo_image.h"
 #include "texgen/image/exr.h"
 #include "texgen/image/exr_planes.h"
 #include "texgen/image/exr_stream.h"
-#include "texgen/maps/albedo.h"
 #include "texgen/raster/distance/distance.h"
 
 #include <OpenEXR/ImfChannelList.h>
@@ -67,7 +67,7 @@ Images images_of(int bubbles, int side) {
     const Frame frame = snapshot(equilibrated_foam(bubbles), 1);
     texgen::DistanceField field = texgen::distance_field(frame, {side, side}, {}, 1);
     Image<float> slopes = slopes_of(field.distance);
-    return {as_numbers(texgen::albedo(frame, {side, side}, {}, 1)),
+    return {as_numbers(test::albedo_image(frame, {side, side}, {}, 1)),
             std::move(field.distance),
             std::move(slopes),
             std::move(field.ids)};

@@ -6,8 +6,8 @@
 //     png_bench [SIDE [BUBBLES]]           default: 1024 pixels, 1000 bubbles
 #include "tests/bench/bench_foams.h"
 #include "tests/bench/encode_cost.h"
+#include "tests/support/albedo_image.h"
 #include "texgen/image/png.h"
-#include "texgen/maps/albedo.h"
 #include "texgen/raster/distance/distance.h"
 
 #include <fmt/core.h>
@@ -137,7 +137,7 @@ void run(int side, int bubbles) {
     const Frame frame = snapshot(equilibrated_foam(bubbles), 1);
     const Image<std::uint16_t> distance = distance_map(frame, side);
     fmt::print("{} x {} pixels, {} bubbles; least of {} runs\n", side, side, bubbles, kRepeats);
-    print_map("albedo", texgen::albedo(frame, {side, side}, {}, 1), PngFilter::None);
+    print_map("albedo", test::albedo_image(frame, {side, side}, {}, 1), PngFilter::None);
     print_map("distance, 16 bits", distance, PngFilter::Up);
     print_map("normal", normal_map(distance), PngFilter::Up);
 }

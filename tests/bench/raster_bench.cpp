@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "tests/bench/bench_foams.h"
-#include "texgen/maps/albedo.h"
+#include "tests/support/albedo_image.h"
 
 #include <benchmark/benchmark.h>
 
@@ -17,7 +17,7 @@ void rasterized_frame(benchmark::State& state) {
     const texgen::RasterGrid grid{side, side};
     const texgen::AlbedoOptions options;
     for ([[maybe_unused]] auto _ : state) {
-        benchmark::DoNotOptimize(texgen::albedo(frame, grid, options, 1));
+        benchmark::DoNotOptimize(test::albedo_image(frame, grid, options, 1));
     }
 }
 

@@ -39,21 +39,23 @@ struct MeasuredMemory {
 //   foamtex bake sea_foam --set loop.kind=none --set frames.count=1 --set frames.warm_up=0
 //     --set foam.bubbles=100 --threads 1 --size 512 --maps ... --out '{map}.png' (or '{map}.exr')
 constexpr std::array<MeasuredMemory, 28> kMeasured{
-    {{"albedo", 29, 41},    {"thin_film", 34, 43},  {"lit", 50, 50},
-     {"opacity", 4, 8},     {"film", 24, 28},       {"distance", 12, 23},
-     {"height", 26, 33},    {"normal", 40, 66},     {"normal_gl", 40, 66},
-     {"normal_dx", 40, 66}, {"occlusion", 24, 35},  {"curvature", 26, 35},
-     {"roughness", 31, 32}, {"pressure", 4, 8},     {"area", 5, 8},
-     {"sides", 12, 15},     {"id", 13, 15},         {"id_color", 8, 19},
-     {"age", 5, 8},         {"growth", 5, 8},       {"motion", 13, 31},
-     {"event", 15, 24},     {"maze", 13, 22},       {"maze_solution", 18, 23},
-     {"contour", 10, 18},   {"caustics", 260, 260}, {"emission", 34, 42},
-     {"metallic", 34, 34}}};
+    {{"albedo", 26, 38},    {"thin_film", 31, 40},  {"lit", 47, 47},
+     {"opacity", 5, 9},     {"film", 22, 25},       {"distance", 14, 24},
+     {"height", 14, 24},    {"normal", 37, 61},     {"normal_gl", 36, 61},
+     {"normal_dx", 37, 61}, {"occlusion", 13, 23},  {"curvature", 14, 24},
+     {"roughness", 30, 30}, {"pressure", 5, 10},    {"area", 7, 9},
+     {"sides", 9, 13},      {"id", 9, 12},          {"id_color", 9, 19},
+     {"age", 8, 9},         {"growth", 5, 10},      {"motion", 13, 32},
+     {"event", 15, 25},     {"maze", 15, 26},       {"maze_solution", 19, 31},
+     {"contour", 10, 23},   {"caustics", 223, 223}, {"emission", 31, 34},
+     {"metallic", 30, 30}}};
 // The memory of a map that is not in the table above, because it was added after the measurement.
 // Also the memory of the reduced images to which automatic ranges are fitted.
 constexpr MeasuredMemory kUnmeasuredMap{"", 40, 50};
 
-constexpr double kGrainBytesPerPixel = 12.0;  // a grain has three floats
+// A grain for the relief has up to three floats per pixel, one for colors has one float.
+constexpr double kReliefGrainBytesPerPixel = 12.0;
+constexpr double kAlbedoGrainBytesPerPixel = 4.0;
 
 constexpr double kProgramBytes = 10e6;          // bytes of the process without a foam
 constexpr double kFoamBytesPerBubble = 9000.0;  // bytes of the foam and the solver per bubble
@@ -143,11 +145,12 @@ double vector_memory(const Preset& preset) {
 // Returns the memory, in bytes per pixel, of the grains that the maps of a preset draw.
 double grain_bytes_per_pixel(const Preset& preset) {
     const std::vector<const Map*> maps = source_maps(preset);
-    const auto grain = [&](double strength, std::string_view table) {
+    const auto grain = [&](double strength, std::string_view table, double bytes) {
         const auto uses = [&](const Map* map) { return uses_table(*map, table); };
-        return strength > 0.0 && std::ranges::any_of(maps, uses) ? kGrainBytesPerPixel : 0.0;
+        return strength > 0.0 && std::ranges::any_of(maps, uses) ? bytes : 0.0;
     };
-    return grain(preset.maps.albedo.grain, "albedo") + grain(preset.maps.relief.grain, "relief");
+    return grain(preset.maps.albedo.grain, "albedo", kAlbedoGrainBytesPerPixel) +
+           grain(preset.maps.relief.grain, "relief", kReliefGrainBytesPerPixel);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "texgen/maps/color_loops.h"
 #include "texgen/maps/film_coverage.h"
 #include "texgen/maps/grain.h"
-#include "texgen/maps/quantize.h"
 
 #include <array>
 #include <cstddef>
@@ -58,17 +57,9 @@ ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
 }  // namespace
 
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options) {
-    const bool is_flat = !film_distance_needs(options).smooth && options.grain == 0.0;
+    const bool is_flat =
+        film_distance_needs(options).smooth == SmoothImages::None && options.grain == 0.0;
     return is_flat ? draw_flat(layers, options) : draw_shaded(layers, options);
-}
-
-Image<std::uint8_t> albedo(const Frame& frame,
-                           const RasterGrid& grid,
-                           const AlbedoOptions& options,
-                           int threads) {
-    const FoamRecord record;
-    FrameLayers layers({frame, record, nullptr, film_distance_needs(options)}, grid, threads);
-    return srgb_codes(draw_albedo(layers, options));
 }
 
 }  // namespace foam::texgen

@@ -28,12 +28,4 @@ inline constexpr MapTraits kAlbedoMap = {
 /// invalid.
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options);
 
-/// Draws the albedo of a single frame and encodes it as 8-bit sRGB. The image has three channels;
-/// the image of a patch has a fourth, the opacity. The result does not depend on the number of
-/// threads. Throws as draw_albedo does.
-Image<std::uint8_t> albedo(const Frame& frame,
-                           const RasterGrid& grid,
-                           const AlbedoOptions& options,
-                           int threads);
-
 }  // namespace foam::texgen

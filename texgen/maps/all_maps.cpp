@@ -15,10 +15,19 @@ namespace foam::texgen {
 
 namespace {
 
-bool uses_smooth_distance(const Map& map, const MapOptions& options) {
-    return map.smooth_distance == SmoothDistance::Used ||
-           (map.smooth_distance == SmoothDistance::UsedByFilms &&
-            film_distance_needs(options.albedo).smooth);
+// Returns the images of the smooth distance that a map uses.
+SmoothImages smooth_images(const Map& map, const MapOptions& options) {
+    switch (map.smooth_distance) {
+        case SmoothDistance::Unused:
+            return SmoothImages::None;
+        case SmoothDistance::Used:
+            return SmoothImages::Distance;
+        case SmoothDistance::UsedWithGradient:
+            return SmoothImages::DistanceAndGradient;
+        case SmoothDistance::UsedByFilms:
+            return film_distance_needs(options.albedo).smooth;
+    }
+    return SmoothImages::None;
 }
 
 // Returns the option that sets the range of a map, or nullptr if the map has no such option.
@@ -72,9 +81,13 @@ const MapTraits& drawn_traits(const Map& map, const MapOptions& options) {
 }
 
 DistanceNeeds distance_needs(std::span<const std::string> names, const MapOptions& options) {
-    return {.smooth = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-                return uses_smooth_distance(find_map(name), options);
-            })};
+    DistanceNeeds needs{.distance = false};
+    for (const std::string& name : names) {
+        const Map& map = find_map(name);
+        needs.distance = needs.distance || map.needs_distance;
+        needs.smooth = std::max(needs.smooth, smooth_images(map, options));
+    }
+    return needs;
 }
 
 AutoReal* range_option_of(const Map& map, MapOptions& options) {

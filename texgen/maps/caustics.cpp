@@ -3,7 +3,6 @@
 #include "texgen/maps/caustics.h"
 
 #include "core/geometry/elementary.h"
-#include "texgen/image/bleed.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/cell_fill.h"
 #include "texgen/maps/color_scale.h"
@@ -86,7 +85,9 @@ class Floor {
 
 // Returns the light on the floor. `samples` is the number of rays per pixel in each direction.
 Floor light_floor(FrameLayers& layers, const ReliefSource& source, double depth, int samples) {
-    FrameLayers rays = layers.on_grid(finer(layers.grid(), samples), {.smooth = true});
+    FrameLayers rays =
+        layers.on_grid(finer(layers.grid(), samples),
+                       {.distance = false, .smooth = SmoothImages::DistanceAndGradient});
     const Relief relief(rays, source, Relief::kFoot);
     const double diameter = relief.diameter() / samples;  // in pixels of the floor
     const double reach =
@@ -156,11 +157,8 @@ ColorPixels draw_caustics(FrameLayers& layers,
                     is_patch ? static_cast<double>(opacity.samples()[k]) : 1.0,
                     image.samples().subspan(channels * k, channels));
     }
-    if (is_patch) {
-        const LinearRgb& dark = colors.front();
-        bleed_colors(image.view(), {to_sample(dark.r), to_sample(dark.g), to_sample(dark.b)});
-    }
-    return {std::move(image)};
+    const LinearRgb& dark = colors.front();
+    return {std::move(image), {to_sample(dark.r), to_sample(dark.g), to_sample(dark.b)}};
 }
 
 }  // namespace foam::texgen

@@ -3,7 +3,6 @@
 #include "texgen/maps/cell_fill.h"
 
 #include "core/foam/measure.h"
-#include "texgen/image/bleed.h"
 #include "texgen/raster/coverage/fill.h"
 
 #include <algorithm>
@@ -136,12 +135,11 @@ ColorPixels fill_colors(FrameLayers& layers,
     Image<std::uint16_t> image(grid.width, grid.height, static_cast<int>(channels));
     if (layers.is_patch()) {
         fill_straight(cells, values, layers.threads(), image.view());
-        bleed_colors(image.view(), {values.film[0], values.film[1], values.film[2]});
     } else {
         fill_cells(cells, values, layers.threads(), image.view());
         paint_border(layers, film_width, values.film, image);
     }
-    return {std::move(image)};
+    return {std::move(image), {values.film[0], values.film[1], values.film[2]}};
 }
 
 Image<float> fill_numbers(FrameLayers& layers, const CellNumbers& numbers, double film_width) {

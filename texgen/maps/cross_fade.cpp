@@ -2,6 +2,8 @@
 
 #include "texgen/maps/cross_fade.h"
 
+#include "texgen/image/bleed.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -98,15 +100,25 @@ void fade(Image<float>& fading_out,
     });
 }
 
+// Draws a map of one foam, and gives colors to the pixels without opacity.
+MapImage draw(const Map& map, FrameLayers& layers, const MapOptions& options) {
+    MapImage image = map.draw(layers, options);
+    auto* const colors = std::get_if<ColorPixels>(&image);
+    if (colors != nullptr && colors->pixels.channels() == kChannelsWithOpacity) {
+        bleed_colors(colors->pixels.view(), colors->background);
+    }
+    return image;
+}
+
 }  // namespace
 
 MapImage draw(const Map& map, ShownLayers& content, const MapOptions& options) {
-    MapImage image = map.draw(content.layers, options);
+    MapImage image = draw(map, content.layers, options);
     if (!content.fading_in) {
         return image;
     }
     return cross_fade(std::move(image),
-                      map.draw(*content.fading_in, options),
+                      draw(map, *content.fading_in, options),
                       content.layers.border()->weights,
                       map.mixing);
 }

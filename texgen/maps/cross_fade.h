@@ -16,7 +16,8 @@ struct ShownLayers {
 };
 
 /// Draws a map of a frame. If the frame contains two foams, draws the map of each foam, and joins
-/// both images at the border (FadeBorder). On each side of the border, one foam is shown.
+/// both images at the border (FadeBorder). On each side of the border, one foam is shown. In a
+/// patch, every pixel without opacity gets the color of nearby pixels (bleed_colors).
 MapImage draw(const Map& map, ShownLayers& content, const MapOptions& options);
 
 /// Returns a mixture of two images. `weights` contains for every pixel the weight of the image that

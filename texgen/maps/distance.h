@@ -18,6 +18,7 @@ inline constexpr MapTraits kDistanceMap = {
     .channels = "Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,
+    .needs_distance = true,
     .full_key = "distance.full"};
 
 /// Selects the line of a film from which distances are measured, and the sign of distances.

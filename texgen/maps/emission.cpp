@@ -2,7 +2,6 @@
 
 #include "texgen/maps/emission.h"
 
-#include "texgen/image/bleed.h"
 #include "texgen/maps/color_loops.h"
 
 #include <array>
@@ -19,9 +18,7 @@ ColorPixels draw_emission(FrameLayers& layers, const SurfaceColors& surface, dou
             return std::array{
                 fractions[k] * color[0], fractions[k] * color[1], fractions[k] * color[2]};
         });
-    if (layers.is_patch()) {
-        bleed_colors(emission.pixels.view(), {0, 0, 0});
-    }
+    emission.background = {};
     return emission;
 }
 

@@ -3,7 +3,6 @@
 #include "texgen/maps/film_coverage.h"
 
 #include "core/parallel/simd_level.h"
-#include "texgen/image/bleed.h"
 #include "texgen/maps/color_loops.h"
 #include "texgen/maps/smooth_step.h"
 
@@ -138,7 +137,13 @@ Image<float> fill_numbers(FrameLayers& layers,
 }
 
 DistanceNeeds film_distance_needs(const AlbedoOptions& options) {
-    return {.smooth = options.film_profile == FilmProfile::Wet || options.shade > 0.0};
+    DistanceNeeds needs{.distance = false};
+    if (options.film_profile == FilmProfile::Wet) {
+        needs.smooth = SmoothImages::DistanceAndGradient;
+    } else if (options.shade > 0.0) {
+        needs.smooth = SmoothImages::Distance;
+    }
+    return needs;
 }
 
 ColorPixels paint_films(FrameLayers& layers, const AlbedoOptions& options, ColorPixels colors) {
@@ -156,9 +161,8 @@ ColorPixels paint_films(FrameLayers& layers, const AlbedoOptions& options, Color
         films.samples()[k] = whole > 0.0F ? films.samples()[k] / whole : 0.0F;
     }
     mix_in(film, films, colors.pixels);
-    Image<std::uint16_t> image = with_opacity(colors.pixels, foam);
-    bleed_colors(image.view(), {to_sample(film.r), to_sample(film.g), to_sample(film.b)});
-    return {std::move(image)};
+    return {with_opacity(colors.pixels, foam),
+            {to_sample(film.r), to_sample(film.g), to_sample(film.b)}};
 }
 
 }  // namespace foam::texgen

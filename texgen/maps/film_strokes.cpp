@@ -3,7 +3,6 @@
 #include "texgen/maps/film_strokes.h"
 
 #include "core/foam/measure.h"
-#include "texgen/image/bleed.h"
 #include "texgen/image/color.h"
 #include "texgen/maps/albedo_options.h"
 #include "texgen/maps/cell_fill.h"
@@ -51,12 +50,8 @@ ColorPixels paint_layers(FrameLayers& layers,
         }
         write_pixel(color, opacity, image.samples().subspan(channels * k, channels));
     }
-    if (layers.is_patch()) {
-        bleed_colors(
-            image.view(),
-            {to_sample(ground_color.r), to_sample(ground_color.g), to_sample(ground_color.b)});
-    }
-    return {std::move(image)};
+    return {std::move(image),
+            {to_sample(ground_color.r), to_sample(ground_color.g), to_sample(ground_color.b)}};
 }
 
 }  // namespace foam::texgen

@@ -55,7 +55,8 @@ const FadeBorder* FrameLayers::border() {
 void FrameLayers::join_fields() {
     const CrossFade& fade = *input_.fade;
     DistanceNeeds needs = input_.distance;
-    needs.smooth = true;
+    needs.distance = true;
+    needs.smooth = SmoothImages::DistanceAndGradient;
     DistanceField out = distance_field(fade.fading_out, grid_, needs, threads_);
     DistanceField in = distance_field(fade.fading_in, grid_, needs, threads_);
     border_ = join_at_border(fade, grid_, threads_, out, in);
@@ -75,8 +76,16 @@ const CellArcs& FrameLayers::arcs(double film_width) {
 }
 
 const Grain& FrameLayers::grain(const GrainRule& rule) {
-    return found_or_made(
-        grains_, rule, [&] { return draw_grain(frame(), grid_, distance().ids, rule, threads_); });
+    const bool has_slopes =
+        rule.use == GrainUse::Relief && input_.distance.smooth == SmoothImages::DistanceAndGradient;
+    return found_or_made(grains_, rule, [&] {
+        return draw_grain(frame(),
+                          grid_,
+                          distance().ids,
+                          rule,
+                          has_slopes ? GrainImages::ValuesAndSlopes : GrainImages::Values,
+                          threads_);
+    });
 }
 
 const Maze& FrameLayers::maze(const MazeRule& rule) {

@@ -24,7 +24,7 @@ struct FrameInput {
     const Frame& frame;
     const FoamRecord& record;
     const Frame* next = nullptr;  // the frame after `frame`; null if no map needs it
-    /// The images of the distance field that maps need, apart from ids and distances.
+    /// The images of the distance field that maps need, apart from ids.
     DistanceNeeds distance{};
     /// The cross-fade to which `frame` belongs; null if images show only one foam. Precondition:
     /// `frame` refers to CrossFade::fading_out or CrossFade::fading_in itself, not to a copy.
@@ -53,8 +53,8 @@ class FrameLayers {
     /// Returns the outlines of the visible parts of bubbles (cell_arcs) for a film width in pixels.
     /// Throws as cell_arcs does.
     const CellArcs& arcs(double film_width);
-    /// Returns the distance field of the frame. It contains the ids, the distances and the images
-    /// that FrameInput::distance lists. In a cross-fade, the distance at a pixel is measured from
+    /// Returns the distance field of the frame. It contains the ids and the images that
+    /// FrameInput::distance selects. In a cross-fade, the distance at a pixel is measured from
     /// the films of the foam that the pixel shows. If the border between the two foams is nearer,
     /// the distance is measured from the border (join_at_border).
     const DistanceField& distance();
@@ -70,8 +70,10 @@ class FrameLayers {
     /// (distances_to_arcs). Throws std::invalid_argument if the grid does not fit the domain, for
     /// example if pixels on a torus are not square (pixels_per_unit).
     const ArcDistances& wall_distances(const MazeRule& rule, const ArcDistanceNeeds& needs);
-    /// Returns a grain (draw_grain). Throws std::invalid_argument if the grid does not fit the
-    /// domain (diameters_in_pixels).
+    /// Returns a grain (draw_grain). Only a grain for the relief has slopes, and only if
+    /// FrameInput::distance selects the gradient of the smooth distance: the slopes of a relief
+    /// need both. Throws std::invalid_argument if the grid does not fit the domain
+    /// (diameters_in_pixels).
     const Grain& grain(const GrainRule& rule);
     /// Returns true if `id`, a sample of DistanceField::ids, denotes the surroundings of a patch.
     bool is_surroundings(std::uint32_t id) const {

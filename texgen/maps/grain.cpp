@@ -181,35 +181,36 @@ void set_points(const GrainPlan& plan,
     });
 }
 
-// One row of each of the three images of a Grain.
-struct GrainRow {
+// The pixels of a row of a Grain to which an octave of noise is added, and the factors on its
+// values and slopes.
+struct OctaveTarget {
     std::span<float> value;
-    std::span<float> slope_x;
-    std::span<float> slope_y;
+    float* slope_x;  // null if only values are drawn
+    float* slope_y;
+    double height;
+    double steepness;
 };
 
 // Adds one octave of noise to a row of pixels. `octave` is the number of the octave (the first is
-// 0). Values of the noise are multiplied by `height`, and its slopes by `steepness`.
-void add_octave(
-    const RowPoints& points, int octave, double height, double steepness, const GrainRow& row) {
-    at_simd_level([count = row.value.size(),
-                   xs = points.x.data(),
+// 0).
+template <bool kSlopes>
+void add_octave(const RowPoints& points, int octave, const OctaveTarget& target) {
+    at_simd_level([xs = points.x.data(),
                    ys = points.y.data(),
                    seeds = points.seeds.data(),
                    added_to_seed = seed_of_octave(0, octave),
                    frequency = static_cast<double>(1U << static_cast<unsigned>(octave)),
-                   height,
-                   steepness,
-                   value = row.value.data(),
-                   slope_x = row.slope_x.data(),
-                   slope_y = row.slope_y.data()] {
-        for (std::size_t k = 0; k < count; ++k) {
+                   value = target.value.data(),
+                   to = target] {
+        for (std::size_t k = 0; k < to.value.size(); ++k) {
             const NoiseValue noise =
                 gradient_noise(frequency * xs[k], frequency * ys[k], seeds[k] + added_to_seed);
             const bool is_inside = seeds[k] != 0;
-            value[k] += static_cast<float>(is_inside ? height * noise.value : 0.0);
-            slope_x[k] += static_cast<float>(is_inside ? steepness * noise.slope_x : 0.0);
-            slope_y[k] += static_cast<float>(is_inside ? steepness * noise.slope_y : 0.0);
+            value[k] += static_cast<float>(is_inside ? to.height * noise.value : 0.0);
+            if constexpr (kSlopes) {
+                to.slope_x[k] += static_cast<float>(is_inside ? to.steepness * noise.slope_x : 0.0);
+                to.slope_y[k] += static_cast<float>(is_inside ? to.steepness * noise.slope_y : 0.0);
+            }
         }
     });
 }
@@ -225,6 +226,7 @@ Grain draw_grain(const Frame& frame,
                  const RasterGrid& grid,
                  const Image<std::uint32_t>& ids,
                  const GrainRule& rule,
+                 GrainImages images,
                  int threads) {
     const double pixels = diameters_in_pixels(rule.size, grid, frame.domain);
     const GrainPlan plan{
@@ -233,21 +235,28 @@ Grain draw_grain(const Frame& frame,
         frame.domain.is_plane() ? SubpixelPoint{} : shift_of(grid),
         pixels,
     };
-    const auto blank = [&] { return Image<float>(grid.width, grid.height, 1); };
-    Grain grain{blank(), blank(), blank()};
+    const bool has_slopes = images == GrainImages::ValuesAndSlopes;
+    const auto blank = [&](bool drawn) {
+        return drawn ? Image<float>(grid.width, grid.height, 1) : Image<float>();
+    };
+    Grain grain{blank(true), blank(has_slopes), blank(has_slopes)};
     const int octaves = octaves_of(pixels);
     std::vector<RowPoints> workers(static_cast<std::size_t>(thread_count(threads)),
                                    RowPoints(static_cast<std::size_t>(grid.width)));
     parallel_for(grid.height, workers, [&](RowPoints& points, int y) {
         set_points(plan, ids.row(y), y, points);
-        const GrainRow row{grain.value.row(y), grain.slope_x.row(y), grain.slope_y.row(y)};
-        for (std::size_t k = 0; k < row.value.size(); ++k) {
-            row.value[k] = points.seeds[k] == 0 ? 0.0F : static_cast<float>(rule.mean);
+        OctaveTarget target{grain.value.row(y),
+                            has_slopes ? grain.slope_x.row(y).data() : nullptr,
+                            has_slopes ? grain.slope_y.row(y).data() : nullptr,
+                            kNoiseScale,
+                            kNoiseScale / pixels};
+        for (std::size_t k = 0; k < target.value.size(); ++k) {
+            target.value[k] = points.seeds[k] == 0 ? 0.0F : static_cast<float>(rule.mean);
         }
-        double height = kNoiseScale;
+        const auto add = has_slopes ? add_octave<true> : add_octave<false>;
         for (int octave = 0; octave < octaves; ++octave) {
-            add_octave(points, octave, height, kNoiseScale / pixels, row);
-            height *= 0.5;
+            add(points, octave, target);
+            target.height *= 0.5;
         }
     });
     return grain;

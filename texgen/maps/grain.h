@@ -21,13 +21,16 @@ enum class GrainUse : std::uint32_t { Relief, Albedo };
 std::uint32_t seed_of_grain(BubbleIdentity identity, GrainUse use);
 
 /// A grain at the centers of pixels: its values and their gradients per pixel (x to the right, y
-/// up), in images of one channel. The values differ from their mean rarely by more than 1, and
-/// never by more than kGrainBound.
+/// up), in images of one channel. Images that are not selected (GrainImages) are empty. The values
+/// differ from their mean rarely by more than 1, and never by more than kGrainBound.
 struct Grain {
     Image<float> value;
     Image<float> slope_x;
     Image<float> slope_y;
 };
+
+/// The images of a grain that are drawn.
+enum class GrainImages { Values, ValuesAndSlopes };
 
 /// Tells which grain to draw.
 struct GrainRule {
@@ -52,6 +55,7 @@ Grain draw_grain(const Frame& frame,
                  const RasterGrid& grid,
                  const Image<std::uint32_t>& ids,
                  const GrainRule& rule,
+                 GrainImages images,
                  int threads);
 
 }  // namespace foam::texgen

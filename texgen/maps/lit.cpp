@@ -3,7 +3,6 @@
 #include "texgen/maps/lit.h"
 
 #include "core/parallel/simd_level.h"
-#include "texgen/image/bleed.h"
 #include "texgen/keys/value_kinds.h"
 #include "texgen/maps/color_loops.h"
 #include "texgen/maps/lighting.h"
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -142,12 +140,16 @@ void add_shaded(const Component& component, const Light& light, Component& sums)
     });
 }
 
-// Returns the shaded colors of pixels. Each color is the mean over samples² points of the pixel.
-std::vector<Color> mean_colors(std::span<const std::uint32_t> pixels,
-                               const Surface& surface,
-                               const Lighting& lighting,
-                               int samples,
-                               ReliefSampler& sampler) {
+using ColorSamples = std::array<std::uint16_t, 3>;  // samples of ColorPixels
+
+// Appends the shaded colors of pixels to `means`. Each color is the mean over samples² points of
+// the pixel.
+void add_mean_colors(std::span<const std::uint32_t> pixels,
+                     const Surface& surface,
+                     const Lighting& lighting,
+                     int samples,
+                     ReliefSampler& sampler,
+                     std::vector<ColorSamples>& means) {
     sampler.choose(pixels);
     const std::vector<float> glow =
         surface.glow.samples().empty() ? std::vector<float>() : values_at(surface.glow, pixels);
@@ -170,13 +172,13 @@ std::vector<Color> mean_colors(std::span<const std::uint32_t> pixels,
             add_shaded(components[c], light, sums[c]);
         }
     }
-    const auto points = static_cast<float>(samples * samples);
-    std::vector<Color> means;
-    means.reserve(pixels.size());
+    const auto mean = [&, points = static_cast<float>(samples * samples)](float sum) {
+        constexpr double kHalf = 0.5;  // rounds positive numbers if it is added before truncation
+        return static_cast<std::uint16_t>(static_cast<double>(sum / points) + kHalf);
+    };
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-        means.push_back({sums[0][k] / points, sums[1][k] / points, sums[2][k] / points});
+        means.push_back({mean(sums[0][k]), mean(sums[1][k]), mean(sums[2][k])});
     }
-    return means;
 }
 
 // Replaces the colors of all pixels by the shaded colors at their centers.
@@ -191,29 +193,27 @@ void shade_centers(const Light& light, Image<std::uint16_t>& colors) {
 }
 
 void write_colors(std::span<const std::uint32_t> pixels,
-                  std::span<const Color> colors,
+                  std::span<const ColorSamples> colors,
                   Image<std::uint16_t>& image) {
     const auto channels = static_cast<std::size_t>(image.channels());
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            image.samples()[channels * pixels[k] + c] =
-                static_cast<std::uint16_t>(std::lround(colors[k][c]));
-        }
+        std::ranges::copy(
+            colors[k], image.samples().begin() + static_cast<std::ptrdiff_t>(channels * pixels[k]));
     }
 }
 
 // Returns the mean shaded colors of pixels, computed in batches that fit into the cache.
-std::vector<Color> mean_colors_of_batches(std::span<const std::uint32_t> pixels,
-                                          const Surface& surface,
-                                          const Lighting& lighting,
-                                          int samples,
-                                          ReliefSampler sampler) {
+std::vector<ColorSamples> mean_colors(std::span<const std::uint32_t> pixels,
+                                      const Surface& surface,
+                                      const Lighting& lighting,
+                                      int samples,
+                                      ReliefSampler sampler) {
     constexpr std::size_t kBatch = 1024;
-    std::vector<Color> means;
+    std::vector<ColorSamples> means;
+    means.reserve(pixels.size());
     for (std::size_t from = 0; from < pixels.size(); from += kBatch) {
         const auto batch = pixels.subspan(from, std::min(kBatch, pixels.size() - from));
-        const auto batch_means = mean_colors(batch, surface, lighting, samples, sampler);
-        means.insert(means.end(), batch_means.begin(), batch_means.end());
+        add_mean_colors(batch, surface, lighting, samples, sampler, means);
     }
     return means;
 }
@@ -263,20 +263,16 @@ ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSu
         contrasts = find_contrasts(
             brightness_of(surface.colors, light), relief.distance().samples(), neighbors);
     }
-    const std::vector<Color> means =
-        mean_colors_of_batches(contrasts,
-                               surface,
-                               lighting,
-                               options.samples,
-                               ReliefSampler(relief, surface.slopes, sky.lookup(), neighbors));
+    const std::vector<ColorSamples> means =
+        mean_colors(contrasts,
+                    surface,
+                    lighting,
+                    options.samples,
+                    ReliefSampler(relief, surface.slopes, sky.lookup(), neighbors));
     shade_centers(light, surface.colors);
     write_colors(contrasts, means, surface.colors);
-    if (layers.is_patch()) {
-        const LinearRgb film = to_linear(parse_color(source.albedo.film_color));
-        bleed_colors(surface.colors.view(),
-                     {to_sample(film.r), to_sample(film.g), to_sample(film.b)});
-    }
-    return {std::move(surface.colors)};
+    const LinearRgb film = to_linear(parse_color(source.albedo.film_color));
+    return {std::move(surface.colors), {to_sample(film.r), to_sample(film.g), to_sample(film.b)}};
 }
 
 }  // namespace foam::texgen

@@ -20,10 +20,12 @@ enum class Mixing {
     Slopes,  // for a map of normals: the slopes of the surface that has these normals
 };
 
-/// The conditions under which a map uses the smooth distance to films (DistanceField::smooth).
+/// The conditions under which a map uses the smooth distance to films (DistanceField::smooth), and
+/// whether it uses its gradient.
 enum class SmoothDistance {
     Unused,
     Used,
+    UsedWithGradient,
     UsedByFilms,  // used if films have the wet profile or a shade (film_distance_needs)
 };
 
@@ -45,6 +47,7 @@ struct MapTraits {
     int png_bits = 8;                        // bits per sample of a PNG
     PngFilter png_filter = PngFilter::None;  // PngEncoding::filter of its PNGs
     bool needs_next = false;                 // true if drawing needs the next frame
+    bool needs_distance = false;             // true if the map uses DistanceField::distance
     SmoothDistance smooth_distance = SmoothDistance::Unused;
     Mixing mixing = Mixing::Values;
     bool shows_relief = false;  // true if the map depends on the relief (relief.h)

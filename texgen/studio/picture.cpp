@@ -51,11 +51,14 @@ void fit_to_picture(NumberPixels& numbers, double value) {
 }
 
 DistanceNeeds joined(const DistanceNeeds& a, const DistanceNeeds& b) {
-    return {.gradient = a.gradient || b.gradient, .smooth = a.smooth || b.smooth};
+    return {.distance = a.distance || b.distance,
+            .gradient = a.gradient || b.gradient,
+            .smooth = std::max(a.smooth, b.smooth)};
 }
 
 bool includes(const DistanceNeeds& all, const DistanceNeeds& some) {
-    return (all.gradient || !some.gradient) && (all.smooth || !some.smooth);
+    return (all.distance || !some.distance) && (all.gradient || !some.gradient) &&
+           all.smooth >= some.smooth;
 }
 
 }  // namespace

@@ -2,13 +2,13 @@
 
 #include "texgen/image/png_data.h"
 
+#include "tests/support/albedo_image.h"
 #include "tests/support/sample_foams.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/texgen/image/numbered.h"
 #include "tests/texgen/image/png_chunks.h"
 #include "tests/texgen/pictures.h"
 #include "texgen/image/png.h"
-#include "texgen/maps/albedo.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -73,7 +73,7 @@ std::vector<Image<std::uint8_t>> flat_cells() {
     const Frame frame = test::fitted_frame(test::bent_foam(100, 0.3, 1), 256, 256);
     std::vector<Image<std::uint8_t>> images;
     for (const double film_width : {0.0, 2.0}) {
-        images.push_back(albedo(frame, {256, 256}, {.film_width = film_width}, 1));
+        images.push_back(test::albedo_image(frame, {256, 256}, {.film_width = film_width}, 1));
     }
     return images;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "texgen/maps/albedo.h"
-
 #include "core/foam/honeycomb.h"
+#include "tests/support/albedo_image.h"
 #include "tests/support/sample_foams.h"
 #include "texgen/image/color.h"
 #include "texgen/image/colormap.h"
@@ -63,7 +62,7 @@ TEST(Albedo, ColorsTheEntriesOfTheMapExactly) {
             // In units of the film tension T, the pressure is the index of the entry.
             frame.bubbles[id_at<BubbleId>(k)].pressure = 0.5 * (first + static_cast<double>(k));
         }
-        const Image<std::uint8_t> image = albedo(frame, {40, 40, 0, 0}, options, 1);
+        const Image<std::uint8_t> image = test::albedo_image(frame, {40, 40, 0, 0}, options, 1);
         for (std::size_t k = 0; k < 4; ++k) {
             const int entry = first + static_cast<int>(k);
             EXPECT_EQ(color_inside(frame, id_at<BubbleId>(k), image),
@@ -89,7 +88,7 @@ TEST(Albedo, MeasuresPressureInTheFramesOwnMeanArea) {
     options.pressure_low = 0.0;
     options.pressure_high = 255.0;
     frame.bubbles[id_at<BubbleId>(2)].pressure = 100.0 * 0.5 / 2.0;
-    const Image<std::uint8_t> image = albedo(frame, {40, 40, 0, 0}, options, 1);
+    const Image<std::uint8_t> image = test::albedo_image(frame, {40, 40, 0, 0}, options, 1);
     EXPECT_EQ(color_inside(frame, id_at<BubbleId>(2), image), find_colormap("viridis").entry(100));
 }
 
@@ -97,7 +96,7 @@ TEST(Albedo, PressuresBeyondTheRangeTakeItsEnds) {
     Frame frame = four_bubbles(40);
     frame.bubbles[id_at<BubbleId>(0)].pressure = -99.0;
     frame.bubbles[id_at<BubbleId>(1)].pressure = 99.0;
-    const Image<std::uint8_t> image = albedo(frame, {40, 40, 0, 0}, {}, 1);
+    const Image<std::uint8_t> image = test::albedo_image(frame, {40, 40, 0, 0}, {}, 1);
     EXPECT_EQ(color_inside(frame, id_at<BubbleId>(0), image), find_colormap("viridis").entry(0));
     EXPECT_EQ(color_inside(frame, id_at<BubbleId>(1), image), find_colormap("viridis").entry(255));
 }
@@ -107,7 +106,7 @@ TEST(Albedo, FilmsHaveTheirColor) {
     AlbedoOptions options;
     options.film_color = "#12ab7f";
     options.film_width = 1000.0;  // films cover the whole image
-    const Image<std::uint8_t> image = albedo(frame, {64, 64, 0, 0}, options, 1);
+    const Image<std::uint8_t> image = test::albedo_image(frame, {64, 64, 0, 0}, options, 1);
     for (int x = 0; x < 64; ++x) {
         EXPECT_EQ(color_at(image, x, 17), (Srgb8{0x12, 0xab, 0x7f}));
     }
@@ -119,7 +118,7 @@ TEST(Albedo, MixesLight) {
     AlbedoOptions options;
     options.film_width = 3.0;
     options.film_color = "#ff8000";
-    const Image<std::uint8_t> image = albedo(frame, {64, 64, 0, 0}, options, 1);
+    const Image<std::uint8_t> image = test::albedo_image(frame, {64, 64, 0, 0}, options, 1);
     const CellArcs cells = cell_arcs(frame, {64, 64, 0, 0}, 3.0, 1);
     CellValues values{4, std::vector<std::uint16_t>(16, 0), {}};
     for (std::size_t k = 0; k < 4; ++k) {
@@ -164,22 +163,22 @@ TEST(Albedo, MeasuresWidthInPixelsOrDiameters) {
 
 TEST(Albedo, DoesNotDependOnThreads) {
     const Frame frame = test::fitted_frame(test::polydisperse_foam(60, 3), 128, 128);
-    const Image<std::uint8_t> one = albedo(frame, {128, 128, 0, 0}, {}, 1);
-    EXPECT_EQ(one, albedo(frame, {128, 128, 0, 0}, {}, 2));
-    EXPECT_EQ(one, albedo(frame, {128, 128, 0, 0}, {}, 3));
+    const Image<std::uint8_t> one = test::albedo_image(frame, {128, 128, 0, 0}, {}, 1);
+    EXPECT_EQ(one, test::albedo_image(frame, {128, 128, 0, 0}, {}, 2));
+    EXPECT_EQ(one, test::albedo_image(frame, {128, 128, 0, 0}, {}, 3));
 }
 
 TEST(Albedo, RejectsUnreadableValues) {
     const Frame frame = four_bubbles(16);
     AlbedoOptions options;
     options.pressure_high = options.pressure_low;
-    EXPECT_THROW(albedo(frame, {16, 16, 0, 0}, options, 1), std::invalid_argument);
+    EXPECT_THROW(test::albedo_image(frame, {16, 16, 0, 0}, options, 1), std::invalid_argument);
     options = {};
     options.film_color = "white";
-    EXPECT_THROW(albedo(frame, {16, 16, 0, 0}, options, 1), std::invalid_argument);
+    EXPECT_THROW(test::albedo_image(frame, {16, 16, 0, 0}, options, 1), std::invalid_argument);
     options = {};
     options.colormap = "no such map";
-    EXPECT_THROW(albedo(frame, {16, 16, 0, 0}, options, 1), std::invalid_argument);
+    EXPECT_THROW(test::albedo_image(frame, {16, 16, 0, 0}, options, 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Tests of albedo in a patch, whose surroundings are transparent.
+#include "tests/support/albedo_image.h"
 #include "tests/support/sample_foams.h"
 #include "texgen/image/color.h"
 #include "texgen/image/colormap.h"
-#include "texgen/maps/albedo.h"
 
 #include <gtest/gtest.h>
 
@@ -39,12 +39,14 @@ Frame patch_frame() {
 }
 
 Image8 patch_image(int threads = 1) {
-    return albedo(patch_frame(), grid_of(256, 18.0), options(), threads);
+    return test::albedo_image(patch_frame(), grid_of(256, 18.0), options(), threads);
 }
 
 TEST(Cutout, ATorusHasThreeChannelsAndAPatchFour) {
     EXPECT_EQ(
-        albedo(test::fitted_frame(test::single_bubble(), 8, 8), {8, 8, 0, 0}, {}, 1).channels(), 3);
+        test::albedo_image(test::fitted_frame(test::single_bubble(), 8, 8), {8, 8, 0, 0}, {}, 1)
+            .channels(),
+        3);
     EXPECT_EQ(patch_image().channels(), 4);
 }
 
@@ -52,7 +54,7 @@ TEST(Cutout, ATorusHasThreeChannelsAndAPatchFour) {
 // is pi 41.25², up to the rounding of the opacity of some 300 pixels to 8 bits.
 TEST(Cutout, OpacityIsThePartOfAPixelThatIsCovered) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, std::numbers::pi}}), 1);
-    const Image8 image = albedo(frame, grid_of(96, 40.0), options(), 1);
+    const Image8 image = test::albedo_image(frame, grid_of(96, 40.0), options(), 1);
     double area = 0.0;
     for (int y = 0; y < 96; ++y) {
         for (int x = 0; x < 96; ++x) {
@@ -70,7 +72,7 @@ TEST(Cutout, OpacityIsThePartOfAPixelThatIsCovered) {
 // background.
 TEST(Cutout, TheEdgeHasTheColorOfTheFilm) {
     const Frame frame = snapshot(test::circles({{0, {0.0, 0.0}, std::numbers::pi}}), 1);
-    const Image8 image = albedo(frame, grid_of(96, 40.0), options(), 1);
+    const Image8 image = test::albedo_image(frame, grid_of(96, 40.0), options(), 1);
     const Srgb8 film = parse_color(options().film_color);
     for (int y = 0; y < 96; ++y) {
         for (int x = 0; x < 96; ++x) {
@@ -89,7 +91,7 @@ TEST(Cutout, ALoneBubbleHasTheColorOfItsPressure) {
     seed.pressure_unit = PressureUnit::Seed;
     const double pressure = 1.0 / std::sqrt(2.0 / std::numbers::pi);  // (T / r) / T
     const Srgb8 expected = to_srgb8(find_colormap("magma").at(0.5 * pressure));
-    const Image8 image = albedo(snapshot(foam, 1), grid_of(40, 20.0), seed, 1);
+    const Image8 image = test::albedo_image(snapshot(foam, 1), grid_of(40, 20.0), seed, 1);
     const auto pixel = image.pixel(20, 20);
     EXPECT_EQ((Srgb8{pixel[0], pixel[1], pixel[2]}), expected);
     EXPECT_EQ(pixel[3], 255);

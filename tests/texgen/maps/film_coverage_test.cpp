@@ -20,7 +20,7 @@ namespace {
 constexpr int kSize = 96;
 
 FrameLayers layers_of(const Frame& frame, const FoamRecord& record, const RasterGrid& grid) {
-    return {{frame, record, nullptr, {.smooth = true}}, grid, 1};
+    return {{frame, record, nullptr, {.smooth = SmoothImages::DistanceAndGradient}}, grid, 1};
 }
 
 // The smooth distance of a circle of radius R is (R² - r²) / 2R.

@@ -53,6 +53,22 @@ TEST(Grain, IsDrawnOnceForAllMaps) {
     EXPECT_NE(&circle.layers.grain({0.2, GrainUse::Albedo}), &first);
 }
 
+TEST(Grain, ValuesWithoutSlopesAreTheSame) {
+    const test::MapSubject& subject = test::torus_subject();
+    FrameInput input = subject.input();
+    const RasterGrid grid = test::torus_grid(64);
+    const GrainRule rule{0.2, GrainUse::Relief};
+    input.distance = {.smooth = SmoothImages::DistanceAndGradient};
+    FrameLayers all(input, grid, 1);
+    input.distance = {.smooth = SmoothImages::Distance};
+    FrameLayers some(input, grid, 1);
+    EXPECT_EQ(some.grain(rule).value, all.grain(rule).value);
+    EXPECT_FALSE(all.grain(rule).slope_x.samples().empty());
+    EXPECT_TRUE(some.grain(rule).slope_x.samples().empty());
+    EXPECT_TRUE(some.grain(rule).slope_y.samples().empty());
+    EXPECT_TRUE(all.grain({0.2, GrainUse::Albedo}).slope_x.samples().empty());
+}
+
 // A lone bubble has its grain in its circle, relative to its center.
 TEST(Grain, ThereIsNoneAroundAPatch) {
     test::LoneCircle circle(25.0);
@@ -71,11 +87,11 @@ TEST(Grain, IsTheSumOfOctavesAtTheCentersOfPixels) {
     test::LoneCircle circle(kRadius);
     const double pixels =
         diameters_in_pixels(kSize, circle.layers.grid(), circle.layers.frame().domain);
-    const Grain& grain = circle.layers.grain({kSize, GrainUse::Albedo});
+    const Grain& grain = circle.layers.grain({kSize, GrainUse::Relief});
     test::for_each_inside(kRadius - 1.0, [&](int x, int y, const Vec2& point) {
         const auto index = static_cast<std::size_t>(y * test::kCircleImage + x);
         const NoiseValue noise =
-            octave_noise(point / pixels, seed_of_grain(BubbleIdentity{7}, GrainUse::Albedo), 3);
+            octave_noise(point / pixels, seed_of_grain(BubbleIdentity{7}, GrainUse::Relief), 3);
         EXPECT_NEAR(grain.value.samples()[index], noise.value, 1e-5);
         EXPECT_NEAR(grain.slope_x.samples()[index], noise.slope_x / pixels, 1e-5);
         EXPECT_NEAR(grain.slope_y.samples()[index], noise.slope_y / pixels, 1e-5);
@@ -90,15 +106,16 @@ TEST(Grain, OfAFarBubbleIsRelativeToItsCenter) {
     const Vec2 middle(-0.6, 0.7);  // of the image, in foam units
     const Frame frame = snapshot(foam::test::circles({{7, {0.0, 0.0}, std::numbers::pi}}), 1);
     const FoamRecord record{};
-    FrameLayers layers({frame, record, nullptr, {.gradient = true, .smooth = true}},
-                       {kImage, kImage, 0, 0, View{middle, kRadius}},
-                       1);
+    FrameLayers layers(
+        {frame, record, nullptr, {.gradient = true, .smooth = SmoothImages::DistanceAndGradient}},
+        {kImage, kImage, 0, 0, View{middle, kRadius}},
+        1);
     const double pixels = diameters_in_pixels(kSize, layers.grid(), frame.domain);
-    const Grain& grain = layers.grain({kSize, GrainUse::Albedo});
+    const Grain& grain = layers.grain({kSize, GrainUse::Relief});
     for (int k = 0; k < kImage; ++k) {
         const Vec2 point = kRadius * middle + Vec2::Constant(k + 0.5 - 0.5 * kImage);
         const NoiseValue noise =
-            octave_noise(point / pixels, seed_of_grain(BubbleIdentity{7}, GrainUse::Albedo), 5);
+            octave_noise(point / pixels, seed_of_grain(BubbleIdentity{7}, GrainUse::Relief), 5);
         EXPECT_NEAR(grain.value.pixel(k, k)[0], noise.value, 1e-5);
         EXPECT_NEAR(grain.slope_x.pixel(k, k)[0], noise.slope_x / pixels, 1e-9);
     }

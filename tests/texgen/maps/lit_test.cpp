@@ -23,7 +23,7 @@ namespace {
 constexpr int kSize = 96;
 
 FrameLayers layers_of(const Frame& frame, const FoamRecord& record, const RasterGrid& grid) {
-    return {{frame, record, nullptr, {.smooth = true}}, grid, 1};
+    return {{frame, record, nullptr, {.smooth = SmoothImages::DistanceAndGradient}}, grid, 1};
 }
 
 Image<std::uint16_t> lit_pixels(const test::MapSubject& subject, const MapOptions& options) {

@@ -16,7 +16,10 @@ inline constexpr int kCircleImage = 64;  // width and height of the image, pixel
 /// bubble of the frame is this bubble.
 struct LoneCircle {
     explicit LoneCircle(double radius_in_pixels)
-        : layers({frame, record, nullptr, {.gradient = true, .smooth = true}},
+        : layers({frame,
+                  record,
+                  nullptr,
+                  {.gradient = true, .smooth = SmoothImages::DistanceAndGradient}},
                  {kCircleImage, kCircleImage, 0, 0, View{Vec2::Zero(), radius_in_pixels}},
                  1) {}
 

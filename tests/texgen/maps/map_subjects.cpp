@@ -4,6 +4,7 @@
 
 #include "core/dynamics/step.h"
 #include "tests/support/sample_foams.h"
+#include "texgen/maps/cross_fade.h"
 
 #include <algorithm>
 #include <array>
@@ -69,8 +70,8 @@ MapImage draw(std::string_view map,
     FrameInput input = subject.input();
     const std::array names{std::string(map)};
     input.distance = distance_needs(names, options);
-    FrameLayers layers(input, grid, threads);
-    return find_map(map).draw(layers, options);
+    ShownLayers shown{{input, grid, threads}};
+    return texgen::draw(find_map(map), shown, options);
 }
 
 }  // namespace foam::texgen::test

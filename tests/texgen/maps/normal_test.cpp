@@ -39,7 +39,7 @@ TEST(Normal, ALoneBubblesDomeIsACap) {
 
 TEST(Normal, DirectXNormalsPointDown) {
     FrameInput input = test::torus_subject().input();
-    input.distance = {.gradient = true, .smooth = true};
+    input.distance = {.gradient = true, .smooth = SmoothImages::DistanceAndGradient};
     FrameLayers layers(input, test::torus_grid(64), 1);
     const auto up = draw_normal(layers, {kRelief, kMaze}, {.y = NormalY::Up});
     const auto down = draw_normal(layers, {kRelief, kMaze}, {.y = NormalY::Down});

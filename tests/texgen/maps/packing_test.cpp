@@ -23,10 +23,12 @@ namespace {
 constexpr int kSize = 48;
 
 ShownLayers layers_of(const test::MapSubject& subject, const RasterGrid& grid) {
-    return {.layers = FrameLayers(
-                {subject.frame, subject.record, &subject.next, {.gradient = true, .smooth = true}},
-                grid,
-                1)};
+    return {.layers = FrameLayers({subject.frame,
+                                   subject.record,
+                                   &subject.next,
+                                   {.gradient = true, .smooth = SmoothImages::DistanceAndGradient}},
+                                  grid,
+                                  1)};
 }
 
 MapImage packed(const char* text, const MapOptions& options = {}) {

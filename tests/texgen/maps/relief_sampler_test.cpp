@@ -37,9 +37,11 @@ TEST_P(SamplerOfEveryProfile, AgreesWithAFinerGrid) {
     const ReliefOptions options{.profile = GetParam(), .width = 0.2};
     const MazeOptions maze;
     const RasterGrid grid{kSize, kSize};
-    FrameLayers layers({frame, record, nullptr, {.smooth = true}}, grid, 1);
-    FrameLayers finer(
-        {frame, record, nullptr, {.smooth = true}}, {kFiner * kSize, kFiner * kSize}, 1);
+    FrameLayers layers(
+        {frame, record, nullptr, {.smooth = SmoothImages::DistanceAndGradient}}, grid, 1);
+    FrameLayers finer({frame, record, nullptr, {.smooth = SmoothImages::DistanceAndGradient}},
+                      {kFiner * kSize, kFiner * kSize},
+                      1);
     const Relief relief(layers, {options, maze}, ReliefSection::kSkyReach);
     const Relief fine(finer, {options, maze}, ReliefSection::kSkyReach);
     const VisibleSky sky(relief.section(), relief.strength(), 1.0);

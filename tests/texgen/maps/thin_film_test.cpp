@@ -24,7 +24,7 @@ TEST(ThinFilm, GravityMakesTheTopThinAndTheBottomThick) {
     constexpr double kRadius = 40.0;
     const Frame frame = snapshot(foam::test::circles({{7, {0.0, 0.0}, std::numbers::pi}}), 1);
     const FoamRecord record;
-    FrameLayers layers({frame, record, nullptr, {.smooth = true}},
+    FrameLayers layers({frame, record, nullptr, {.smooth = SmoothImages::DistanceAndGradient}},
                        {kSize, kSize, 0, 0, View{Vec2::Zero(), kRadius}},
                        1);
     const ThinFilmOptions options{
@@ -46,7 +46,7 @@ TEST(ThinFilm, SwirlsBelongToTheirBubble) {
         const Frame frame =
             snapshot(foam::test::circles({{identity, {0.0, 0.0}, std::numbers::pi}}), 1);
         const FoamRecord record;
-        FrameLayers layers({frame, record, nullptr, {.smooth = true}},
+        FrameLayers layers({frame, record, nullptr, {.smooth = SmoothImages::DistanceAndGradient}},
                            {64, 64, 0, 0, View{Vec2::Zero(), 28.0}},
                            1);
         const ThinFilmOptions options{.variation = 0.0, .swirl = swirl};

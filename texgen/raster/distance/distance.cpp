@@ -31,10 +31,10 @@ void allocate(DistanceNeeds needs, const RasterGrid& grid, DistanceField& field)
         }
     };
     allocate_image(true, 1, field.ids);
-    allocate_image(true, 1, field.distance);
+    allocate_image(needs.distance, 1, field.distance);
     allocate_image(needs.gradient, 2, field.gradient);
-    allocate_image(needs.smooth, 1, field.smooth);
-    allocate_image(needs.smooth, 2, field.smooth_gradient);
+    allocate_image(needs.smooth != SmoothImages::None, 1, field.smooth);
+    allocate_image(needs.smooth == SmoothImages::DistanceAndGradient, 2, field.smooth_gradient);
 }
 
 // Paints regions on one thread, one after the other: writes the values of their pixels to the

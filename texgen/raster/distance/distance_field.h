@@ -8,10 +8,18 @@
 
 namespace foam::texgen {
 
-/// Selects the images of a DistanceField that are computed in addition to ids and distances.
+/// The images of the smooth distance that are computed. Each selection includes the ones before it.
+enum class SmoothImages {
+    None,
+    Distance,             // DistanceField::smooth
+    DistanceAndGradient,  // also DistanceField::smooth_gradient
+};
+
+/// Selects the images of a DistanceField that are computed in addition to ids.
 struct DistanceNeeds {
+    bool distance = true;
     bool gradient = false;  // the gradient of the distance
-    bool smooth = false;    // the smooth distance and its gradient
+    SmoothImages smooth = SmoothImages::None;
 };
 
 /// The bubble at the center of each pixel, and the distance from this center to the nearest film.

@@ -61,15 +61,19 @@ inline void FieldWriter::write_span(const PixelBatch& batch,
     };
     std::uint32_t* ids = pixel(field_.ids);
     in_pieces(span.count, [&](std::size_t k, auto size) { std::fill_n(ids + k, size(), id); });
-    copy_values(values(batch.distance()), span.count, pixel(field_.distance));
+    if (needs_.distance) {
+        copy_values(values(batch.distance()), span.count, pixel(field_.distance));
+    }
     if (needs_.gradient) {
         copy_pairs(values(batch.gradient_x()),
                    values(batch.gradient_y()),
                    span.count,
                    pixel(field_.gradient));
     }
-    if (needs_.smooth) {
+    if (needs_.smooth != SmoothImages::None) {
         copy_values(values(batch.smooth()), span.count, pixel(field_.smooth));
+    }
+    if (needs_.smooth == SmoothImages::DistanceAndGradient) {
         copy_pairs(values(batch.smooth_x()),
                    values(batch.smooth_y()),
                    span.count,

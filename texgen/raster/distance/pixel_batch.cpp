@@ -179,6 +179,7 @@ struct SmoothSums {
 // length of the chord. The approximate distance phi to the film is given by phi² = f² + r². Here
 // r = (root - t) / 2 and root = sqrt(t² + f^4 / c²). The gradient of r satisfies
 // r grad r = r (f³ / c² grad f - r grad t) / root.
+template <bool kGradient>
 [[gnu::always_inline]] inline void add_film(const FilmFunctions& film,
                                             const float* xs,
                                             const float* ys,
@@ -195,40 +196,48 @@ struct SmoothSums {
         const float inside = 0.5F * bend * (bend / sum);  // (root - t) / 2 without cancellation
         const float r = t > 0.0F ? inside : 0.5F * sum;
         const float weight = 1.0F / max_value(f * f + r * r, kMinSquare);
-        const float part = r / root;  // at most 1
-        const float from_f = f + part * (f * inverse_chord) * bend;
-        const float from_t = -part * r;
-        const float scale = weight * weight;
         sums.sum[k] += weight;
-        sums.x[k] += scale * (from_f * across.x + from_t * along.x);
-        sums.y[k] += scale * (from_f * across.y + from_t * along.y);
+        if constexpr (kGradient) {
+            const float part = r / root;  // at most 1
+            const float from_f = f + part * (f * inverse_chord) * bend;
+            const float from_t = -part * r;
+            const float scale = weight * weight;
+            sums.x[k] += scale * (from_f * across.x + from_t * along.x);
+            sums.y[k] += scale * (from_f * across.y + from_t * along.y);
+        }
     }
 }
 
 // Measures smooth distances: s = S^-1/2, where S is the sum of 1/phi². The gradient of s is s³
 // times the sum of phi^-4 (f grad f + r grad r). If S is at most kMinSum, or NaN, the plain
-// distance and its gradient replace s and its gradient.
-[[gnu::always_inline]] inline void sum_films(std::span<const FilmFunctions> films,
+// distance and its gradient replace s and its gradient. Returns true if this was not necessary.
+template <bool kGradient>
+[[gnu::always_inline]] inline bool sum_films(std::span<const FilmFunctions> films,
                                              std::size_t count,
                                              const float* xs,
                                              const float* ys,
                                              const BatchArrays& plain,
                                              const BatchArrays& to) {
+    std::uint32_t any_lost = 0;
     for (std::size_t from = 0; from < count; from += PixelBatch::kLanes) {
         SmoothSums sums;
         for (const FilmFunctions& film : films) {
-            add_film(film, xs + from, ys + from, sums);
+            add_film<kGradient>(film, xs + from, ys + from, sums);
         }
 #pragma GCC unroll 1
         for (std::size_t k = 0; k < PixelBatch::kLanes; ++k) {
             const float s = 1.0F / std::sqrt(sums.sum[k]);
-            const float scale = s * s * s;
             const std::uint32_t is_lost = mask_if(!(sums.sum[k] > kMinSum));
+            any_lost |= is_lost;
             to.value[from + k] = chosen(is_lost, plain.value[from + k], s);
-            to.x[from + k] = chosen(is_lost, plain.x[from + k], scale * sums.x[k]);
-            to.y[from + k] = chosen(is_lost, plain.y[from + k], scale * sums.y[k]);
+            if constexpr (kGradient) {
+                const float scale = s * s * s;
+                to.x[from + k] = chosen(is_lost, plain.x[from + k], scale * sums.x[k]);
+                to.y[from + k] = chosen(is_lost, plain.y[from + k], scale * sums.y[k]);
+            }
         }
     }
+    return any_lost == 0;
 }
 
 }  // namespace
@@ -241,12 +250,16 @@ void PixelBatch::clear(const Vec2& middle) {
     span_count_ = 0;
 }
 
-// The lanes after the last pixel get copies of the first pixel.
+// Gives the lanes after the last pixel copies of the first pixel.
+void PixelBatch::pad() {
+    std::fill_n(&x_[count_], kLanes, x_[0]);
+    std::fill_n(&y_[count_], kLanes, y_[0]);
+}
+
 bool PixelBatch::measure(std::span<const ArcFunctions> arcs,
                          std::span<const Vec2> points,
                          bool gradient) {
-    std::fill_n(&x_[count_], kLanes, x_[0]);
-    std::fill_n(&y_[count_], kLanes, y_[0]);
+    pad();
     const BatchArrays to{distance_.data(), gradient_x_.data(), gradient_y_.data()};
     const auto measure_with =
         [=, count = padded_count(), xs = x_.data(), ys = y_.data()](auto with_gradient) {
@@ -256,12 +269,16 @@ bool PixelBatch::measure(std::span<const ArcFunctions> arcs,
     return gradient ? measure_with(std::true_type{}) : measure_with(std::false_type{});
 }
 
-void PixelBatch::measure_smooth(std::span<const FilmFunctions> films) {
+bool PixelBatch::measure_smooth(std::span<const FilmFunctions> films, bool gradient) {
+    pad();
     const BatchArrays plain{distance_.data(), gradient_x_.data(), gradient_y_.data()};
     const BatchArrays to{smooth_.data(), smooth_x_.data(), smooth_y_.data()};
-    at_simd_level([=, count = padded_count(), xs = x_.data(), ys = y_.data()] {
-        sum_films(films, count, xs, ys, plain, to);
-    });
+    const auto measure_with =
+        [=, count = padded_count(), xs = x_.data(), ys = y_.data()](auto with_gradient) {
+            return at_simd_level(
+                [=] { return sum_films<with_gradient>(films, count, xs, ys, plain, to); });
+        };
+    return gradient ? measure_with(std::true_type{}) : measure_with(std::false_type{});
 }
 
 }  // namespace foam::texgen

@@ -82,10 +82,11 @@ class PixelBatch {
     /// because a pixel faces no arc and there are no points.
     bool measure(std::span<const ArcFunctions> arcs, std::span<const Vec2> points, bool gradient);
 
-    /// Computes smooth distances and their gradients. If there are no films, or if the smooth
-    /// distance would be 1e6 pixels or more, they equal the distance and its gradient.
-    /// Precondition: measure() has computed gradients.
-    void measure_smooth(std::span<const FilmFunctions> films);
+    /// Computes smooth distances, and their gradients if `gradient` is true. If there are no films,
+    /// or if the smooth distance would be 1e6 pixels or more, they equal the distance and its
+    /// gradient, which measure() must have computed before. Returns false if this is the case for
+    /// at least one pixel.
+    bool measure_smooth(std::span<const FilmFunctions> films, bool gradient);
 
     /// Return the results of measure() and measure_smooth(), one value per pixel. Span::first is
     /// the index of the first pixel of a span. Elements after the last pixel are meaningless.
@@ -98,6 +99,7 @@ class PixelBatch {
 
   private:
     std::size_t padded_count() const { return (count_ + kLanes - 1) / kLanes * kLanes; }
+    void pad();
 
     Vec2 middle_{0.0, 0.0};
     // The x and the y of the vector from the center of pixel (0, 0) to the middle. The floats are

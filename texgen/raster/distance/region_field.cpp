@@ -123,8 +123,12 @@ void RegionField::measure_box(const PixelMask& mask, Arcs arcs, const PixelBox& 
         return;
     }
     const double reach = (Vec2(box.right, box.top) - batch_.middle() - Vec2::Constant(0.5)).norm();
-    measure_distances(arcs, reach);
-    if (needs_.smooth) {
+    const bool has_distances = needs_.distance || needs_.gradient;
+    if (has_distances) {
+        measure_distances(arcs, reach);
+    }
+    if (needs_.smooth != SmoothImages::None && !measure_smooth(reach) && !has_distances) {
+        measure_distances(arcs, reach);
         measure_smooth(reach);
     }
     (*visit_)(batch_);
@@ -147,7 +151,7 @@ void RegionField::measure_distances(Arcs arcs, double reach) {
         }
     }
     const std::span<const ArcFunctions> near = std::span(functions_).first(count);
-    const bool gradient = needs_.gradient || needs_.smooth;
+    const bool gradient = needs_.gradient || needs_.smooth == SmoothImages::DistanceAndGradient;
     // A pixel slightly outside of a sharp corner may face no arc: it is not between the normals at
     // the ends of any arc. In this case, distances to the ends of all arcs are included.
     if (!batch_.measure(near, points_, gradient)) {
@@ -159,11 +163,12 @@ void RegionField::measure_distances(Arcs arcs, double reach) {
     }
 }
 
-// Measures the smooth distances of the batch. For the region of the ghost
+// Measures the smooth distances of the batch. Returns false if the plain distances of some pixels
+// replace them (PixelBatch::measure_smooth). For the region of the ghost
 // (RegionKind::Surroundings), no films are passed to the batch, so that the smooth distances of its
 // pixels equal their distances. For a circle, only one of its two arcs is passed, because the
 // function `across` of either arc is 0 on the whole circle.
-void RegionField::measure_smooth(double reach) {
+bool RegionField::measure_smooth(double reach) {
     const bool is_circle = region_->kind == RegionKind::Circle;
     Arcs films = region_->boundary.films();
     if (region_->kind != RegionKind::Bubble) {
@@ -182,7 +187,7 @@ void RegionField::measure_smooth(double reach) {
             }
         }
     }
-    batch_.measure_smooth(films_);
+    return batch_.measure_smooth(films_, needs_.smooth == SmoothImages::DistanceAndGradient);
 }
 
 }  // namespace foam::texgen

@@ -14,10 +14,11 @@
 
 namespace foam::texgen {
 
-/// Computes the distances, gradients and smooth distances of the pixels of regions, in batches. A
-/// region is a bubble or the surroundings of a patch (Region). A small region with few arcs is one
-/// batch. Any other region is subdivided recursively into tiles, as in a quadtree, and each tile is
-/// a batch. If many arcs may be near a part of the region, arcs that are too far away are dropped
+/// Computes the distances, gradients and smooth distances of the pixels of regions, in batches.
+/// Only those are computed that the DistanceNeeds select, and those that they depend on. A region
+/// is a bubble or the surroundings of a patch (Region). A small region with few arcs is one batch.
+/// Any other region is subdivided recursively into tiles, as in a quadtree, and each tile is a
+/// batch. If many arcs may be near a part of the region, arcs that are too far away are dropped
 /// before the part is measured. Such an arc is not the nearest arc of any pixel of the part.
 /// Buffers are reused between regions.
 class RegionField {
@@ -39,7 +40,7 @@ class RegionField {
     void subdivide(const PixelMask& mask, Arcs arcs, const PixelBox& block, std::size_t level);
     void measure_box(const PixelMask& mask, Arcs arcs, const PixelBox& box);
     void measure_distances(Arcs arcs, double reach);
-    void measure_smooth(double reach);
+    bool measure_smooth(double reach);
 
     DistanceNeeds needs_;
     const Visit* visit_ = nullptr;

@@ -15,7 +15,7 @@
 namespace foam::texgen {
 namespace {
 
-constexpr DistanceNeeds kAll{.gradient = true, .smooth = true};
+constexpr DistanceNeeds kAll{.gradient = true, .smooth = SmoothImages::DistanceAndGradient};
 constexpr double kTolerance = 2e-5;
 
 RasterGrid grid_of(int width, int height, const Vec2& center, double scale) {
@@ -126,7 +126,10 @@ double slope_error(const Frame& frame, int axis) {
     constexpr double kStep = 0.05;
     const auto field = [&](double pixels) {
         const Vec2 center = pixels / kScale * Vec2::Unit(axis);
-        return distance_field(frame, grid_of(80, 80, center, kScale), {.smooth = true}, 1);
+        return distance_field(frame,
+                              grid_of(80, 80, center, kScale),
+                              {.smooth = SmoothImages::DistanceAndGradient},
+                              1);
     };
     const DistanceField here = field(0.0);
     const DistanceField ahead = field(kStep);
@@ -146,6 +149,19 @@ TEST(DistanceInPatches, HaveTheGradientsOfTheirSmoothDistance) {
     const Frame frame = snapshot(test::patch_foam(12, 5), 1);
     EXPECT_LT(slope_error(frame, 0), 2e-3);
     EXPECT_LT(slope_error(frame, 1), 2e-3);
+}
+
+// Around a patch, smooth distances equal the distances, which are then computed, too.
+TEST(DistanceInPatches, SmoothDistancesDoNotDependOnDistances) {
+    const Frame frame = snapshot(test::patch_foam(40, 9), 1);
+    const RasterGrid grid = grid_of(200, 200, {0.2, 0.1}, 20.0);
+    DistanceNeeds needs = kAll;
+    const DistanceField all = distance_field(frame, grid, needs, 1);
+    needs.distance = needs.gradient = false;
+    const DistanceField some = distance_field(frame, grid, needs, 1);
+    EXPECT_EQ(some.ids, all.ids);
+    EXPECT_EQ(some.smooth, all.smooth);
+    EXPECT_EQ(some.smooth_gradient, all.smooth_gradient);
 }
 
 TEST(DistanceInPatches, IsTheSameForAnyThreads) {

@@ -15,7 +15,7 @@
 namespace foam::texgen {
 namespace {
 
-constexpr DistanceNeeds kAll{.gradient = true, .smooth = true};
+constexpr DistanceNeeds kAll{.gradient = true, .smooth = SmoothImages::DistanceAndGradient};
 // The tolerances are in pixels. The outlines that decide ids are rounded to subpixels. If the
 // distance of a pixel is at most kChainTolerance, the id may be that of the bubble on the other
 // side of the film.
@@ -155,6 +155,34 @@ TEST(Distance, IsTheSameForAnyThreadsAndInUsedMemory) {
     EXPECT_TRUE(used.gradient.samples().empty());
     EXPECT_TRUE(used.smooth.samples().empty());
     EXPECT_TRUE(used.smooth_gradient.samples().empty());
+}
+
+TEST(Distance, SmoothDistancesWithoutGradientsAreTheSame) {
+    const Frame frame = test::fitted_frame(test::polydisperse_foam(80, 9), 300, 300);
+    const DistanceField all = distance_field(frame, {300, 300}, kAll, 1);
+    const DistanceField some =
+        distance_field(frame, {300, 300}, {.smooth = SmoothImages::Distance}, 1);
+    EXPECT_EQ(some.ids, all.ids);
+    EXPECT_EQ(some.distance, all.distance);
+    EXPECT_EQ(some.smooth, all.smooth);
+    EXPECT_TRUE(some.smooth_gradient.samples().empty());
+}
+
+// Without distances, smooth distances are the same.
+TEST(Distance, IdsAndSmoothDistancesDoNotDependOnDistances) {
+    const Frame frame = test::fitted_frame(test::polydisperse_foam(80, 9), 300, 300);
+    const DistanceField all = distance_field(frame, {300, 300}, kAll, 1);
+    DistanceNeeds needs = kAll;
+    needs.distance = needs.gradient = false;
+    const DistanceField smooth = distance_field(frame, {300, 300}, needs, 1);
+    EXPECT_EQ(smooth.ids, all.ids);
+    EXPECT_TRUE(smooth.distance.samples().empty());
+    EXPECT_EQ(smooth.smooth, all.smooth);
+    EXPECT_EQ(smooth.smooth_gradient, all.smooth_gradient);
+    const DistanceField ids = distance_field(frame, {300, 300}, {.distance = false}, 1);
+    EXPECT_EQ(ids.ids, all.ids);
+    EXPECT_TRUE(ids.distance.samples().empty());
+    EXPECT_TRUE(ids.smooth.samples().empty());
 }
 
 TEST(Distance, RejectsAnImageOfAnotherAspect) {

@@ -29,8 +29,9 @@ TEST(FieldWriter, WritesSpansAroundTheImage) {
             batch.clear(Vec2(20.0, 1.0));
             batch.add_span(2, 1, count);
             batch.measure({}, std::vector<Vec2>{{30.0, 40.0}}, true);
-            batch.measure_smooth({});
-            FieldWriter writer({.gradient = true, .smooth = true}, field);
+            batch.measure_smooth({}, true);
+            FieldWriter writer({.gradient = true, .smooth = SmoothImages::DistanceAndGradient},
+                               field);
             writer.write(batch, {left - kWidth, left, 0, 3}, 7);
             for (int y = 0; y < 3; ++y) {
                 for (int x = 0; x < kWidth; ++x) {
