@@ -43,17 +43,19 @@ constexpr double kSlowRatio = 0.1;
 // The smallest tolerance of Newton's method for forces, in film tensions, and for relative area
 // errors (newton_tolerance).
 constexpr double kNewtonTolerance = 1e-11;
-// The tolerance is this number times the size of the foam if that is more than kNewtonTolerance. On
-// a torus, this is so from about 10,000 bubbles on.
+// The tolerance is this number times the size of the foam if the product is more than
+// kNewtonTolerance. The size is the largest coordinate, in square roots of the mean area of a
+// bubble. The product is more on square tori of more than about 10,000 bubbles.
 constexpr double kNewtonTolerancePerSize = 1e-13;
 // The tolerance grows with the foam to at most this number times the tolerance of the equilibrium.
 constexpr double kMaxToleranceRatio = 0.1;
-// After this many rounds without equilibrium, defect regions are no longer solved on their own.
+// After this many rounds without equilibrium, the whole foam is relaxed, and defect regions are no
+// longer solved on their own.
 constexpr int kRoundsWithRegions = 20;
-// A stall of Newton's method is counted if worst_regions returns any region and defect regions are
-// still solved on their own. At every kGlobalRelaxationPeriod-th counted stall the whole foam is
-// relaxed, at the other counted stalls only the worst regions. At a stall that is not counted, the
-// whole foam is relaxed. Reaching the limit of iterations is treated as a stall.
+// At a stall of Newton's method, only the worst regions are relaxed. At every
+// kGlobalRelaxationPeriod-th stall, the whole foam is relaxed instead. The whole foam is also
+// relaxed, and the stall is not counted, if worst_regions returns no region, or when defect regions
+// are no longer solved on their own. Reaching the limit of iterations is treated as a stall.
 constexpr int kGlobalRelaxationPeriod = 4;
 
 // The foam that all rounds work on, and the buffers that they reuse. Unless an equilibrium has been
@@ -90,11 +92,12 @@ struct Progress {
     // While it is true, Newton's method also predicts T1s (NewtonOptions::predicts_t1): near
     // equilibrium it ends early if a short film would still be short after the next step.
     bool solves_regions = true;
-    // True if Newton's method stops after a slow step, so that defect regions can be solved.
+    // True if Newton's method stops after a slow step, so that defect regions can be solved. It has
+    // no effect if `solves_regions` is false.
     bool stops_if_slow = false;
     bool needs_restart = true;   // Work::whole must be started before it is used
     int global_relaxations = 0;  // number of relaxations of the whole foam
-    int stalls_in_regions = 0;   // counted stalls (kGlobalRelaxationPeriod)
+    int counted_stalls = 0;      // see kGlobalRelaxationPeriod
 };
 
 void count_t1(int t1, Progress& progress) {
@@ -145,7 +148,7 @@ void relax_where_stalled(Work& work, Progress& progress) {
     reopen_collapsed_bubbles(work.foam);
     std::vector<DefectRegion> regions = worst_regions(work.foam, work.options.threads);
     if (!progress.solves_regions || regions.empty() ||
-        ++progress.stalls_in_regions % kGlobalRelaxationPeriod == 0) {
+        ++progress.counted_stalls % kGlobalRelaxationPeriod == 0) {
         relax_all(work, false, progress);
     } else {
         count_t1(relax_regions(work.foam, std::move(regions), work.options, work.local), progress);
@@ -235,7 +238,7 @@ void respond(Work& work, const NewtonSummary& newton_summary, Progress& progress
 }
 
 // Runs one round: Newton's method for the whole foam, the response to its status, and then the
-// defect regions on their own.
+// defect regions on their own. The first round without defect regions begins with a relaxation.
 Progress next_round(Work& work, Progress progress) {
     if (progress.rounds++ == kRoundsWithRegions) {
         progress.solves_regions = false;

@@ -33,18 +33,18 @@ class Hessian {
     double& diagonal(int row) { return matrix_.valuePtr()[matrix_.outerIndexPtr()[row]]; }
 
   private:
-    // Each junction, bubble and half angle of an outer film that is not held fixed (Unknowns) is a
-    // node of the pattern. The order is: junctions with two rows each, bubbles with one row each,
-    // half angles of outer films with one row each. A film couples four nodes: its tail, its head,
-    // and the bubbles on its left and right. An outer film also couples a fifth node, its half
-    // angle.
+    // The nodes of the pattern are the free junctions with two rows each, then the free bubbles
+    // with one row each, then the half angles of free outer films with one row each (Unknowns). A
+    // film couples four nodes: its tail, its head, and the bubbles on its left and right. An outer
+    // film also couples a fifth node, its half angle.
     static constexpr std::size_t kMaxNodes = 5;
     using FilmNodes = std::array<int, kMaxNodes>;  // negative for an element that is no node
     // The positions of a film's contributions in the array of matrix values.
     struct FilmSlots {
-        // Element b * kMaxNodes + a belongs to the nodes a and b of the film. It is the position of
-        // the first value of the block with the rows of a and the columns of b. It is negative if
-        // a or b is no node, or if this block is not in the lower triangle.
+        // Element b * kMaxNodes + a belongs to the elements a and b of FilmNodes. It is the
+        // position of the first value of the block with the rows of a and the columns of b. It is
+        // negative if one of these elements is negative, or if the block is not in the lower
+        // triangle.
         std::array<int, kMaxNodes * kMaxNodes> blocks;
         // Element b belongs to the node b of the film and is used only if the node has two rows. It
         // is the distance, in the array of matrix values, from a value in the node's first column

@@ -57,7 +57,7 @@ class Parser {
   private:
     // Returns true if the next token is the given operator and continues the expression. Outside
     // parentheses, an operator that begins a line ends the expression, and so does a sign with
-    // white space before it and none after it.
+    // white space before it and none after it. In exponents and operands of signs, neither does.
     bool at_operator(char symbol) const {
         const Token& token = tokens_.peek();
         const bool is_sign =

@@ -128,7 +128,7 @@ bool warns_of_replaced(const ImageArguments& arguments, const ProgressOptions& p
 }
 
 /// Draws the frames and writes the image files and their manifest. `has_frame` is true if an
-/// earlier run of the command has written frames. `on_frame` may be empty.
+/// earlier ImageRun of the same command has written frames. `on_frame` may be empty.
 BakeSummary bake_images(const ImageRun& run,
                         const ImageArguments& arguments,
                         const ProgressOptions& progress,
@@ -204,8 +204,8 @@ void warn_of_resources(std::span<const ImageRun> runs) {
     warn_of_little_memory(largest);
 }
 
-/// Carries out the first or a later run of a command. If it is complete, also writes its sheets and
-/// scene files. The first run also writes the statistics that the command asks for.
+/// Carries out one of the runs of a command. If it is complete, also writes its sheets and scene
+/// files. If `is_first`, also writes the statistics that the command asks for.
 FinishedRun carry_out(const ImageRun& run,
                       const ImageArguments& arguments,
                       const ProgressOptions& progress,

@@ -39,8 +39,8 @@ void note_open_loop(const Preset& preset, std::span<const int> frames);
 /// Precondition: `frames` is not empty.
 void warn_of_late_events(const Preset& preset, std::span<const int> frames);
 
-/// Prints a warning on stderr for each event of the preset whose bubbles did not all exist, or
-/// could not all be created.
+/// Prints a warning on stderr for each event that did not find all bubbles that it was to change,
+/// or could not create all bubbles that it was to create.
 void warn_of_missing_bubbles(const Preset& preset, const RunOutcome& outcome);
 
 /// Prints a warning on stderr if files of the given total size, in bytes, do not fit on the disk of
@@ -55,9 +55,9 @@ void warn_of_replaced_files(const std::vector<ReplacedFiles>& replaced);
 /// which keys set the range.
 void warn_of_clipped(const BakeSummary& summary, const Preset& preset);
 
-/// Prints on stderr which sheets of an earlier flipbook the given flipbook has replaced although
-/// they were made from another bake. Also prints which sheets its JSON file no longer lists. Prints
-/// nothing if there are no such sheets.
+/// Prints on stderr which sheets of another bake the given flipbook has replaced. Also prints which
+/// sheets of an earlier flipbook its JSON file no longer lists. Prints nothing if there are no such
+/// sheets.
 void report_earlier_sheets(const Flipbook& flipbook);
 
 /// Prints on stderr why a run failed, and returns the exit code for this failure. Precondition: the

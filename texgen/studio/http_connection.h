@@ -82,7 +82,8 @@ class HttpConnectionOwner {
     /// Returns the threads that call `handle`.
     virtual asio::thread_pool& pool() = 0;
     virtual HttpResponse handle(const HttpRequest& request) const = 0;
-    /// Returns true if other clients wait for a connection to end.
+    /// Returns true if the server does not accept connections at one of its addresses, because
+    /// there are too many or because accepting one has failed.
     virtual bool is_crowded() const = 0;
     /// Moves a connection, which begins to wait for a request, to the end of the list of
     /// connections. If a new connection is one too many, the server closes the first idle
