@@ -6,6 +6,7 @@
 #include "texgen/maps/cross_fade.h"
 #include "texgen/maps/quantize.h"
 
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,15 +17,15 @@ namespace foam::test {
 /// the image of a patch has a fourth, the opacity. Throws as texgen::draw_albedo does.
 inline texgen::Image<std::uint8_t> albedo_image(const Frame& frame,
                                                 const texgen::RasterGrid& grid,
-                                                const texgen::AlbedoOptions& options,
+                                                const texgen::AlbedoOptions& albedo,
                                                 int threads) {
     const texgen::FoamRecord record;
-    texgen::MapOptions all;
-    all.albedo = options;
+    texgen::MapOptions options;
+    options.albedo = albedo;
     const std::vector<std::string> names{"albedo"};
-    const texgen::DistanceNeeds distance = texgen::distance_needs(names, all);
+    const texgen::DistanceNeeds distance = texgen::distance_needs(names, options);
     texgen::ShownLayers shown{{{frame, record, nullptr, distance}, grid, threads}};
-    const texgen::MapImage image = texgen::draw(texgen::find_map("albedo"), shown, all);
+    const texgen::MapImage image = texgen::draw(texgen::find_map("albedo"), shown, options);
     return texgen::srgb_codes(std::get<texgen::ColorPixels>(image));
 }
 

@@ -57,8 +57,7 @@ ColorPixels draw_shaded(FrameLayers& layers, const AlbedoOptions& options) {
 }  // namespace
 
 ColorPixels draw_albedo(FrameLayers& layers, const AlbedoOptions& options) {
-    const bool is_flat =
-        film_distance_needs(options).smooth == SmoothImages::None && options.grain == 0.0;
+    const bool is_flat = film_smooth_images(options) == SmoothImages::None && options.grain == 0.0;
     return is_flat ? draw_flat(layers, options) : draw_shaded(layers, options);
 }
 

@@ -25,7 +25,7 @@ SmoothImages smooth_images(const Map& map, const MapOptions& options) {
         case SmoothDistance::UsedWithGradient:
             return SmoothImages::DistanceAndGradient;
         case SmoothDistance::UsedByFilms:
-            return film_distance_needs(options.albedo).smooth;
+            return film_smooth_images(options.albedo);
     }
     return SmoothImages::None;
 }

@@ -101,11 +101,11 @@ void fade(Image<float>& fading_out,
 }
 
 // Draws a map of one foam, and gives colors to the pixels without opacity.
-MapImage draw(const Map& map, FrameLayers& layers, const MapOptions& options) {
+MapImage draw_and_bleed(const Map& map, FrameLayers& layers, const MapOptions& options) {
     MapImage image = map.draw(layers, options);
     auto* const colors = std::get_if<ColorPixels>(&image);
     if (colors != nullptr && colors->pixels.channels() == kChannelsWithOpacity) {
-        bleed_colors(colors->pixels.view(), colors->background);
+        bleed_colors(colors->pixels.view(), colors->fallback);
     }
     return image;
 }
@@ -113,12 +113,12 @@ MapImage draw(const Map& map, FrameLayers& layers, const MapOptions& options) {
 }  // namespace
 
 MapImage draw(const Map& map, ShownLayers& content, const MapOptions& options) {
-    MapImage image = draw(map, content.layers, options);
+    MapImage image = draw_and_bleed(map, content.layers, options);
     if (!content.fading_in) {
         return image;
     }
     return cross_fade(std::move(image),
-                      draw(map, *content.fading_in, options),
+                      draw_and_bleed(map, *content.fading_in, options),
                       content.layers.border()->weights,
                       map.mixing);
 }

@@ -18,7 +18,7 @@ ColorPixels draw_emission(FrameLayers& layers, const SurfaceColors& surface, dou
             return std::array{
                 fractions[k] * color[0], fractions[k] * color[1], fractions[k] * color[2]};
         });
-    emission.background = {};
+    emission.fallback = {};
     return emission;
 }
 

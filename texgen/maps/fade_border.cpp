@@ -207,6 +207,9 @@ class FieldJoiner {
     static void limit_distance(std::size_t k,
                                DistanceField& field,
                                const DistanceAndGradient& border) {
+        if (field.distance.samples().empty()) {
+            return;
+        }
         float& distance = field.distance.samples()[k];
         if (border.distance < static_cast<double>(distance)) {
             distance = static_cast<float>(border.distance);
@@ -217,7 +220,9 @@ class FieldJoiner {
     }
 
     static void copy(std::size_t k, const DistanceField& from, DistanceField& to) {
-        to.distance.samples()[k] = from.distance.samples()[k];
+        if (!from.distance.samples().empty()) {
+            to.distance.samples()[k] = from.distance.samples()[k];
+        }
         to.smooth.samples()[k] = from.smooth.samples()[k];
         set_vector(to.smooth_gradient, k, vector_at(from.smooth_gradient, k));
         if (!from.gradient.samples().empty()) {

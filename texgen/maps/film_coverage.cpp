@@ -136,14 +136,11 @@ Image<float> fill_numbers(FrameLayers& layers,
     return image;
 }
 
-DistanceNeeds film_distance_needs(const AlbedoOptions& options) {
-    DistanceNeeds needs{.distance = false};
+SmoothImages film_smooth_images(const AlbedoOptions& options) {
     if (options.film_profile == FilmProfile::Wet) {
-        needs.smooth = SmoothImages::DistanceAndGradient;
-    } else if (options.shade > 0.0) {
-        needs.smooth = SmoothImages::Distance;
+        return SmoothImages::DistanceAndGradient;
     }
-    return needs;
+    return options.shade > 0.0 ? SmoothImages::Distance : SmoothImages::None;
 }
 
 ColorPixels paint_films(FrameLayers& layers, const AlbedoOptions& options, ColorPixels colors) {

@@ -15,7 +15,7 @@ namespace foam::texgen {
 /// (distance_field.h) is half of options.film_width, so that the corners of bubbles are round. At
 /// the edge of a wet film the fraction falls linearly from 1 to 0 over the width of a pixel. Throws
 /// as film_width_in_pixels does and, for even films, as fill_coverage does. Precondition: if films
-/// are wet, the distance field contains the smooth distance (film_distance_needs).
+/// are wet, the distance field contains the smooth distance and its gradient (film_smooth_images).
 Image<float> film_coverage(FrameLayers& layers, const AlbedoOptions& options);
 
 /// Returns the fraction of every pixel that films and bubbles cover together, in one channel.
@@ -39,8 +39,8 @@ Image<float> fill_numbers(FrameLayers& layers,
                           const CellNumbers& numbers,
                           const AlbedoOptions& options);
 
-/// Returns which images of the distance field the functions of this file need.
-DistanceNeeds film_distance_needs(const AlbedoOptions& options);
+/// Returns which images of the smooth distance the functions of this file need.
+SmoothImages film_smooth_images(const AlbedoOptions& options);
 
 /// Paints films over the colors of bubbles. The first three channels of `colors` hold a color for
 /// every pixel. The surroundings of a patch become transparent, as in fill_colors. Throws

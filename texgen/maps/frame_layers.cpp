@@ -55,7 +55,6 @@ const FadeBorder* FrameLayers::border() {
 void FrameLayers::join_fields() {
     const CrossFade& fade = *input_.fade;
     DistanceNeeds needs = input_.distance;
-    needs.distance = true;
     needs.smooth = SmoothImages::DistanceAndGradient;
     DistanceField out = distance_field(fade.fading_out, grid_, needs, threads_);
     DistanceField in = distance_field(fade.fading_in, grid_, needs, threads_);

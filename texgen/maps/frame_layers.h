@@ -56,7 +56,8 @@ class FrameLayers {
     /// Returns the distance field of the frame. It contains the ids and the images that
     /// FrameInput::distance selects. In a cross-fade, the distance at a pixel is measured from
     /// the films of the foam that the pixel shows. If the border between the two foams is nearer,
-    /// the distance is measured from the border (join_at_border).
+    /// the distance is measured from the border (join_at_border). The field then also contains the
+    /// smooth distance and its gradient.
     const DistanceField& distance();
     /// Returns the border between the two foams; nullptr without a cross-fade.
     const FadeBorder* border();

@@ -181,14 +181,13 @@ void set_points(const GrainPlan& plan,
     });
 }
 
-// The pixels of a row of a Grain to which an octave of noise is added, and the factors on its
-// values and slopes.
+// The pixels of a row of a Grain to which an octave of noise is added.
 struct OctaveTarget {
     std::span<float> value;
     float* slope_x;  // null if only values are drawn
     float* slope_y;
-    double height;
-    double steepness;
+    double height;     // factor on the values of the noise
+    double steepness;  // factor on its slopes
 };
 
 // Adds one octave of noise to a row of pixels. `octave` is the number of the octave (the first is
@@ -236,10 +235,10 @@ Grain draw_grain(const Frame& frame,
         pixels,
     };
     const bool has_slopes = images == GrainImages::ValuesAndSlopes;
-    const auto blank = [&](bool drawn) {
-        return drawn ? Image<float>(grid.width, grid.height, 1) : Image<float>();
+    const auto image_if = [&](bool is_drawn) {
+        return is_drawn ? Image<float>(grid.width, grid.height, 1) : Image<float>();
     };
-    Grain grain{blank(true), blank(has_slopes), blank(has_slopes)};
+    Grain grain{image_if(true), image_if(has_slopes), image_if(has_slopes)};
     const int octaves = octaves_of(pixels);
     std::vector<RowPoints> workers(static_cast<std::size_t>(thread_count(threads)),
                                    RowPoints(static_cast<std::size_t>(grid.width)));

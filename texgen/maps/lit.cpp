@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -81,8 +82,10 @@ Light light_at_centers(const Surface& surface, const Lighting& lighting) {
     return light;
 }
 
-// Returns the largest component of the shaded color of each pixel.
+// Returns the largest component of the shaded color of each pixel, or NaN if the pixel has no
+// opacity. Comparisons with NaN are false, so find_contrasts ignores the edge of a patch.
 std::vector<float> brightness_of(const Image<std::uint16_t>& colors, const Light& light) {
+    constexpr float kClear = std::numeric_limits<float>::quiet_NaN();
     std::vector<float> brightness(light.shine.size());
     at_simd_level([count = brightness.size(),
                    to = brightness.data(),
@@ -93,7 +96,8 @@ std::vector<float> brightness_of(const Image<std::uint16_t>& colors, const Light
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint16_t* const rgb = color + channels * k;
             const auto largest = static_cast<float>(max_value(max_value(rgb[0], rgb[1]), rgb[2]));
-            to[k] = shaded(largest, diffuse[k], shine[k]);
+            const float value = shaded(largest, diffuse[k], shine[k]);
+            to[k] = rgb[channels - 1] == 0 && channels == kChannelsWithOpacity ? kClear : value;
         }
     });
     return brightness;
@@ -172,7 +176,7 @@ void add_mean_colors(std::span<const std::uint32_t> pixels,
             add_shaded(components[c], light, sums[c]);
         }
     }
-    const auto mean = [&, points = static_cast<float>(samples * samples)](float sum) {
+    const auto mean = [points = static_cast<float>(samples * samples)](float sum) {
         constexpr double kHalf = 0.5;  // rounds positive numbers if it is added before truncation
         return static_cast<std::uint16_t>(static_cast<double>(sum / points) + kHalf);
     };
@@ -246,6 +250,7 @@ ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSu
     const SurfaceColors surface_colors{
         options.colors, source.albedo, source.thin_film, source.relief.maze};
     ColorPixels colors = draw_surface_colors(layers, surface_colors);
+    const std::array<std::uint16_t, 3> fallback = colors.fallback;
     Image<float> glow = options.glow > 0.0
                             ? glow_fractions(layers, surface_colors, colors, options.glow)
                             : Image<float>();
@@ -271,8 +276,7 @@ ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSu
                     ReliefSampler(relief, surface.slopes, sky.lookup(), neighbors));
     shade_centers(light, surface.colors);
     write_colors(contrasts, means, surface.colors);
-    const LinearRgb film = to_linear(parse_color(source.albedo.film_color));
-    return {std::move(surface.colors), {to_sample(film.r), to_sample(film.g), to_sample(film.b)}};
+    return {std::move(surface.colors), fallback};
 }
 
 }  // namespace foam::texgen

@@ -50,8 +50,7 @@ struct LitSurface {
 /// for computer synthesized pictures" (1977); reflections of windows and of the horizon follow
 /// J. F. Blinn and M. E. Newell, "Texture and reflection in computer generated images" (1976). The
 /// visible fraction of the sky is computed as for the map `occlusion` (occlusion_of). The
-/// surroundings of a patch are transparent. Throws as draw_surface_colors does. In a patch, also
-/// throws std::invalid_argument if the color of films is invalid.
+/// surroundings of a patch are transparent. Throws as draw_surface_colors does.
 ColorPixels draw_lit(FrameLayers& layers, const LitOptions& options, const LitSurface& source);
 
 }  // namespace foam::texgen

@@ -26,7 +26,7 @@ enum class SmoothDistance {
     Unused,
     Used,
     UsedWithGradient,
-    UsedByFilms,  // used if films have the wet profile or a shade (film_distance_needs)
+    UsedByFilms,  // used if films have the wet profile or a shade (film_smooth_images)
 };
 
 /// The kind of the samples of a map: the alternative of MapImage that the map draws.
@@ -51,10 +51,10 @@ struct MapTraits {
     SmoothDistance smooth_distance = SmoothDistance::Unused;
     Mixing mixing = Mixing::Values;
     bool shows_relief = false;  // true if the map depends on the relief (relief.h)
-    // The name of the key that sets the range of the map. The range is the number for which a file
-    // of integer samples (codes), such as a PNG, stores its largest code. Numbers outside of the
-    // range are clipped, and the program reports them. The name is empty for maps whose numbers
-    // always fit or are clipped on purpose.
+    // The name of the key that sets the range of the map. The range is one number: the number for
+    // which a file of integer samples (codes), such as a PNG, stores its largest code. Numbers that
+    // codes cannot store are clipped, and the program reports them. The name is empty for maps
+    // whose numbers always fit or are clipped on purpose.
     std::string_view full_key{};
 };
 
@@ -70,7 +70,8 @@ constexpr int channel_count(const MapTraits& traits) {
 /// A map: its traits, and the functions that depend on options. Each function gets the options of
 /// all maps and uses those that it needs.
 struct Map : MapTraits {
-    // Draws the map of the frame that `layers` contains.
+    // Draws the map of the frame that `layers` contains. Pixels without opacity have any color. Use
+    // the function `draw` of cross_fade.h instead, which also gives these pixels a color.
     MapImage (*draw)(FrameLayers& layers, const MapOptions& options) = nullptr;
     // Returns a text for the metadata of the map's files. The pointer is null if the map has no
     // such text.

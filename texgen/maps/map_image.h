@@ -15,11 +15,12 @@ namespace foam::texgen {
 
 /// Colors as linear light with the primaries of sRGB. The channels are red, green, blue and, for a
 /// patch, opacity. Samples are from 0 to kWhite. Colors are straight: they are not multiplied by
-/// the opacity. The functions that draw maps may leave any color in pixels without opacity; the
-/// function `draw` of cross_fade.h then replaces it (bleed_colors).
+/// the opacity. The functions that draw single maps (Map::draw) may leave any color in pixels
+/// without opacity; the function `draw` of cross_fade.h replaces it (bleed_colors).
 struct ColorPixels {
     Image<std::uint16_t> pixels;
-    std::array<std::uint16_t, 3> background{};  // the color of an image without any opacity
+    // The color of all pixels if no pixel has an opacity above 0 (bleed_colors).
+    std::array<std::uint16_t, 3> fallback{};
 };
 
 /// The sample of full opacity, and of each color channel of white.

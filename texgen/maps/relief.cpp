@@ -6,6 +6,8 @@
 #include "texgen/maps/degree.h"
 #include "texgen/maps/smooth_step.h"
 
+#include <cassert>
+
 // The relief is a height field. The height depends on a distance: the smooth distance from films
 // (A. Biswas and V. Shapiro, "Approximate distance fields with non-vanishing gradients", 2004), or
 // the distance from the walls of a maze. To use these distances for a relief is our own idea. The
@@ -110,6 +112,7 @@ Image<float> Relief::heights() const {
 }
 
 PixelSlopes Relief::slopes() const {
+    assert(!gradient_->samples().empty());
     PixelSlopes image{Image<float>(smooth_->width(), smooth_->height(), 1),
                       Image<float>(smooth_->width(), smooth_->height(), 1)};
     for_all_pixels(

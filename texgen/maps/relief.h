@@ -53,7 +53,8 @@ class Relief {
 
     /// Returns the heights at all pixels, in pixels.
     Image<float> heights() const;
-    /// Returns the gradients of the height at all pixels.
+    /// Returns the gradients of the height at all pixels. Precondition: FrameInput::distance of the
+    /// layers selects the gradient of the smooth distance, or walls shape the relief.
     PixelSlopes slopes() const;
 
     /// Calls kernel(section, smooth, unit, index) for all pixels. `section` is the section of the

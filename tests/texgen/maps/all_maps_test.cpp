@@ -9,7 +9,9 @@
 #include "tests/texgen/maps/map_subjects.h"
 #include "tests/texgen/maps/seam.h"
 #include "tests/texgen/pictures.h"
+#include "texgen/image/bleed.h"
 #include "texgen/image/png.h"
+#include "texgen/maps/cross_fade.h"
 #include "texgen/maps/quantize.h"
 #include "texgen/verify/verify.h"
 
@@ -111,6 +113,11 @@ std::vector<MapCase> all_cases() {
     for (const char* map :
          {"albedo", "thin_film", "lit", "emission", "film", "opacity", "roughness"}) {
         cases.push_back({map, "wet", wet_and_shaded()});
+    }
+    for (const char* map : {"albedo", "lit", "emission"}) {
+        MapOptions shaded = wet_and_shaded();
+        shaded.albedo.film_profile = FilmProfile::Even;
+        cases.push_back({map, "shaded", shaded});
     }
     for (const char* map : {"albedo", "lit", "height", "normal"}) {
         cases.push_back({map, "grained", grained()});
@@ -308,6 +315,47 @@ TEST_P(EveryMap, IsEmptyAroundAPatch) {
             }
         },
         image);
+}
+
+// Every fully transparent pixel has the color that bleed_colors gives it.
+TEST_P(EveryMap, TransparentPixelsHaveColorsOfTheFoam) {
+    MapImage image = draw_case(GetParam(), test::patch_subject(), test::patch_grid(kSize));
+    if (auto* const colors = std::get_if<ColorPixels>(&image)) {
+        const Image<std::uint16_t> drawn = colors->pixels;
+        bleed_colors(colors->pixels.view(), colors->fallback);
+        EXPECT_EQ(colors->pixels, drawn);
+    }
+}
+
+// A map that is drawn with other maps, whose images of the distance field it does not need, has the
+// same pixels.
+TEST_P(EveryMap, DoesNotDependOnTheNeedsOfOtherMaps) {
+    for (const test::MapSubject* const subject : {&test::torus_subject(), &test::patch_subject()}) {
+        const bool is_patch = subject->frame.domain.is_plane();
+        const RasterGrid grid = is_patch ? test::patch_grid(kSize) : test::torus_grid(kSize);
+        FrameInput input = subject->input();
+        input.distance = {
+            .distance = true, .gradient = true, .smooth = SmoothImages::DistanceAndGradient};
+        ShownLayers shown{{input, grid, 1}};
+        const MapImage all = draw(find_map(GetParam().map), shown, GetParam().options);
+        std::visit(
+            [&](const auto& own) {
+                EXPECT_EQ(std::get<std::remove_cvref_t<decltype(own)>>(all).pixels, own.pixels);
+            },
+            draw_case(GetParam(), *subject, grid));
+    }
+}
+
+TEST(DistanceNeeds, AreTheSumOfTheNeedsOfAllMaps) {
+    const auto needs = [](const std::vector<std::string>& names) {
+        return distance_needs(names, {});
+    };
+    EXPECT_FALSE(needs({"id"}).distance);
+    EXPECT_EQ(needs({"id"}).smooth, SmoothImages::None);
+    EXPECT_TRUE(needs({"id", "distance"}).distance);
+    EXPECT_EQ(needs({"height", "occlusion", "curvature"}).smooth, SmoothImages::Distance);
+    EXPECT_FALSE(needs({"height"}).distance);
+    EXPECT_EQ(needs({"normal", "height"}).smooth, SmoothImages::DistanceAndGradient);
 }
 
 TEST_P(EveryMap, NumbersAreFinite) {

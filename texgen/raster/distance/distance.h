@@ -8,8 +8,8 @@
 
 namespace foam::texgen {
 
-/// Returns the distance field of a frame on the pixels of a grid: the ids of the bubbles, the
-/// distances, and the images that `needs` demands.
+/// Returns the distance field of a frame on the pixels of a grid: the ids of the bubbles, and the
+/// images that `needs` selects.
 ///
 /// The result has the same bits for any number of threads. If the grid is shifted, the images are
 /// shifted cyclically (RasterGrid). Throws std::invalid_argument if the grid is too large or empty,

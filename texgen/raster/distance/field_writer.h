@@ -14,8 +14,8 @@ namespace foam::texgen {
 /// Writes the values of batches into the images of a distance field. Borrows the field.
 class FieldWriter {
   public:
-    /// Precondition: the images DistanceField::ids and DistanceField::distance of the field, and
-    /// those that `needs` selects, have the size of the grid.
+    /// Precondition: the image DistanceField::ids of the field, and those images that `needs`
+    /// selects, have the size of the grid.
     FieldWriter(DistanceNeeds needs, DistanceField& field) : needs_(needs), field_(field) {}
 
     /// Writes the values of a batch of pixels of a region. `box` is the box of the region in the

@@ -123,7 +123,10 @@ void RegionField::measure_box(const PixelMask& mask, Arcs arcs, const PixelBox& 
         return;
     }
     const double reach = (Vec2(box.right, box.top) - batch_.middle() - Vec2::Constant(0.5)).norm();
-    const bool has_distances = needs_.distance || needs_.gradient;
+    // If only smooth distances are needed, plain distances are measured only where they replace the
+    // smooth ones: around a patch, and in the middle of enormous bubbles.
+    const bool has_distances =
+        needs_.distance || needs_.gradient || region_->kind == RegionKind::Surroundings;
     if (has_distances) {
         measure_distances(arcs, reach);
     }

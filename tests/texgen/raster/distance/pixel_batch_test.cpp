@@ -105,8 +105,9 @@ TEST(PixelBatch, JoinsFilmsSmoothly) {
         view.evaluate(films, batch.middle());
         const std::vector<ArcFunctions> arcs{view.arc_functions(0), view.arc_functions(1)};
         ASSERT_TRUE(batch.measure(arcs, {}, true));
-        batch.measure_smooth(
+        const bool all_are_smooth = batch.measure_smooth(
             std::vector<FilmFunctions>{view.film_functions(0), view.film_functions(1)}, true);
+        EXPECT_TRUE(all_are_smooth);
         for_each_pixel(batch, [&](const Vec2& at, std::size_t k) {
             const double a = at.y() + 1.0;
             const double b = 23.0 - at.y();
@@ -123,7 +124,7 @@ TEST(PixelBatch, HasTheDistanceWhereThereIsNoFilm) {
     PixelBatch batch;
     add_pixels(batch);
     batch.measure({}, std::vector<Vec2>{{1.0, 2.0}}, true);
-    batch.measure_smooth({}, true);
+    EXPECT_FALSE(batch.measure_smooth({}, true));
     for_each_pixel(batch, [&](const Vec2&, std::size_t k) {
         ASSERT_EQ(batch.smooth()[k], batch.distance()[k]);
         ASSERT_EQ(batch.smooth_x()[k], batch.gradient_x()[k]);
