@@ -18,13 +18,13 @@ struct EvolverFoam {
 };
 
 /// Reads a Surface Evolver data file or dump. It must contain a two-dimensional string model: a
-/// torus, or a free cluster in the plane. Edges are straight or arcs. Bubbles are the faces, films are the edges, and junctions
-/// are the vertices of three edges, all in the order of the file. Vertices of two edges are
-/// dissolved. On a torus, the magnitude of the shear is reduced to at most half of the width
-/// (reduced_lattice). Target areas are the volumes of the bodies; pressures are the Lagrange
-/// multipliers of the bodies, by default 0. README.md lists all elements that are read, ignored or
-/// rejected. Throws FormatError, with `file` as the name in its message, if the file is not valid
-/// or not supported.
+/// torus, or a free cluster in the plane. Edges are straight or arcs. Bubbles are the faces, films
+/// are the edges, and junctions are the vertices of three edges, all in the order of the file.
+/// Vertices of two edges are dissolved. On a torus, the magnitude of the shear is reduced to at
+/// most half of the width (reduced_lattice). Target areas are the volumes of the bodies; pressures
+/// are the Lagrange multipliers of the bodies, by default 0. README.md lists all elements that are
+/// read, ignored or rejected. Throws FormatError, with `file` as the name in its message, if the
+/// file is not valid or not supported.
 EvolverFoam read_evolver(std::string_view text, const std::string& file);
 
 /// The form in which write_evolver writes films.

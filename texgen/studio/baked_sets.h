@@ -30,11 +30,10 @@ struct BakedImage {
 /// vector files, which have no pixels.
 HttpResponse baked_picture(const StudioFolder& folder, const BakedImage& image, int side);
 
-/// Returns the answer to /api/baked/pick: what the file of the image contains at a point. If the map
-/// is one of colors, this is the color, shown over gray where the image is transparent. Otherwise,
-/// it is a list of numbers in the unit of the map.
-/// `x` and `y` are fractions of the width and of the height, from the upper left. Throws the
-/// exceptions of baked_picture.
+/// Returns the answer to /api/baked/pick: what the file of the image contains at a point. If the
+/// map is one of colors, this is the color, shown over gray where the image is transparent.
+/// Otherwise, it is a list of numbers in the unit of the map. `x` and `y` are fractions of the
+/// width and of the height, from the upper left. Throws the exceptions of baked_picture.
 Json pick_baked(const StudioFolder& folder, const BakedImage& image, double x, double y);
 
 }  // namespace foam::texgen
