@@ -28,6 +28,7 @@ struct Subject {
     int threads;
     SheetKind sheets = SheetKind::None;
     double grain = 0.0;  // albedo.grain and relief.grain
+    LoopKind loop = LoopKind::None;
 };
 
 Preset preset_of(const Subject& subject) {
@@ -38,6 +39,7 @@ Preset preset_of(const Subject& subject) {
     preset.output.pattern = subject.name;
     preset.output.sheets = subject.sheets;
     preset.maps.albedo.grain = preset.maps.relief.grain = subject.grain;
+    preset.loop.kind = subject.loop;
     return preset;
 }
 
@@ -58,7 +60,11 @@ double measured_memory(const Subject& subject) {
         "sea_foam",
         "-q",
         "--set",
-        "loop.kind=none",
+        std::string("loop.kind=") + (subject.loop == LoopKind::Flow ? "flow" : "none"),
+        "--set",
+        "loop.current=0",
+        "--set",
+        "frames.count=" + std::to_string(subject.frames),
         "--set",
         "frames.warm_up=0",
         "--set",
@@ -126,7 +132,9 @@ TEST(EstimatedMemory, IsRightWithinAFactorOfOneAndAHalf) {
         {"relief.#.glb", {"albedo"}, 100, 1024, 2, 2},
         {"walls.#.stl", {"maze"}, 2000, 64, 1, 1},
         {"walls.#.glb", {"maze"}, 2000, 64, 1, 1},
-        {"{map}.#.png", {"albedo", "height"}, 100, 512, 32, 2, SheetKind::Ktx2}};
+        {"{map}.#.png", {"albedo", "height"}, 100, 512, 32, 2, SheetKind::Ktx2},
+        {"{map}.#.png", {"height"}, 100, 1024, 6, 1, SheetKind::None, 0.0, LoopKind::Flow},
+        {"{map}.#.png", {"lit"}, 100, 1024, 6, 1, SheetKind::None, 0.0, LoopKind::Flow}};
     for (const Subject& subject : subjects) {
         const auto estimated = static_cast<double>(estimated_memory(
             preset_of(subject), static_cast<std::size_t>(subject.frames), subject.threads));
