@@ -43,14 +43,12 @@ constexpr double kSlowRatio = 0.1;
 // The smallest tolerance of Newton's method for forces, in film tensions, and for relative area
 // errors (newton_tolerance).
 constexpr double kNewtonTolerance = 1e-11;
-// The tolerance is this number times the size of the foam if the product is more than
-// kNewtonTolerance. The size is the largest coordinate, in square roots of the mean area of a
-// bubble. The product is more on square tori of more than about 10,000 bubbles.
+// The tolerance is this number times the size of the foam (see newton_tolerance) if the product is
+// more than kNewtonTolerance, as on square tori of more than about 10,000 bubbles.
 constexpr double kNewtonTolerancePerSize = 1e-13;
 // The tolerance grows with the foam to at most this number times the tolerance of the equilibrium.
 constexpr double kMaxToleranceRatio = 0.1;
-// After this many rounds without equilibrium, the whole foam is relaxed, and defect regions are no
-// longer solved on their own.
+// After this many rounds, the whole foam is relaxed, and no defect regions are solved any more.
 constexpr int kRoundsWithRegions = 20;
 // At a stall of Newton's method, only the worst regions are relaxed. At every
 // kGlobalRelaxationPeriod-th stall, the whole foam is relaxed instead. The whole foam is also
