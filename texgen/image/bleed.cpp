@@ -3,6 +3,7 @@
 #include "texgen/image/bleed.h"
 
 #include "core/parallel/simd_level.h"
+#include "texgen/image/color.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -135,7 +136,6 @@ bool is_clear_around(const ColorLevel& coarser, int x, int y) {
 // Gives every pixel without opacity the mean color of its neighbors, or else the color of the
 // coarser texel that contains it.
 void bleed_into(ImageView<std::uint16_t> image, const ColorLevel& coarser) {
-    constexpr double kHalf = 0.5;  // rounds positive numbers if it is added before truncation
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x) {
             const auto pixel = image.pixel(x, y);
@@ -148,7 +148,7 @@ void bleed_into(ImageView<std::uint16_t> image, const ColorLevel& coarser) {
             const auto from = neighbors[3] > 0.0F ? std::span<const float>(neighbors)
                                                   : coarser.pixel(x / 2, y / 2);
             for (std::size_t c = 0; c < 3; ++c) {
-                pixel[c] = static_cast<std::uint16_t>(static_cast<double>(from[c]) + kHalf);
+                pixel[c] = nearest_sample(from[c]);
             }
         }
     }

@@ -33,6 +33,13 @@ struct Srgb8 {
 double srgb_to_linear(double encoded);
 double linear_to_srgb(double linear);
 
+/// Returns the integer nearest to a sample of a 16-bit image. This takes less time than
+/// std::lround. Precondition: the sample is from 0 to 65535.
+inline std::uint16_t nearest_sample(float sample) {
+    constexpr double kHalf = 0.5;  // added to a double, because a float could lose the last bit
+    return static_cast<std::uint16_t>(static_cast<double>(sample) + kHalf);
+}
+
 /// Returns a table whose element v is the 8-bit sRGB code of the 16-bit value v of linear light.
 /// The value 65535 is white. A value has the code k if 255 times its sRGB encoding rounds to k.
 std::span<const std::uint8_t, 65536> srgb_codes_of_light();

@@ -18,7 +18,7 @@ inline constexpr MapTraits kAlbedoMap = {
     .unit = "light",
     .channels = "R G B",
     .kind = MapKind::Color,
-    .smooth_distance = SmoothDistance::UsedByFilms};
+    .shows_films = true};
 
 /// Draws the colors of bubbles and films. If films have the same width everywhere
 /// (FilmProfile::Even) and there is neither shade nor grain, fill_colors (cell_fill.h) draws the

@@ -17,17 +17,8 @@ namespace {
 
 // Returns the images of the smooth distance that a map uses.
 SmoothImages smooth_images(const Map& map, const MapOptions& options) {
-    switch (map.smooth_distance) {
-        case SmoothDistance::Unused:
-            return SmoothImages::None;
-        case SmoothDistance::Used:
-            return SmoothImages::Distance;
-        case SmoothDistance::UsedWithGradient:
-            return SmoothImages::DistanceAndGradient;
-        case SmoothDistance::UsedByFilms:
-            return film_smooth_images(options.albedo);
-    }
-    return SmoothImages::None;
+    return map.shows_films ? std::max(map.smooth_images, film_smooth_images(options.albedo))
+                           : map.smooth_images;
 }
 
 // Returns the option that sets the range of a map, or nullptr if the map has no such option.

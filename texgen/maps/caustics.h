@@ -11,7 +11,7 @@
 
 namespace foam::texgen {
 
-/// MapTraits::smooth_distance is left Unused, because draw_caustics computes a distance field of
+/// MapTraits::smooth_images is left None, because draw_caustics computes a distance field of
 /// its own. This field has one pixel per ray of light, and a pixel of the image may have several
 /// rays.
 inline constexpr MapTraits kCausticsMap = {

@@ -18,8 +18,8 @@ namespace foam::texgen {
 /// cross-fade, the border between the two foams (FadeBorder) is painted as a film, with approximate
 /// areas (line_coverage). The surroundings of a patch are transparent: the opacity is the fraction
 /// of a pixel that the patch covers, including the outer half of its outer films. The samples of
-/// fully transparent pixels are 0. The film width is in pixels.
-/// Throws as cell_arcs and fill_cells do.
+/// fully transparent pixels are 0. The film width is in pixels. Throws as cell_arcs and fill_cells
+/// do.
 ColorPixels fill_colors(FrameLayers& layers,
                         const PerBubble<LinearRgb>& colors,
                         const LinearRgb& film,

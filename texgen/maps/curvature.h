@@ -16,7 +16,7 @@ inline constexpr MapTraits kCurvatureMap = {
     .channels = "Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::Used,
+    .smooth_images = SmoothImages::Distance,
     .shows_relief = true,
     .full_key = "curvature.full"};
 

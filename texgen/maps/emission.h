@@ -13,7 +13,7 @@ inline constexpr MapTraits kEmissionMap = {.name = "emission",
                                            .channels = "R G B",
                                            .kind = MapKind::Color,
                                            .png_filter = PngFilter::Up,
-                                           .smooth_distance = SmoothDistance::UsedWithGradient};
+                                           .smooth_images = SmoothImages::DistanceAndGradient};
 
 /// Draws the emitted light of a surface: its colors, multiplied by the result of glow_fractions.
 /// The map `lit` shows the same light. The surroundings of a patch are transparent. Throws as

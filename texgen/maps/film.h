@@ -12,7 +12,7 @@ inline constexpr MapTraits kFilmMap = {
     .meaning = "mask of the films, with the film width of albedo",
     .unit = "fraction of the pixel, 0 to 1",
     .channels = "Y",
-    .smooth_distance = SmoothDistance::UsedByFilms};
+    .shows_films = true};
 
 /// Draws the fraction of every pixel that films cover. Films have the width and shape that the
 /// options of albedo give; outer films of a patch extend outward by half their width. The image has

@@ -16,7 +16,7 @@ inline constexpr MapTraits kHeightMap = {
     .channels = "Y",
     .png_bits = 16,
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::Used,
+    .smooth_images = SmoothImages::Distance,
     .shows_relief = true,
     .full_key = "height.full"};
 

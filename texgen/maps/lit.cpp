@@ -177,8 +177,7 @@ void add_mean_colors(std::span<const std::uint32_t> pixels,
         }
     }
     const auto mean = [points = static_cast<float>(samples * samples)](float sum) {
-        constexpr double kHalf = 0.5;  // rounds positive numbers if it is added before truncation
-        return static_cast<std::uint16_t>(static_cast<double>(sum / points) + kHalf);
+        return nearest_sample(sum / points);
     };
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         means.push_back({mean(sums[0][k]), mean(sums[1][k]), mean(sums[2][k])});

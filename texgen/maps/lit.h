@@ -20,7 +20,7 @@ inline constexpr MapTraits kLitMap = {
     .channels = "R G B",
     .kind = MapKind::Color,
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::UsedWithGradient,
+    .smooth_images = SmoothImages::DistanceAndGradient,
     .shows_relief = true};
 
 struct LitOptions {

@@ -20,15 +20,6 @@ enum class Mixing {
     Slopes,  // for a map of normals: the slopes of the surface that has these normals
 };
 
-/// The conditions under which a map uses the smooth distance to films (DistanceField::smooth), and
-/// whether it uses its gradient.
-enum class SmoothDistance {
-    Unused,
-    Used,
-    UsedWithGradient,
-    UsedByFilms,  // used if films have the wet profile or a shade (film_smooth_images)
-};
-
 /// The kind of the samples of a map: the alternative of MapImage that the map draws.
 enum class MapKind {
     Color,   // ColorPixels
@@ -48,7 +39,8 @@ struct MapTraits {
     PngFilter png_filter = PngFilter::None;  // PngEncoding::filter of its PNGs
     bool needs_next = false;                 // true if drawing needs the next frame
     bool needs_distance = false;             // true if the map uses DistanceField::distance
-    SmoothDistance smooth_distance = SmoothDistance::Unused;
+    SmoothImages smooth_images = SmoothImages::None;  // images that the map always uses
+    bool shows_films = false;  // true if the map also uses the images of film_smooth_images
     Mixing mixing = Mixing::Values;
     bool shows_relief = false;  // true if the map depends on the relief (relief.h)
     // The name of the key that sets the range of the map. The range is one number: the number for
@@ -70,8 +62,8 @@ constexpr int channel_count(const MapTraits& traits) {
 /// A map: its traits, and the functions that depend on options. Each function gets the options of
 /// all maps and uses those that it needs.
 struct Map : MapTraits {
-    // Draws the map of the frame that `layers` contains. Pixels without opacity have any color. Use
-    // the function `draw` of cross_fade.h instead, which also gives these pixels a color.
+    // Draws the map of the frame that `layers` contains. Pixels without opacity may have
+    // any color. Call the function `draw` of cross_fade.h instead, which replaces these colors.
     MapImage (*draw)(FrameLayers& layers, const MapOptions& options) = nullptr;
     // Returns a text for the metadata of the map's files. The pointer is null if the map has no
     // such text.

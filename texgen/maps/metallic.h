@@ -13,7 +13,7 @@ inline constexpr MapTraits kMetallicMap = {
     .meaning = "metalness of bubbles and films: 1 is a metal, 0 is not",
     .unit = "0 to 1",
     .channels = "Y",
-    .smooth_distance = SmoothDistance::UsedByFilms};
+    .shows_films = true};
 
 struct MetallicOptions {
     double cell = 0.0;  // metalness of bubbles

@@ -17,7 +17,7 @@ inline constexpr MapTraits kNormalMap = {
     .unit = "-1 to 1; PNG: 0.5 stands for 0",
     .channels = "X Y Z",
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::UsedWithGradient,
+    .smooth_images = SmoothImages::DistanceAndGradient,
     .mixing = Mixing::Slopes,
     .shows_relief = true};
 

@@ -15,7 +15,7 @@ inline constexpr MapTraits kOcclusionMap = {
     .unit = "0 to 1",
     .channels = "Y",
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::Used,
+    .smooth_images = SmoothImages::Distance,
     .shows_relief = true};
 
 struct OcclusionOptions {

@@ -12,7 +12,7 @@ inline constexpr MapTraits kOpacityMap = {
     .meaning = "coverage by foam, the alpha channel of albedo; 1 everywhere on a torus",
     .unit = "fraction of the pixel, 0 to 1",
     .channels = "Y",
-    .smooth_distance = SmoothDistance::UsedByFilms};
+    .shows_films = true};
 
 /// Draws the fraction of every pixel that bubbles and films cover, which is also the alpha channel
 /// of the map albedo. The outer films of a patch extend outward by half their width. The image has

@@ -13,7 +13,7 @@ inline constexpr MapTraits kRoughnessMap = {
     .meaning = "surface roughness: bubbles are smoother than films and vary slightly",
     .unit = "0 to 1",
     .channels = "Y",
-    .smooth_distance = SmoothDistance::UsedByFilms};
+    .shows_films = true};
 
 struct RoughnessOptions {
     double cell = 0.15;  // roughness of bubbles, which are smooth and wet

@@ -15,7 +15,7 @@ inline constexpr MapTraits kThinFilmMap = {
     .channels = "R G B",
     .kind = MapKind::Color,
     .png_filter = PngFilter::Up,
-    .smooth_distance = SmoothDistance::UsedWithGradient};
+    .smooth_images = SmoothImages::DistanceAndGradient};
 
 /// The soap film that spans each bubble. It is not the film between two bubbles.
 struct ThinFilmOptions {
