@@ -265,7 +265,7 @@ void FrameStore::work() {
 
 // Simulates a run to its end, or until the run is dropped or the store is stopped. A request of
 // another page for another foam does not interrupt the run, unless the store cannot keep both runs
-// (forget_old_runs). Otherwise, two pages that ask in turn could interrupt each other forever.
+// (forget_old_runs). If all did, two pages that ask in turn could interrupt each other forever.
 void FrameStore::simulate(const RunPointer& run) {
     const auto finish = [&](std::optional<RunOutcome> outcome, const std::string& failure) {
         const std::scoped_lock lock(mutex_);

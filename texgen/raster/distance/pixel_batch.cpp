@@ -210,7 +210,7 @@ template <bool kGradient>
 
 // Measures smooth distances: s = S^-1/2, where S is the sum of 1/phi². The gradient of s is s³
 // times the sum of phi^-4 (f grad f + r grad r). If S is at most kMinSum, or NaN, the plain
-// distance and its gradient replace s and its gradient. Returns true if this was not necessary.
+// distance and its gradient replace s and its gradient. Returns false if any distance was replaced.
 template <bool kGradient>
 [[gnu::always_inline]] inline bool sum_films(std::span<const FilmFunctions> films,
                                              std::size_t count,

@@ -84,8 +84,8 @@ class PixelBatch {
 
     /// Computes smooth distances, and their gradients if `gradient` is true. If there are no films,
     /// or if the smooth distance would be 1e6 pixels or more, they equal the distance and its
-    /// gradient, which measure() must have computed before; otherwise they are meaningless. Returns
-    /// false if there is such a pixel.
+    /// gradient. If measure() has not computed these before, they are meaningless for such pixels.
+    /// Returns false if there is such a pixel.
     bool measure_smooth(std::span<const FilmFunctions> films, bool gradient);
 
     /// Return the results of measure() and measure_smooth(), one value per pixel. Span::first is
