@@ -2,7 +2,12 @@
 
 #include "core/equilibrium/linear_solver.h"
 
+#include "core/geometry/scramble.h"
 #include "core/parallel/parallel_for.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
 
 namespace foam {
 
@@ -36,6 +41,37 @@ Vec2 middle_of(const Foam& foam, BubbleId bubble) {
     return middle - foam.domain.translation(foam.domain.cell_of(middle));
 }
 
+// Returns a number that differs, except for rare coincidences, from the names of other lists of
+// identities.
+std::uint64_t name_of(std::span<const BubbleIdentity> identities) {
+    std::uint64_t name = 0;
+    for (const BubbleIdentity identity : identities) {
+        name = scrambled(name ^ identity);
+    }
+    return name;
+}
+
+// The name of a junction is that of the three bubbles around it. It therefore changes at a T1.
+std::uint64_t name_of(const Foam& foam, JunctionId junction) {
+    std::array<BubbleIdentity, 3> identities{};
+    std::size_t k = 0;
+    for (const HalfEdgeId h : foam.network.leaving(junction)) {
+        identities.at(k++) = foam.identities[foam.network.left(h)];
+    }
+    std::ranges::sort(identities);
+    return name_of(identities);
+}
+
+std::uint64_t name_of(const Foam& foam, BubbleId bubble) {
+    return name_of(std::array{foam.identities[bubble]});
+}
+
+std::uint64_t name_of(const Foam& foam, FilmId film) {
+    const HalfEdgeId side = forward_side(film);
+    return name_of(std::array{foam.identities[foam.network.left(side)],
+                              foam.identities[foam.network.left(twin(side))]});
+}
+
 }  // namespace
 
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns) {
@@ -43,13 +79,13 @@ std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns)
     nodes.reserve(unknowns.junctions.size() + unknowns.bubbles.size() +
                   unknowns.outer_films.size());
     for (const JunctionId junction : unknowns.junctions) {
-        nodes.push_back({foam.positions[junction], 2});
+        nodes.push_back({foam.positions[junction], 2, name_of(foam, junction)});
     }
     for (const BubbleId bubble : unknowns.bubbles) {
-        nodes.push_back({middle_of(foam, bubble), 1});
+        nodes.push_back({middle_of(foam, bubble), 1, name_of(foam, bubble)});
     }
     for (const FilmId film : unknowns.outer_films) {
-        nodes.push_back({middle_of(foam, film), 1});
+        nodes.push_back({middle_of(foam, film), 1, name_of(foam, film)});
     }
     return nodes;
 }

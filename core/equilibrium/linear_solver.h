@@ -15,7 +15,8 @@ namespace foam {
 /// Returns the solver nodes (SolverNode in core/sparse/node_graph.h) of the unknowns, in the order
 /// of their rows. The node of a junction is at the junction. The node of a bubble's pressure is at
 /// the mean of the bubble's junctions. The node of an outer film's half angle is at the middle of
-/// the film's chord.
+/// the film's chord. The name of a node is a hash of the identities of its bubbles: the three at
+/// a junction, the bubble itself, or the two beside an outer film.
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns);
 
 /// The precision of a factor. Single precision takes half the memory and less time. It is
@@ -34,7 +35,8 @@ class LinearSolver {
     /// moves, as long as its network does not change, because positions only guide the order of
     /// elimination. `threads` has the same meaning as in parallel_for. If `keeps_order` is true,
     /// the order of elimination of the last start with this precision is repaired, if possible
-    /// (LdltOptions::keeps_order); this suits the same unknowns after a few T1s.
+    /// (LdltOptions::keeps_order); this suits the unknowns of the same foam after a few T1s and
+    /// T2s.
     void start(const Foam& foam,
                const Unknowns& unknowns,
                Precision precision,

@@ -3,6 +3,7 @@
 #include "core/sparse/dissection_repair.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -16,7 +17,7 @@ namespace foam {
 // - The old part of the node and all descendants of the old part are descendants of the new part.
 // - Each ancestor of the old part is the new part itself, or an ancestor or a descendant of it.
 //
-// One pass over the edges is therefore enough.
+// One pass over the edges is therefore enough, whatever part a new node joins at first.
 
 namespace {
 
@@ -43,13 +44,36 @@ PartTree tree_of(const std::vector<DissectionPart>& parts) {
     return tree;
 }
 
-// Returns the part of each node.
-std::vector<std::size_t> parts_of_nodes(const Dissection& dissection) {
+// Returns the part of each node of the dissection.
+std::vector<std::size_t> parts_of_earlier_nodes(const Dissection& dissection) {
     std::vector<std::size_t> part_of(dissection.order.size());
     for (std::size_t k = 0; k < dissection.parts.size(); ++k) {
         const DissectionPart& part = dissection.parts[k];
         for (std::size_t position = part.begin; position < part.end; ++position) {
             part_of[dissection.order[position]] = k;
+        }
+    }
+    return part_of;
+}
+
+// Returns the first part of each node of the graph. A new node gets the lowest part of its
+// neighbors, which is the first of them in postorder. A new node between new nodes gets the root.
+std::vector<std::size_t> first_parts(const Dissection& dissection,
+                                     const NodeGraph& graph,
+                                     std::span<const std::uint32_t> earlier) {
+    const std::vector<std::size_t> earlier_parts = parts_of_earlier_nodes(dissection);
+    const std::size_t root = dissection.parts.size() - 1;
+    std::vector<std::size_t> part_of(earlier.size(), root);
+    for (std::size_t node = 0; node < earlier.size(); ++node) {
+        if (earlier[node] != kNoNumber) {
+            part_of[node] = earlier_parts[earlier[node]];
+        }
+    }
+    for (std::size_t node = 0; node < earlier.size(); ++node) {
+        if (earlier[node] == kNoNumber) {
+            for (const std::uint32_t neighbor : graph.neighbors_of(node)) {
+                part_of[node] = std::min(part_of[node], part_of[neighbor]);
+            }
         }
     }
     return part_of;
@@ -72,6 +96,7 @@ void move_nodes(const NodeGraph& graph, const PartTree& tree, std::vector<std::s
 // Gives each part its nodes, in descending order, as in a new dissection.
 void sort_by_part(const std::vector<std::size_t>& part_of, Dissection& dissection) {
     const auto part_of_node = [&](std::uint32_t node) { return part_of[node]; };
+    dissection.order.resize(part_of.size());
     std::iota(dissection.order.rbegin(), dissection.order.rend(), 0U);
     std::ranges::stable_sort(dissection.order, {}, part_of_node);
     std::size_t position = 0;
@@ -85,16 +110,56 @@ void sort_by_part(const std::vector<std::size_t>& part_of, Dissection& dissectio
     }
 }
 
+// A hash table with linear probing of the names of nodes. Of several nodes with the same name, it
+// contains the first.
+class NameTable {
+  public:
+    explicit NameTable(std::span<const std::uint64_t> names)
+        : names_(names), numbers_(std::bit_ceil(2 * names.size() + 1), kNoNumber) {
+        for (std::uint32_t number = 0; number < names.size(); ++number) {
+            std::uint32_t& slot = numbers_[slot_of(names[number])];
+            slot = std::min(slot, number);
+        }
+    }
+
+    // Returns the number of the node with this name, or kNoNumber.
+    std::uint32_t operator[](std::uint64_t name) const { return numbers_[slot_of(name)]; }
+
+  private:
+    // Returns the slot of the name, or the free slot where it would be inserted.
+    std::size_t slot_of(std::uint64_t name) const {
+        std::size_t slot = name & (numbers_.size() - 1);
+        while (numbers_[slot] != kNoNumber && names_[numbers_[slot]] != name) {
+            slot = (slot + 1) & (numbers_.size() - 1);
+        }
+        return slot;
+    }
+
+    std::span<const std::uint64_t> names_;
+    std::vector<std::uint32_t> numbers_;
+};
+
 }  // namespace
 
-bool repair(Dissection& dissection, const NodeGraph& graph) {
-    if (dissection.order.size() + 1 != graph.begins.size()) {
-        return false;
+std::vector<std::uint32_t> earlier_numbers(std::span<const std::uint64_t> earlier_names,
+                                           std::span<const SolverNode> nodes) {
+    std::vector<std::uint32_t> numbers(nodes.size());
+    if (earlier_names.size() == nodes.size()) {
+        std::iota(numbers.begin(), numbers.end(), 0U);
+        return numbers;
     }
-    std::vector<std::size_t> part_of = parts_of_nodes(dissection);
+    const NameTable table(earlier_names);
+    std::ranges::transform(
+        nodes, numbers.begin(), [&](const SolverNode& node) { return table[node.name]; });
+    return numbers;
+}
+
+void repair(Dissection& dissection,
+            const NodeGraph& graph,
+            std::span<const std::uint32_t> earlier) {
+    std::vector<std::size_t> part_of = first_parts(dissection, graph, earlier);
     move_nodes(graph, tree_of(dissection.parts), part_of);
     sort_by_part(part_of, dissection);
-    return true;
 }
 
 }  // namespace foam

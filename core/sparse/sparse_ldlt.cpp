@@ -28,13 +28,23 @@ namespace foam {
 
 namespace {
 
-// The largest size of the factor of a repaired order of elimination (dissection_repair.h). The unit
-// is the size of the factor of the order that was last computed anew.
+// An order of elimination is repaired (dissection_repair.h) if the number of rows differs at most by
+// this factor from its number when the order was last computed anew. The result is kept if the
+// entries of the factor per row differ at most by the same factor.
 constexpr double kMaxGrowth = 1.1;
 
-bool is_too_large(const FrontPlan& plan, std::size_t size_before_repairs) {
-    return static_cast<double>(plan.panels_size) >
-           kMaxGrowth * static_cast<double>(size_before_repairs);
+bool may_repair(const FactorSize& before, std::size_t rows) {
+    return static_cast<double>(rows) < kMaxGrowth * static_cast<double>(before.rows) &&
+           static_cast<double>(before.rows) < kMaxGrowth * static_cast<double>(rows);
+}
+
+bool is_too_large(const FactorSize& now, const FactorSize& before) {
+    return static_cast<double>(now.entries) * static_cast<double>(before.rows) >
+           kMaxGrowth * static_cast<double>(before.entries) * static_cast<double>(now.rows);
+}
+
+FactorSize size_of(const FrontPlan& plan) {
+    return {plan.position_of_row.size(), plan.panels_size};
 }
 
 // Returns the number of threads that factor and solve a system: 1 for a small system, otherwise
@@ -67,15 +77,19 @@ LdltAnalysis SparseLdlt<Real>::analyze(const Eigen::SparseMatrix<double>& lower_
         return plan_fronts(
             lower_pattern, nodes, graph, dissection_, options.max_bytes / sizeof(Real));
     };
+    const auto rows = static_cast<std::size_t>(lower_pattern.rows());
     std::optional<FrontPlan> new_plan;
-    if (options.keeps_order && repair(dissection_, graph)) {
+    if (options.keeps_order && may_repair(new_size_, rows)) {
+        repair(dissection_, graph, earlier_numbers(names_, nodes));
         new_plan = plan();
     }
-    if (!new_plan || is_too_large(*new_plan, new_size_)) {
+    if (!new_plan || is_too_large(size_of(*new_plan), new_size_)) {
         dissection_ = dissect(graph, nodes, domain, options.dissection, threads);
         new_plan = plan();
-        new_size_ = new_plan ? new_plan->panels_size : 0;
+        new_size_ = new_plan ? size_of(*new_plan) : FactorSize{};
     }
+    names_.resize(nodes.size());
+    std::ranges::transform(nodes, names_.begin(), &SolverNode::name);
     if (!new_plan) {
         return LdltAnalysis::TooLarge;
     }

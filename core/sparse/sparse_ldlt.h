@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,13 +20,14 @@ struct LdltOptions {
     // Largest memory for the factor and the update matrices of fronts, in bytes.
     std::size_t max_bytes = std::size_t{1} << 32U;
     // If true, the order of elimination of the last call of `analyze` is repaired
-    // (dissection_repair.h) instead of computed anew. This is much faster if only a few edges of
-    // the graph of nodes have changed. The order is computed anew in any of these cases:
+    // (dissection_repair.h) instead of computed anew. This is much faster if only a few nodes and
+    // edges of the graph of nodes have changed. The order is computed anew in any of these cases:
     // - `analyze` has not been called before, or its last call returned TooLarge.
-    // - The number of nodes has changed.
+    // - The number of rows differs by more than a tenth from that of the matrix for which the order
+    //   was last computed anew.
     // - With the repaired order, the memory would exceed `max_bytes`.
-    // - With the repaired order, the factor would be more than a tenth larger than with the order
-    //   that was last computed anew.
+    // - With the repaired order, the factor would have more than 1.1 times as many entries per row
+    //   as with the order that was last computed anew.
     bool keeps_order = false;
 };
 
@@ -33,6 +35,12 @@ struct LdltOptions {
 enum class LdltAnalysis {
     Planned,
     TooLarge,  // the memory would exceed LdltOptions::max_bytes; nothing was planned
+};
+
+/// The numbers of rows and of stored entries of a factor. Both are 0 if there is none.
+struct FactorSize {
+    std::size_t rows = 0;
+    std::size_t entries = 0;
 };
 
 /// A direct solver for symmetric quasi-definite matrices whose rows have positions on a torus or in
@@ -74,7 +82,8 @@ class SparseLdlt {
 
   private:
     Dissection dissection_;
-    std::size_t new_size_ = 0;  // size of the factor when the order was last computed anew
+    std::vector<std::uint64_t> names_;  // of the nodes of the dissection
+    FactorSize new_size_;               // of the matrix for which the order was last computed anew
     FrontPlan plan_;
     std::vector<Real> factor_;     // D and L, sorted by front
     std::vector<Real> workspace_;  // update matrices until they are added to the parent fronts

@@ -3,6 +3,7 @@
 #include "texgen/maps/maze_graph.h"
 
 #include "core/geometry/film_arc.h"
+#include "core/geometry/scramble.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,15 +62,9 @@ class DisjointSets {
     std::vector<std::size_t> sizes_;  // the size of each set, at the index of its root
 };
 
-// Returns a number in [0, 1): the upper 53 bits of a hash. Steps of SplitMix64 (S. Vigna, 2015) mix
-// the seed, the smaller and the larger identity, in this order.
+// Returns a number in [0, 1): the upper 53 bits of a hash of the seed, the smaller and the larger
+// identity, in this order.
 double number_of_pair(std::int64_t seed, BubbleIdentity one, BubbleIdentity other) {
-    const auto scrambled = [](std::uint64_t x) {
-        x += 0x9e3779b97f4a7c15U;
-        x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-        x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-        return x ^ (x >> 31U);
-    };
     const auto [low, high] = std::minmax(one, other);
     const std::uint64_t bits = scrambled(
         scrambled(scrambled(static_cast<std::uint64_t>(seed)) ^ static_cast<std::uint64_t>(low)) ^

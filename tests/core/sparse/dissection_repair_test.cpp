@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace foam {
@@ -37,6 +39,13 @@ NodeGraph node_graph_of(const test::PointSystem& system) {
 
 Dissection dissection_of(const test::PointSystem& system) {
     return dissect(node_graph_of(system), system.nodes, system.domain, {});
+}
+
+// Returns the numbers of the nodes of the grid, which are the same with and without the long edges.
+std::vector<std::uint32_t> same_numbers() {
+    std::vector<std::uint32_t> numbers(grid().nodes.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    return numbers;
 }
 
 // Returns the number of edges that join the two subtrees of a part.
@@ -67,13 +76,13 @@ TEST(DissectionRepair, SeparatesAgainAfterNewEdges) {
     Dissection dissection = dissection_of(grid());
     const NodeGraph graph = node_graph_of(grid_with_long_edges());
     ASSERT_GT(edges_across(dissection, graph), 0);
-    ASSERT_TRUE(repair(dissection, graph));
+    repair(dissection, graph, same_numbers());
     EXPECT_EQ(edges_across(dissection, graph), 0);
 }
 
 TEST(DissectionRepair, KeepsTheNodesOfAPartInDescendingOrder) {
     Dissection dissection = dissection_of(grid());
-    ASSERT_TRUE(repair(dissection, node_graph_of(grid_with_long_edges())));
+    repair(dissection, node_graph_of(grid_with_long_edges()), same_numbers());
     for (const DissectionPart& part : dissection.parts) {
         EXPECT_TRUE(
             std::is_sorted(dissection.order.begin() + static_cast<std::ptrdiff_t>(part.begin),
@@ -85,7 +94,7 @@ TEST(DissectionRepair, KeepsTheNodesOfAPartInDescendingOrder) {
 TEST(DissectionRepair, KeepsAllNodesAndTheTree) {
     const Dissection before = dissection_of(grid());
     Dissection after = before;
-    ASSERT_TRUE(repair(after, node_graph_of(grid_with_long_edges())));
+    repair(after, node_graph_of(grid_with_long_edges()), same_numbers());
     std::vector<std::uint32_t> nodes = after.order;
     std::sort(nodes.begin(), nodes.end());
     for (std::uint32_t node = 0; node < nodes.size(); ++node) {
@@ -102,15 +111,94 @@ TEST(DissectionRepair, KeepsAllNodesAndTheTree) {
 TEST(DissectionRepair, ChangesNothingWithoutNewEdges) {
     const Dissection before = dissection_of(grid());
     Dissection after = before;
-    ASSERT_TRUE(repair(after, node_graph_of(grid())));
+    repair(after, node_graph_of(grid()), same_numbers());
     EXPECT_EQ(after.order, before.order);
 }
 
-TEST(DissectionRepair, RejectsAnotherNumberOfNodes) {
-    const Dissection before = dissection_of(grid());
-    Dissection after = before;
-    EXPECT_FALSE(repair(after, node_graph_of(test::torus_grid(kSide, kSide + 1))));
-    EXPECT_EQ(after.order, before.order);
+// Returns a square grid in the plane. The names of its nodes are their numbers.
+test::PointSystem named_grid() {
+    test::PointSystem system = test::plane_grid(kSide);
+    for (std::size_t node = 0; node < system.nodes.size(); ++node) {
+        system.nodes[node].name = node;
+    }
+    return system;
+}
+
+std::vector<std::uint64_t> names_of(const test::PointSystem& system) {
+    std::vector<std::uint64_t> names;
+    for (const SolverNode& node : system.nodes) {
+        names.push_back(node.name);
+    }
+    return names;
+}
+
+// Returns the grid without the given nodes.
+test::PointSystem without(const std::vector<std::size_t>& removed) {
+    const test::PointSystem all = named_grid();
+    test::PointSystem rest{all.domain, {}, {}};
+    std::vector<Eigen::Index> new_numbers(all.nodes.size(), -1);
+    for (std::size_t node = 0; node < all.nodes.size(); ++node) {
+        if (std::ranges::find(removed, node) == removed.end()) {
+            new_numbers[node] = std::ssize(rest.nodes);
+            rest.nodes.push_back(all.nodes[node]);
+        }
+    }
+    std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
+    for (Eigen::Index column = 0; column < all.matrix.cols(); ++column) {
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(all.matrix, column); entry; ++entry) {
+            const Eigen::Index low = new_numbers[static_cast<std::size_t>(column)];
+            const Eigen::Index high = new_numbers[static_cast<std::size_t>(entry.row())];
+            if (low >= 0 && high > low) {
+                pairs.emplace_back(low, high);
+            }
+        }
+    }
+    rest.matrix = test::coupled_matrix(std::ssize(rest.nodes), pairs);
+    return rest;
+}
+
+TEST(DissectionRepair, AssumesTheSameNodesIfTheirNumberIsTheSame) {
+    EXPECT_EQ(earlier_numbers(std::vector<std::uint64_t>{7, 5}, std::vector<SolverNode>(2)),
+              (std::vector<std::uint32_t>{0, 1}));
+}
+
+TEST(DissectionRepair, FindsEarlierNodesByName) {
+    std::vector<SolverNode> nodes(4);
+    nodes[0].name = 30;
+    nodes[1].name = 99;
+    nodes[2].name = 10;
+    nodes[3].name = 30 + 16;  // the slot of 30 in a table of 16 slots
+    EXPECT_EQ(earlier_numbers(std::vector<std::uint64_t>{10, 20, 30, 30 + 16, 30}, nodes),
+              (std::vector<std::uint32_t>{2, kNoNumber, 0, 3}));
+}
+
+// Removes a block of nodes, so that some parts become empty.
+TEST(DissectionRepair, SeparatesAgainAfterNodesHaveVanished) {
+    const test::PointSystem before = named_grid();
+    std::vector<std::size_t> removed;
+    for (std::size_t row = 10; row < 20; ++row) {
+        for (std::size_t column = 15; column < 25; ++column) {
+            removed.push_back(row * kSide + column);
+        }
+    }
+    const test::PointSystem after = without(removed);
+    const NodeGraph graph = node_graph_of(after);
+    Dissection dissection = dissection_of(before);
+    repair(dissection, graph, earlier_numbers(names_of(before), after.nodes));
+    EXPECT_EQ(dissection.order.size(), before.nodes.size() - 100);
+    EXPECT_EQ(edges_across(dissection, graph), 0);
+    EXPECT_TRUE(std::ranges::any_of(
+        dissection.parts, [](const DissectionPart& part) { return part.begin == part.end; }));
+}
+
+TEST(DissectionRepair, SeparatesAgainAfterNodesHaveAppeared) {
+    const test::PointSystem before = without({3, 4, 5, 43, 44, 45, 820, 1599});
+    const test::PointSystem after = named_grid();
+    const NodeGraph graph = node_graph_of(after);
+    Dissection dissection = dissection_of(before);
+    repair(dissection, graph, earlier_numbers(names_of(before), after.nodes));
+    EXPECT_EQ(dissection.order.size(), after.nodes.size());
+    EXPECT_EQ(edges_across(dissection, graph), 0);
 }
 
 }  // namespace

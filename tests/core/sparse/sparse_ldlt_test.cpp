@@ -2,6 +2,7 @@
 
 #include "core/sparse/sparse_ldlt.h"
 
+#include "core/dynamics/collapse.h"
 #include "core/equilibrium/hessian.h"
 #include "core/equilibrium/linear_solver.h"
 #include "core/equilibrium/relaxation.h"
@@ -173,6 +174,38 @@ TEST(SparseLdlt, DropsTheOrderIfItDoesNotFit) {
     const System other = system_of(relaxed_foam(300, 1.0, 2), 0.1);
     solver.analyze(other.matrix, other.nodes, other.domain, {.keeps_order = true});
     EXPECT_EQ(solver.nonzeros(), factored(other).nonzeros());
+}
+
+// Makes every seventh bubble vanish, `count` bubbles in total.
+void remove_bubbles(Foam& foam, std::size_t count) {
+    TopologyCounts counts;
+    for (std::size_t bubble = 0; bubble < count; ++bubble) {
+        ASSERT_TRUE(collapse(foam, id_at<BubbleId>(7 * bubble), counts));
+    }
+    compact(foam);
+}
+
+TEST(SparseLdlt, KeepsTheOrderAfterAFewT2s) {
+    Foam foam = relaxed_foam(800);
+    SparseLdlt<double> solver = factored(system_of(foam, 0.1));
+    remove_bubbles(foam, 8);
+    const System smaller = system_of(foam, 0.1);
+    ASSERT_EQ(solver.analyze(smaller.matrix, smaller.nodes, smaller.domain, {.keeps_order = true}),
+              LdltAnalysis::Planned);
+    ASSERT_TRUE(solver.factor(smaller.matrix, 1));
+    expect_solves(solver, smaller);
+    const std::size_t with_new_order = factored(smaller).nonzeros();
+    EXPECT_NE(solver.nonzeros(), with_new_order);
+    EXPECT_LT(static_cast<double>(solver.nonzeros()), 1.05 * static_cast<double>(with_new_order));
+}
+
+TEST(SparseLdlt, DropsTheOrderIfATenthOfTheBubblesHasVanished) {
+    Foam foam = relaxed_foam(800);
+    SparseLdlt<double> solver = factored(system_of(foam, 0.1));
+    remove_bubbles(foam, 90);
+    const System smaller = system_of(foam, 0.1);
+    solver.analyze(smaller.matrix, smaller.nodes, smaller.domain, {.keeps_order = true});
+    EXPECT_EQ(solver.nonzeros(), factored(smaller).nonzeros());
 }
 
 TEST(SparseLdlt, ReportsASingularMatrix) {
