@@ -21,9 +21,8 @@ namespace foam {
 
 // The equilibration is made in rounds. A round begins with Newton's method (E3) for the whole foam.
 // The response to the result of the method follows: T1s if films need them, or relaxation (E4) of
-// the worst regions or of the whole foam if the method has stalled. The worst regions surround the
-// defects whose force or area error is at least a fifth of the largest (worst_regions). At the end
-// of the round, the defect regions are solved. After a T1, most of the residual is in the defect
+// the worst_regions or of the whole foam if the method has stalled. At the end of the round, the
+// defect regions are solved. After a T1, most of the residual is in the defect
 // regions. Newton's method takes several damped steps there, while one step is enough elsewhere.
 // The defect regions are therefore solved on their own, while everything else stays fixed.
 // README.md shows the algorithm. NOTES.md has the measurements behind the constants.
@@ -31,8 +30,7 @@ namespace foam {
 namespace {
 
 // Defects around which regions are solved before the first step of the whole foam. Only large
-// errors count, because after a time step every target area has changed, and every bubble has an
-// error.
+// errors count, because after a time step every bubble has an error.
 constexpr DefectOptions kFirstDefects{.force = 0.05, .area = 0.15};
 // Defects around which regions are solved at the end of every round. After a step of the whole
 // foam, errors are small except near T1s. Lower thresholds save no more time (NOTES.md).
@@ -40,8 +38,7 @@ constexpr DefectOptions kLaterDefects{.force = 0.02, .area = 0.05};
 // A step of the whole foam with a new factor is slow if it leaves more than this share of the norm
 // of the residual. Defect regions are then assumed to limit the progress.
 constexpr double kSlowRatio = 0.1;
-// The smallest tolerance of Newton's method for forces, in film tensions, and for relative area
-// errors (newton_tolerance).
+// The smallest tolerance of Newton's method (newton_tolerance).
 constexpr double kNewtonTolerance = 1e-11;
 // The tolerance is this number times the size of the foam (see newton_tolerance) if the product is
 // more than kNewtonTolerance, as on square tori of more than about 10,000 bubbles.
@@ -50,10 +47,8 @@ constexpr double kNewtonTolerancePerSize = 1e-13;
 constexpr double kMaxToleranceRatio = 0.1;
 // After this many rounds, the whole foam is relaxed, and no defect regions are solved any more.
 constexpr int kRoundsWithRegions = 20;
-// At a stall of Newton's method, only the worst regions are relaxed. At every
-// kGlobalRelaxationPeriod-th stall, the whole foam is relaxed instead. The whole foam is also
-// relaxed, and the stall is not counted, if worst_regions returns no region, or when defect regions
-// are no longer solved on their own. Reaching the limit of iterations is treated as a stall.
+// At every kGlobalRelaxationPeriod-th stall of Newton's method, the whole foam is relaxed instead of
+// the worst regions (relax_where_stalled).
 constexpr int kGlobalRelaxationPeriod = 4;
 
 // The foam that all rounds work on, and the buffers that they reuse. Unless an equilibrium has been
@@ -94,8 +89,7 @@ struct Progress {
     // no effect if `solves_regions` is false.
     bool stops_if_slow = false;
     bool needs_restart = true;   // Work::whole must be started before it is used
-    int global_relaxations = 0;  // number of relaxations of the whole foam
-    int counted_stalls = 0;      // see kGlobalRelaxationPeriod
+    int counted_stalls = 0;      // stalls after which regions could be relaxed
 };
 
 void count_t1(int t1, Progress& progress) {
@@ -108,7 +102,7 @@ void count_t1(int t1, Progress& progress) {
 // and a sixty-fourth of `sweeps`, rounded down, but is at least one. It varies so that repeated
 // relaxations do not lead Newton's method back to the same state, in which it would stall again.
 int next_sweeps(int sweeps, Progress& progress) {
-    const int quarterings = progress.global_relaxations++ % 4;
+    const int quarterings = progress.summary.relaxations++ % 4;
     return std::max(1, sweeps >> (2 * quarterings));
 }
 
@@ -137,10 +131,9 @@ std::size_t solve_regions(Work& work, const DefectOptions& defects, Progress& pr
     return local.regions;
 }
 
-// Responds to a stall of Newton's method. In a large foam, a few bubbles cause the stall, so
-// usually only the worst regions are relaxed, and everything else is kept. The whole foam is
-// relaxed instead every kGlobalRelaxationPeriod-th time, and also if there are no worst regions or
-// if regions are no longer solved on their own.
+// Responds to a stall of Newton's method or to its limit of iterations. Relaxes the worst regions,
+// since usually a few bubbles are the cause. The whole foam is relaxed instead every
+// kGlobalRelaxationPeriod-th time, or if there are no such regions or they are no longer solved.
 void relax_where_stalled(Work& work, Progress& progress) {
     untangle(work.foam);  // a Newton step may have tangled some junctions
     reopen_collapsed_bubbles(work.foam);
@@ -155,7 +148,9 @@ void relax_where_stalled(Work& work, Progress& progress) {
 
 Progress initial_phase(Work& work) {
     Progress progress;
-    // Relaxation cannot reopen collapsed bubbles; it would raise their pressures without bound.
+    // In a small foam, a few defects are not the likely cause of a slow first step.
+    progress.stops_if_slow = work.foam.network.film_count() >= kLargeFoam;
+    // Relaxation would raise the pressures of collapsed bubbles without bound.
     reopen_collapsed_bubbles(work.foam);
     // Newton's method must not start from a tangled foam, in which bubbles overlap or are inverted,
     // because it would request arbitrary T1s at the tangled junctions.
@@ -168,11 +163,11 @@ Progress initial_phase(Work& work) {
     return progress;
 }
 
-// Returns the tolerance of Newton's method for a foam. `tolerance` is the tolerance of the
-// equilibrium. Rounding errors of positions are in proportion to the size of the foam, which is the
-// largest coordinate in square roots of the mean area of a bubble. This size is 316 for a torus of
-// 100,000 bubbles, whose errors do not fall below 2e-11. With a smaller tolerance, the method would
-// stall, and the whole foam would be relaxed.
+// Returns the tolerance of Newton's method for forces, in film tensions, and for relative area
+// errors. `tolerance` is that of the equilibrium. Rounding errors are in proportion to the size of
+// the foam: the largest coordinate in square roots of the mean area of a bubble. This size is 316
+// for a torus of 100,000 bubbles, whose errors do not fall below 2e-11. With a smaller tolerance,
+// the method would stall, and the precision of the factor would be raised.
 double newton_tolerance(const Foam& foam, double tolerance) {
     double largest = 0.0;
     for (const JunctionId junction : foam.network.junctions()) {
@@ -204,6 +199,11 @@ NewtonSummary solve_whole(Work& work, Progress& progress) {
                                     .raises_precision_far = !progress.solves_regions,
                                     .thresholds = work.options.thresholds});
     progress.summary.iterations += summary.iterations;
+    // If so small errors no longer fall, rounding errors allow no better state.
+    if (summary.status == NewtonStatus::Stalled &&
+        equilibrium_errors(work.foam).are_below(work.options.tolerance)) {
+        summary.status = NewtonStatus::Converged;
+    }
     return summary;
 }
 

@@ -20,7 +20,8 @@ enum class EquilibriumStatus {
 /// The work and the result of an equilibration.
 struct EquilibriumSummary {
     EquilibriumStatus status = EquilibriumStatus::RoundLimit;
-    int sweeps = 0;  // relaxation sweeps over the whole foam
+    int relaxations = 0;  // relaxations of the whole foam (E4), each of which may be costly
+    int sweeps = 0;       // sweeps of these relaxations
     // Steps of Newton's method for the whole foam, or sweeps of Gauss-Seidel.
     int iterations = 0;
     int t1 = 0;                // number of T1s

@@ -28,7 +28,7 @@ constexpr double kTolerance = 1e-3;
 constexpr int kMaxIterations = 12;     // largest number of Newton steps in a round
 constexpr int kMaxRounds = 5;          // largest number of rounds
 constexpr int kRelaxationSweeps = 30;  // sweeps in a region in which Newton's method stalls
-constexpr int kWorstRings = 3;         // rings of neighbors around the worst defects
+constexpr int kWorstRings = 3;         // largest number of rings of neighbors around worst defects
 // A defect whose force is at least this share of the largest force is among the worst. So is a
 // defect whose area error is at least this share of the largest area error.
 constexpr double kWorstFraction = 0.2;
@@ -96,8 +96,11 @@ std::vector<DefectRegion> worst_regions(const Foam& foam, int threads) {
     DefectOptions options;
     options.force = std::max(options.force, kWorstFraction * worst.force);
     options.area = std::max(options.area, kWorstFraction * worst.area);
-    options.rings = kWorstRings;
-    return find_defect_regions(foam, all, r, options);
+    std::vector<DefectRegion> regions;
+    for (options.rings = kWorstRings; regions.empty() && options.rings > 0; --options.rings) {
+        regions = find_defect_regions(foam, all, r, options);
+    }
+    return regions;
 }
 
 int relax_regions(Foam& foam,

@@ -38,11 +38,9 @@ constexpr double kNewFactorRatio = 0.5;
 constexpr double kNearEquilibrium = 0.05;
 
 // In a foam of a million bubbles, nearly every step would bring some films to a T1. If such a step
-// were not made, the foam would make no progress. In a foam of at least kLargeFoam films, a step is
-// therefore made if at most one film in kFilmsPerT1 needs a T1. These films get their T1s after the
-// step. A limited step (limit_moves) shortens a film by at most about 40 %
-// (NewtonOptions::largest_move).
-constexpr std::size_t kLargeFoam = 60'000;
+// were not made, the foam would make no progress. In a large foam (kLargeFoam), a step is therefore
+// made if at most one film in kFilmsPerT1 needs a T1. These films get their T1s after the step. A
+// limited step (limit_moves) shortens a film by at most about 40 % (NewtonOptions::largest_move).
 constexpr std::size_t kFilmsPerT1 = 10'000;
 
 // The residual at the foam's present state.

@@ -5,9 +5,14 @@
 #include "core/equilibrium/newton_system.h"
 #include "core/foam/topology_thresholds.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace foam {
+
+/// A foam of at least this many films is large. There, a few films and bubbles somewhere make nearly
+/// every step difficult, although the step suits the rest of the foam.
+inline constexpr std::size_t kLargeFoam = 60'000;
 
 /// Options of `newton`.
 struct NewtonOptions {

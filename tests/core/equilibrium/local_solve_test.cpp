@@ -81,18 +81,31 @@ TEST(LocalSolve, BringsARegionToEquilibriumWithAllElseHeld) {
 
 // A defect is among the worst if its error is at least a fifth of the largest error. It must also
 // be above the thresholds of DefectOptions, 0.3 for areas. The regions include three rings of
-// neighbors.
+// neighbors, or fewer, if they would contain more than 30 % of the bubbles.
 TEST(LocalSolve, WorstRegionsAreThoseOfTheLargestErrors) {
     Foam foam = with_a_defect();                   // an area of 1 instead of 0.5: an error of 1
     foam.target_areas[BubbleId{0}] = 0.8;          // an error of 0.25, above a fifth of 1, ...
     EXPECT_EQ(worst_regions(foam, 1).size(), 1U);  // ... but below 0.3
     foam.target_areas[BubbleId{0}] = 0.75;         // an error of a third
     std::vector<DefectRegion> regions = worst_regions(foam, 1);
-    EXPECT_TRUE(regions.empty());      // 2 x 37 of 144 bubbles are more than 30 %
+    ASSERT_EQ(regions.size(), 2U);  // 2 x 37 of 144 bubbles are more than 30 %, ...
+    for (const DefectRegion& region : regions) {
+        EXPECT_EQ(region.size(), 19U);  // ... hence two rings: 1 + 6 + 12
+    }
     foam.target_areas[kBubble] = 0.1;  // an error of 9, so that a third is below a fifth of it
     regions = worst_regions(foam, 1);
     ASSERT_EQ(regions.size(), 1U);
     EXPECT_EQ(regions.front().size(), 37U);  // with three rings: 1 + 6 + 12 + 18
+}
+
+TEST(LocalSolve, DefectsAllOverTheFoamHaveNoWorstRegions) {
+    Foam foam = with_a_defect();
+    for (const BubbleId bubble : foam.network.bubbles()) {
+        if (index_of(bubble) % 3 == 0) {
+            foam.target_areas[bubble] = 0.5;
+        }
+    }
+    EXPECT_TRUE(worst_regions(foam, 1).empty());
 }
 
 TEST(LocalSolve, RelaxesRegionsWithAllElseHeld) {
