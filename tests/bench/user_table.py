@@ -18,6 +18,7 @@ solver_table, raster_peers (beside cairo, AGG and OpenCV), png_bench (beside lib
 compressor) follow.
 """
 import argparse
+import json
 import math
 import os
 import pathlib
@@ -32,6 +33,7 @@ MILLION = 1_000_000
 TABLES = ("solver_table", "raster_peers/raster_peers", "png_bench", "exr_bench")  # programs beside raw_table
 COARSENING_FRAMES = 10  # per foam
 SIZES = (1000, 10000, 20000, 30000, 100000, MILLION)  # of raw diagrams, bubbles
+RELAXATIONS = "relaxations of the whole foam in all frames of a shipped preset"
 EIGHT_MAPS = "albedo,height,normal,occlusion,curvature,roughness,motion,id"
 RELIEF_MAPS = "height,normal,occlusion,curvature"
 SURFACE_MAPS = "albedo,height,normal,lit"
@@ -188,6 +190,19 @@ def print_row(row, program, against, repeats):
     print(f"| {' | '.join(cells)} |", flush=True)
 
 
+def print_relaxations(program, folder, against):
+    """Prints how often a step relaxes the whole foam, in all frames of the shipped presets."""
+    relaxations = {}
+    for preset in presets_of(program):
+        cache = pathlib.Path(folder) / "relaxations.cache"
+        printed = subprocess.run([program, "simulate", preset, "--cache", cache, "--force", "--json", "-q"], check=True,
+                                 capture_output=True, text=True).stdout
+        relaxations[preset] = json.loads(printed)["relaxations"]
+    worst = max(relaxations, key=relaxations.get)
+    print(f"| {RELAXATIONS} | {statistics.median(relaxations.values()):.0f} | {relaxations[worst]} ({worst}) | |"
+          f"{' |' if against else ''} |", flush=True)
+
+
 def print_raw_rows(raw_table, against, is_wanted, with_million):
     """Prints the rows of raw diagrams and of frames of coarsening foams, of the seeds 1 to 5, or 1 of a million bubbles."""
     def print_raw_row(name, bubbles, *options):
@@ -240,6 +255,8 @@ def main():
         for row in rows_of(Lab(program, folder), arguments.seeds):
             if is_wanted(row[0]):
                 print_row(row, program, against, arguments.repeats)
+        if is_wanted(RELAXATIONS):
+            print_relaxations(program, folder, against)
         raw_table = benchmarks / "raw_table"
         if raw_table.exists():
             print_raw_rows(raw_table, against, is_wanted, f"{MILLION:,}" in arguments.rows)

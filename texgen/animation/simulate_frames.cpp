@@ -95,6 +95,7 @@ RunOutcome failed(const Simulation& simulation, const Preset& preset) {
     return {simulation.equilibrium().converged() ? RunStatus::OpenLoop : RunStatus::NoEquilibrium,
             frame_of_state(simulation.number(), preset.loop, preset.frames.count),
             simulation.closing_error(),
+            simulation.relaxations(),
             simulation.missing_bubbles()};
 }
 
@@ -187,7 +188,11 @@ RunOutcome simulate_states(const Preset& preset,
         }
         on_state(state_of(simulation, preset.loop, std::move(effort)));
     }
-    return {RunStatus::Complete, 0, simulation.closing_error(), simulation.missing_bubbles()};
+    return {RunStatus::Complete,
+            0,
+            simulation.closing_error(),
+            simulation.relaxations(),
+            simulation.missing_bubbles()};
 }
 
 RunOutcome simulate_frames(const Preset& preset,

@@ -84,7 +84,8 @@ bool Simulation::reach_frame() {
     if (number_ == 1) {
         return reach_first_frame();
     }
-    equilibrium_.sweeps = equilibrium_.iterations = equilibrium_.t1 = equilibrium_.t2 = 0;
+    equilibrium_.relaxations = equilibrium_.sweeps = equilibrium_.iterations = 0;
+    equilibrium_.t1 = equilibrium_.t2 = 0;
     if (number_ == 2 && frames_.first == FirstFrame::Diagram && !equilibrate_and_warm_up()) {
         return false;
     }
@@ -217,19 +218,20 @@ bool Simulation::close_loop() {
 }
 
 bool Simulation::step_cycle(int position) {
-    const EquilibriumSummary before = equilibrium_;
-    const StepSummary summary = cycle_->step_to(position, foam_, frames_.time_step, options_);
-    equilibrium_ = summary.equilibrium;
-    strain_ += summary.strain;
-    add_effort(before);
-    return equilibrium_.converged();
+    return add_step(cycle_->step_to(position, foam_, frames_.time_step, options_));
 }
 
-void Simulation::add_effort(const EquilibriumSummary& before) {
+bool Simulation::add_step(const StepSummary& step) {
+    const EquilibriumSummary before = equilibrium_;
+    equilibrium_ = step.equilibrium;
+    equilibrium_.relaxations += before.relaxations;
     equilibrium_.sweeps += before.sweeps;
     equilibrium_.iterations += before.iterations;
     equilibrium_.t1 += before.t1;
     equilibrium_.t2 += before.t2;
+    relaxations_ += step.equilibrium.relaxations;
+    strain_ += step.strain;
+    return equilibrium_.converged();
 }
 
 void Simulation::measure_diagram() {
@@ -277,12 +279,7 @@ bool Simulation::step_by(double time, const StateChange& change) {
     if (time == 0.0 && change.empty()) {
         return true;
     }
-    const EquilibriumSummary before = equilibrium_;
-    const StepSummary summary = step(foam_, time, change, options_);
-    equilibrium_ = summary.equilibrium;
-    strain_ += summary.strain;
-    add_effort(before);
-    return equilibrium_.converged();
+    return add_step(step(foam_, time, change, options_));
 }
 
 void Simulation::report(RunProgress progress) const {

@@ -90,6 +90,10 @@ class Simulation {
     /// Returns the number of the frame that was reached; 0 before the first call of advance().
     int number() const { return number_; }
 
+    /// Returns how often a step has relaxed the whole foam (EquilibriumSummary::relaxations). The
+    /// relaxation before the first equilibrium is not counted.
+    int relaxations() const { return relaxations_; }
+
     /// Returns the effort of the last advance() and the errors of the frame that it reached.
     const EquilibriumSummary& equilibrium() const { return equilibrium_; }
 
@@ -105,8 +109,8 @@ class Simulation {
     bool close_loop();
     bool step_cycle(int position);
     double loop_progress() const;  // fraction of the loop that precedes the present frame
-    void add_effort(const EquilibriumSummary& before);     // adds the counts of earlier steps
-    bool step_by(double time, const StateChange& change);  // adds its effort to equilibrium_
+    bool step_by(double time, const StateChange& change);
+    bool add_step(const StepSummary& step);  // adds its effort; returns whether it converged
     void report(RunProgress progress) const;               // adds the number of bubbles
 
     FramesOptions frames_;
@@ -126,6 +130,7 @@ class Simulation {
     std::optional<View> view_;
     int number_ = 0;
     double strain_ = 0.0;
+    int relaxations_ = 0;
     std::vector<TopologyEvent> events_;  // of the last advance()
     EquilibriumSummary equilibrium_;
 };

@@ -30,7 +30,8 @@ Json json_report(const RunOutcome& outcome) {
     const bool complete = outcome.status == RunStatus::Complete;
     return {{"status", word_of(outcome.status)},
             {"failed_frame", complete ? Json(nullptr) : Json(outcome.failed_frame)},
-            {"closing_error", number_or_null(outcome.closing_error)}};
+            {"closing_error", number_or_null(outcome.closing_error)},
+            {"relaxations", outcome.relaxations}};
 }
 
 void print_json(const Json& object) {
