@@ -47,8 +47,8 @@ constexpr double kNewtonTolerancePerSize = 1e-13;
 constexpr double kMaxToleranceRatio = 0.1;
 // After this many rounds, the whole foam is relaxed, and no defect regions are solved any more.
 constexpr int kRoundsWithRegions = 20;
-// At every kGlobalRelaxationPeriod-th stall of Newton's method, the whole foam is relaxed instead of
-// the worst regions (relax_where_stalled).
+// At every kGlobalRelaxationPeriod-th stall of Newton's method, the whole foam is relaxed instead
+// of the worst regions (relax_where_stalled).
 constexpr int kGlobalRelaxationPeriod = 4;
 
 // The foam that all rounds work on, and the buffers that they reuse. Unless an equilibrium has been
@@ -88,8 +88,8 @@ struct Progress {
     // True if Newton's method stops after a slow step, so that defect regions can be solved. It has
     // no effect if `solves_regions` is false.
     bool stops_if_slow = false;
-    bool needs_restart = true;   // Work::whole must be started before it is used
-    int counted_stalls = 0;      // stalls after which regions could be relaxed
+    bool needs_restart = true;  // Work::whole must be started before it is used
+    int counted_stalls = 0;     // stalls after which regions could be relaxed
 };
 
 void count_t1(int t1, Progress& progress) {

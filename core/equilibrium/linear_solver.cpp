@@ -2,7 +2,7 @@
 
 #include "core/equilibrium/linear_solver.h"
 
-#include "core/geometry/scramble.h"
+#include "core/geometry/splitmix64.h"
 #include "core/parallel/parallel_for.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ Vec2 middle_of(const Foam& foam, BubbleId bubble) {
 std::uint64_t name_of(std::span<const BubbleIdentity> identities) {
     std::uint64_t name = 0;
     for (const BubbleIdentity identity : identities) {
-        name = scrambled(name ^ identity);
+        name = splitmix64(name ^ identity);
     }
     return name;
 }

@@ -10,8 +10,8 @@
 
 namespace foam {
 
-/// A foam of at least this many films is large. There, a few films and bubbles somewhere make nearly
-/// every step difficult, although the step suits the rest of the foam.
+/// A foam of at least this many films is large. In nearly every step, some of its films need a T1
+/// or some of its bubbles have large errors, although the step suits the rest of the foam.
 inline constexpr std::size_t kLargeFoam = 60'000;
 
 /// Options of `newton`.

@@ -25,8 +25,6 @@ std::vector<std::uint32_t> earlier_numbers(std::span<const std::uint64_t> earlie
 /// node of this edge is moved into the separator. The nodes of each part are in descending order
 /// again. A repair is much faster than a new dissection, but the separators grow, and parts may
 /// become empty.
-void repair(Dissection& dissection,
-            const NodeGraph& graph,
-            std::span<const std::uint32_t> earlier);
+void repair(Dissection& dissection, const NodeGraph& graph, std::span<const std::uint32_t> earlier);
 
 }  // namespace foam

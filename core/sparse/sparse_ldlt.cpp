@@ -28,8 +28,8 @@ namespace foam {
 
 namespace {
 
-// An order of elimination is repaired (dissection_repair.h) if the number of rows differs at most by
-// this factor from its number when the order was last computed anew. The result is kept if the
+// An order of elimination is repaired (dissection_repair.h) if the number of rows differs at most
+// by this factor from its number when the order was last computed anew. The result is kept if the
 // entries of the factor per row differ at most by the same factor.
 constexpr double kMaxGrowth = 1.1;
 

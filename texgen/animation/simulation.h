@@ -110,8 +110,8 @@ class Simulation {
     bool step_cycle(int position);
     double loop_progress() const;  // fraction of the loop that precedes the present frame
     bool step_by(double time, const StateChange& change);
-    bool add_step(const StepSummary& step);  // adds its effort; returns whether it converged
-    void report(RunProgress progress) const;               // adds the number of bubbles
+    bool add_step(const StepSummary& step);   // adds its effort; returns whether it converged
+    void report(RunProgress progress) const;  // adds the number of bubbles
 
     FramesOptions frames_;
     LoopOptions loop_;

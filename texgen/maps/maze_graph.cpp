@@ -3,7 +3,7 @@
 #include "texgen/maps/maze_graph.h"
 
 #include "core/geometry/film_arc.h"
-#include "core/geometry/scramble.h"
+#include "core/geometry/splitmix64.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +66,8 @@ class DisjointSets {
 // identity, in this order.
 double number_of_pair(std::int64_t seed, BubbleIdentity one, BubbleIdentity other) {
     const auto [low, high] = std::minmax(one, other);
-    const std::uint64_t bits = scrambled(
-        scrambled(scrambled(static_cast<std::uint64_t>(seed)) ^ static_cast<std::uint64_t>(low)) ^
+    const std::uint64_t bits = splitmix64(
+        splitmix64(splitmix64(static_cast<std::uint64_t>(seed)) ^ static_cast<std::uint64_t>(low)) ^
         static_cast<std::uint64_t>(high));
     return static_cast<double>(bits >> 11U) * 0x1p-53;
 }
