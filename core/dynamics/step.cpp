@@ -188,6 +188,7 @@ double try_substep(Foam& foam,
             add(summary, equilibrium);
             return length;
         }
+        summary.equilibrium.relaxations += equilibrium.relaxations;
         if (halvings == options.max_halvings) {
             summary.equilibrium.status = equilibrium.status;
             return 0.0;

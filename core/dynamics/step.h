@@ -19,8 +19,8 @@ struct StepOptions {
 };
 
 /// The result of a step. The counts and the strain are sums over all substeps that found an
-/// equilibrium. The errors and the energy describe the foam at the end of the step; they are 0 if
-/// no substep found an equilibrium.
+/// equilibrium; only the number of relaxations includes failed substeps, too. The errors and the
+/// energy describe the foam at the end of the step; they are 0 if no substep found an equilibrium.
 struct StepSummary {
     int substeps = 0;
     EquilibriumSummary equilibrium;

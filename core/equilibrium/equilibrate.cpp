@@ -21,11 +21,9 @@ namespace foam {
 
 // The equilibration is made in rounds. A round begins with Newton's method (E3) for the whole foam.
 // The response to the result of the method follows: T1s if films need them, or relaxation (E4) of
-// the worst_regions or of the whole foam if the method has stalled. At the end of the round, the
-// defect regions are solved. After a T1, most of the residual is in the defect
-// regions. Newton's method takes several damped steps there, while one step is enough elsewhere.
-// The defect regions are therefore solved on their own, while everything else stays fixed.
-// README.md shows the algorithm. NOTES.md has the measurements behind the constants.
+// the worst regions or of the whole foam if the method has stalled. At the end of the round, the
+// defect regions are solved on their own, while everything else stays fixed. README.md shows the
+// algorithm and its reasons, NOTES.md the measurements.
 
 namespace {
 
@@ -99,8 +97,8 @@ void count_t1(int t1, Progress& progress) {
 
 // Returns the number of sweeps of the first pass of the next relaxation of the whole foam, and
 // counts this relaxation in `progress`. The number cycles through `sweeps`, a quarter, a sixteenth
-// and a sixty-fourth of `sweeps`, rounded down, but is at least one. It varies so that repeated
-// relaxations do not lead Newton's method back to the same state, in which it would stall again.
+// and a sixty-fourth of `sweeps`, but is at least one, so that Newton's method does not stall again
+// in the same state.
 int next_sweeps(int sweeps, Progress& progress) {
     const int quarterings = progress.summary.relaxations++ % 4;
     return std::max(1, sweeps >> (2 * quarterings));
@@ -137,7 +135,11 @@ std::size_t solve_regions(Work& work, const DefectOptions& defects, Progress& pr
 void relax_where_stalled(Work& work, Progress& progress) {
     untangle(work.foam);  // a Newton step may have tangled some junctions
     reopen_collapsed_bubbles(work.foam);
-    std::vector<DefectRegion> regions = worst_regions(work.foam, work.options.threads);
+    // On the way from a raw diagram, small regions are less reliable than the whole foam
+    // (NOTES.md).
+    const int fewest_rings = work.options.relaxes_first ? kWorstRings : 1;
+    std::vector<DefectRegion> regions =
+        worst_regions(work.foam, work.options.threads, fewest_rings);
     if (!progress.solves_regions || regions.empty() ||
         ++progress.counted_stalls % kGlobalRelaxationPeriod == 0) {
         relax_all(work, false, progress);
@@ -152,8 +154,7 @@ Progress initial_phase(Work& work) {
     progress.stops_if_slow = work.foam.network.film_count() >= kLargeFoam;
     // Relaxation would raise the pressures of collapsed bubbles without bound.
     reopen_collapsed_bubbles(work.foam);
-    // Newton's method must not start from a tangled foam, in which bubbles overlap or are inverted,
-    // because it would request arbitrary T1s at the tangled junctions.
+    // In a tangled foam, Newton's method would request arbitrary T1s.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {
         // No region is solved afterwards: relaxation leaves errors everywhere.
         relax_all(work, true, progress);
@@ -199,7 +200,7 @@ NewtonSummary solve_whole(Work& work, Progress& progress) {
                                     .raises_precision_far = !progress.solves_regions,
                                     .thresholds = work.options.thresholds});
     progress.summary.iterations += summary.iterations;
-    // If so small errors no longer fall, rounding errors allow no better state.
+    // The equilibrium accepts such errors. Usually rounding errors keep them from falling.
     if (summary.status == NewtonStatus::Stalled &&
         equilibrium_errors(work.foam).are_below(work.options.tolerance)) {
         summary.status = NewtonStatus::Converged;

@@ -41,19 +41,20 @@ Vec2 middle_of(const Foam& foam, BubbleId bubble) {
     return middle - foam.domain.translation(foam.domain.cell_of(middle));
 }
 
-// Returns a number that differs, except for rare coincidences, from the names of other lists of
-// identities.
-std::uint64_t name_of(std::span<const BubbleIdentity> identities) {
+// Returns a hash of a list of numbers. If two nodes have the same hash, one of them may get a part
+// of the dissection that does not suit it. The order of elimination is then valid, but factors in
+// single precision may be less accurate.
+std::uint64_t name_of(std::span<const std::uint64_t> numbers) {
     std::uint64_t name = 0;
-    for (const BubbleIdentity identity : identities) {
-        name = splitmix64(name ^ identity);
+    for (const std::uint64_t number : numbers) {
+        name = splitmix64(name ^ number);
     }
     return name;
 }
 
 // The name of a junction is that of the three bubbles around it. It therefore changes at a T1.
 std::uint64_t name_of(const Foam& foam, JunctionId junction) {
-    std::array<BubbleIdentity, 3> identities{};
+    std::array<std::uint64_t, 3> identities{};
     std::size_t k = 0;
     for (const HalfEdgeId h : foam.network.leaving(junction)) {
         identities.at(k++) = foam.identities[foam.network.left(h)];
@@ -63,13 +64,18 @@ std::uint64_t name_of(const Foam& foam, JunctionId junction) {
 }
 
 std::uint64_t name_of(const Foam& foam, BubbleId bubble) {
-    return name_of(std::array{foam.identities[bubble]});
+    return name_of(std::array{std::uint64_t{foam.identities[bubble]}});
 }
 
-std::uint64_t name_of(const Foam& foam, FilmId film) {
-    const HalfEdgeId side = forward_side(film);
-    return name_of(std::array{foam.identities[foam.network.left(side)],
-                              foam.identities[foam.network.left(twin(side))]});
+// A bubble may have several outer films, which differ in their ends.
+std::uint64_t outer_film_name(const Foam& foam, FilmId film) {
+    HalfEdgeId h = forward_side(film);
+    if (foam.network.left(h) == foam.network.ghost()) {
+        h = twin(h);
+    }
+    return name_of(std::array{std::uint64_t{foam.identities[foam.network.left(h)]},
+                              name_of(foam, foam.network.tail(h)),
+                              name_of(foam, foam.network.head(h))});
 }
 
 }  // namespace
@@ -85,7 +91,7 @@ std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns)
         nodes.push_back({middle_of(foam, bubble), 1, name_of(foam, bubble)});
     }
     for (const FilmId film : unknowns.outer_films) {
-        nodes.push_back({middle_of(foam, film), 1, name_of(foam, film)});
+        nodes.push_back({middle_of(foam, film), 1, outer_film_name(foam, film)});
     }
     return nodes;
 }

@@ -15,8 +15,8 @@ namespace foam {
 /// Returns the solver nodes (SolverNode in core/sparse/node_graph.h) of the unknowns, in the order
 /// of their rows. The node of a junction is at the junction. The node of a bubble's pressure is at
 /// the mean of the bubble's junctions. The node of an outer film's half angle is at the middle of
-/// the film's chord. The name of a node is a hash of the identities of its bubbles: the three at
-/// a junction, the bubble itself, or the two beside an outer film.
+/// the film's chord. The name of a node is a hash of identities of bubbles: the three at a
+/// junction, the bubble itself, or the bubble inside an outer film and those at its ends.
 std::vector<SolverNode> solver_nodes(const Foam& foam, const Unknowns& unknowns);
 
 /// The precision of a factor. Single precision takes half the memory and less time. It is

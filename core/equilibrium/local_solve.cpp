@@ -28,7 +28,6 @@ constexpr double kTolerance = 1e-3;
 constexpr int kMaxIterations = 12;     // largest number of Newton steps in a round
 constexpr int kMaxRounds = 5;          // largest number of rounds
 constexpr int kRelaxationSweeps = 30;  // sweeps in a region in which Newton's method stalls
-constexpr int kWorstRings = 3;         // largest number of rings of neighbors around worst defects
 // A defect whose force is at least this share of the largest force is among the worst. So is a
 // defect whose area error is at least this share of the largest area error.
 constexpr double kWorstFraction = 0.2;
@@ -89,7 +88,7 @@ LocalSummary solve_defect_regions(Foam& foam,
     return summary;
 }
 
-std::vector<DefectRegion> worst_regions(const Foam& foam, int threads) {
+std::vector<DefectRegion> worst_regions(const Foam& foam, int threads, int fewest_rings) {
     const Unknowns all = all_unknowns(foam.network);
     const Eigen::VectorXd r = residual(foam, all, threads);
     const ResidualNorms worst = norms(foam, all, r);
@@ -97,7 +96,8 @@ std::vector<DefectRegion> worst_regions(const Foam& foam, int threads) {
     options.force = std::max(options.force, kWorstFraction * worst.force);
     options.area = std::max(options.area, kWorstFraction * worst.area);
     std::vector<DefectRegion> regions;
-    for (options.rings = kWorstRings; regions.empty() && options.rings > 0; --options.rings) {
+    for (options.rings = kWorstRings; regions.empty() && options.rings >= fewest_rings;
+         --options.rings) {
         regions = find_defect_regions(foam, all, r, options);
     }
     return regions;

@@ -37,13 +37,16 @@ LocalSummary solve_defect_regions(Foam& foam,
                                   const EquilibriumOptions& options,
                                   RegionBuffers& buffers);
 
+/// The largest number of rings of neighbors in worst_regions.
+inline constexpr int kWorstRings = 3;
+
 /// Returns the regions around the worst defects (DefectOptions). A defect is among the worst if its
 /// force is at least a fifth of the largest force in the foam (ResidualNorms::force). It is also
 /// among the worst if its area error is at least a fifth of the largest area error. Three rings of
-/// neighbors around these defects belong to the regions, or fewer, if the regions would otherwise
-/// contain more than DefectOptions::largest_fraction of the bubbles. Returns no region if there is
-/// no such defect, or if the regions are too large even with one ring.
-std::vector<DefectRegion> worst_regions(const Foam& foam, int threads);
+/// neighbors around these defects belong to the regions, or fewer, but at least `fewest_rings`, if
+/// the regions would otherwise contain more than DefectOptions::largest_fraction of the bubbles.
+/// Returns no region if there is no such defect, or if the regions are too large even so.
+std::vector<DefectRegion> worst_regions(const Foam& foam, int threads, int fewest_rings = 1);
 
 /// Relaxes each of the regions, with everything else held fixed. Returns the number of T1s.
 int relax_regions(Foam& foam,

@@ -34,8 +34,9 @@ class NewtonSystem {
     /// - the connections of the network and the number of threads are the same;
     /// - the precision has not been raised since (raise_precision).
     ///
-    /// If one of them is not met, the order of elimination is repaired, if possible
-    /// (LdltOptions::keeps_order). In both cases, the steps depend on earlier calls.
+    /// If one of them is not met, and the number of outer films is the same, the order of
+    /// elimination is repaired, if possible (LdltOptions::keeps_order). In both cases, the steps
+    /// depend on earlier calls.
     void start_whole(const Foam& foam, int threads);
 
     const Unknowns& unknowns() const { return unknowns_; }

@@ -41,6 +41,7 @@ EquilibriumSummary equilibrate_by_sweeps(Foam& foam,
     EquilibriumSummary summary;
     if (untangle(foam) > 0 || options.relaxes_first) {
         const RelaxationSummary relaxation = relax_first(foam, options);
+        summary.relaxations = 1;
         summary.sweeps = relaxation.sweeps;
         summary.t1 = relaxation.t1;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -56,8 +57,8 @@ std::vector<std::size_t> parts_of_earlier_nodes(const Dissection& dissection) {
     return part_of;
 }
 
-// Returns the first part of each node of the graph. A new node gets the lowest part of its
-// neighbors, which is the first of them in postorder. A new node between new nodes gets the root.
+// Returns the part of each node of the graph before nodes are moved. A new node gets the first, in
+// postorder, of the parts that its neighbors have so far, or the root if they have none.
 std::vector<std::size_t> first_parts(const Dissection& dissection,
                                      const NodeGraph& graph,
                                      std::span<const std::uint32_t> earlier) {
@@ -157,6 +158,7 @@ std::vector<std::uint32_t> earlier_numbers(std::span<const std::uint64_t> earlie
 void repair(Dissection& dissection,
             const NodeGraph& graph,
             std::span<const std::uint32_t> earlier) {
+    assert(!dissection.parts.empty());
     std::vector<std::size_t> part_of = first_parts(dissection, graph, earlier);
     move_nodes(graph, tree_of(dissection.parts), part_of);
     sort_by_part(part_of, dissection);

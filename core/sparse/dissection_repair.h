@@ -11,11 +11,11 @@
 
 namespace foam {
 
-/// For each node of a matrix, finds the node of an earlier matrix that stands for the same thing.
-/// Returns the number of this earlier node, or kNoNumber if there is none. If both matrices have
-/// the same number of nodes, these are assumed to be the same in the same order; otherwise they are
-/// compared by name. The elements of `earlier_names` are the names of the earlier nodes
-/// (SolverNode::name).
+/// For each node of a matrix, finds the node of an earlier matrix that represents the same
+/// unknowns. Returns the number of this earlier node, or kNoNumber if there is none. If both
+/// matrices have the same number of nodes, these are assumed to be the same in the same order;
+/// otherwise they are compared by name. The elements of `earlier_names` are the names of the
+/// earlier nodes (SolverNode::name).
 std::vector<std::uint32_t> earlier_numbers(std::span<const std::uint64_t> earlier_names,
                                            std::span<const SolverNode> nodes);
 

@@ -28,13 +28,14 @@ namespace foam {
 
 namespace {
 
-// An order of elimination is repaired (dissection_repair.h) if the number of rows differs at most
-// by this factor from its number when the order was last computed anew. The result is kept if the
-// entries of the factor per row differ at most by the same factor.
+// An order of elimination is repaired (dissection_repair.h) if the number of rows has changed at
+// most by this factor since the order was last computed anew. The result is kept if the number of
+// entries of the factor per row has grown at most by the same factor.
 constexpr double kMaxGrowth = 1.1;
 
 bool may_repair(const FactorSize& before, std::size_t rows) {
-    return static_cast<double>(rows) < kMaxGrowth * static_cast<double>(before.rows) &&
+    return before.rows > 0 &&
+           static_cast<double>(rows) < kMaxGrowth * static_cast<double>(before.rows) &&
            static_cast<double>(before.rows) < kMaxGrowth * static_cast<double>(rows);
 }
 
@@ -78,18 +79,22 @@ LdltAnalysis SparseLdlt<Real>::analyze(const Eigen::SparseMatrix<double>& lower_
             lower_pattern, nodes, graph, dissection_, options.max_bytes / sizeof(Real));
     };
     const auto rows = static_cast<std::size_t>(lower_pattern.rows());
+    // While `new_size_` is empty, no order is kept, not even after an exception.
+    const FactorSize before = std::exchange(new_size_, {});
+    FactorSize new_size = before;
     std::optional<FrontPlan> new_plan;
-    if (options.keeps_order && may_repair(new_size_, rows)) {
+    if (options.keeps_order && may_repair(before, rows)) {
         repair(dissection_, graph, earlier_numbers(names_, nodes));
         new_plan = plan();
     }
-    if (!new_plan || is_too_large(size_of(*new_plan), new_size_)) {
+    if (!new_plan || is_too_large(size_of(*new_plan), before)) {
         dissection_ = dissect(graph, nodes, domain, options.dissection, threads);
         new_plan = plan();
-        new_size_ = new_plan ? size_of(*new_plan) : FactorSize{};
+        new_size = new_plan ? size_of(*new_plan) : FactorSize{};
     }
     names_.resize(nodes.size());
     std::ranges::transform(nodes, names_.begin(), &SolverNode::name);
+    new_size_ = new_size;
     if (!new_plan) {
         return LdltAnalysis::TooLarge;
     }

@@ -21,10 +21,12 @@ struct LdltOptions {
     std::size_t max_bytes = std::size_t{1} << 32U;
     // If true, the order of elimination of the last call of `analyze` is repaired
     // (dissection_repair.h) instead of computed anew. This is much faster if only a few nodes and
-    // edges of the graph of nodes have changed. The order is computed anew in any of these cases:
+    // edges of the graph of nodes have changed. Nodes of the last call are found by their names
+    // (earlier_numbers), which should differ from each other. The order is computed anew in any of
+    // these cases:
     // - `analyze` has not been called before, or its last call returned TooLarge.
-    // - The number of rows differs by more than a tenth from that of the matrix for which the order
-    //   was last computed anew.
+    // - The matrix has more than 1.1 times as many rows as the matrix for which the order was last
+    //   computed anew, or fewer than 1 / 1.1 times as many.
     // - With the repaired order, the memory would exceed `max_bytes`.
     // - With the repaired order, the factor would have more than 1.1 times as many entries per row
     //   as with the order that was last computed anew.

@@ -28,9 +28,9 @@ struct RunOutcome {
     // Distance between the states at the start and at the end of the last cycle before frame 1
     // (Simulation::closing_error); nullopt if no cycle was run.
     std::optional<double> closing_error;
-    // How often a step has relaxed the whole foam (Simulation::relaxations); 0 if the frames come
-    // from a cache.
-    int relaxations = 0;
+    // How often a step has relaxed the whole foam (Simulation::relaxations); nullopt if the frames
+    // come from a cache.
+    std::optional<int> relaxations{};
     // For each event, the number of bubbles that it should have chosen or created, but could not
     // (Timeline::missing_bubbles); empty if the frames come from a cache.
     std::vector<int> missing_bubbles{};

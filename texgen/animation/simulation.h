@@ -91,7 +91,7 @@ class Simulation {
     int number() const { return number_; }
 
     /// Returns how often a step has relaxed the whole foam (EquilibriumSummary::relaxations). The
-    /// relaxation before the first equilibrium is not counted.
+    /// relaxations during the first equilibration are not counted.
     int relaxations() const { return relaxations_; }
 
     /// Returns the effort of the last advance() and the errors of the frame that it reached.

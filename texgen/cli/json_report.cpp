@@ -31,7 +31,7 @@ Json json_report(const RunOutcome& outcome) {
     return {{"status", word_of(outcome.status)},
             {"failed_frame", complete ? Json(nullptr) : Json(outcome.failed_frame)},
             {"closing_error", number_or_null(outcome.closing_error)},
-            {"relaxations", outcome.relaxations}};
+            {"relaxations", outcome.relaxations ? Json(*outcome.relaxations) : Json(nullptr)}};
 }
 
 void print_json(const Json& object) {

@@ -24,7 +24,8 @@ Json json_report(bool is_complete = true);
 /// - `failed_frame`: the first frame that could not be simulated; null if the run is complete
 /// - `closing_error`: Simulation::closing_error, in mean bubble diameters; null if no cycle of a
 ///   loop was simulated, or if the error is infinite
-/// - `relaxations`: Simulation::relaxations; 0 if no step was difficult, or nothing was simulated
+/// - `relaxations`: Simulation::relaxations, the number of costly steps; null if nothing was
+///   simulated
 Json json_report(const RunOutcome& outcome);
 
 /// Prints an object on stdout as one line.

@@ -175,6 +175,18 @@ TEST(Step, KeepsTheLastEquilibriumIfNoneFollows) {
     EXPECT_TRUE(are_same(foam, before));
 }
 
+// A junction has crossed films, so the foam is relaxed first, in failed substeps, too.
+TEST(Step, CountsRelaxationsOfTheWholeFoam) {
+    Foam foam = equilibrated_foam(60, 2);
+    foam.positions[JunctionId(7)] += Vec2(1.5, 0.0);
+    Foam failing = foam;
+    EXPECT_EQ(step(foam, 0.1, {}).equilibrium.relaxations, 1);
+    StepOptions options;
+    options.equilibrium.max_rounds = 0;
+    options.max_halvings = 3;
+    EXPECT_EQ(step(failing, 0.1, options).equilibrium.relaxations, 4);
+}
+
 // A strain of 0.1 takes two substeps of 0.05 each. The second half of the push then starts at the
 // center to which the first half has moved it.
 TEST(Step, MovesTheCenterOfAPushFromSubstepToSubstep) {

@@ -55,9 +55,10 @@ void expect_equilibrium(const SeedingOptions& seeding, const TopologyThresholds&
 }
 
 // The rounding errors of positions are as large as in a huge foam. One bubble is small, because
-// they change the area of small bubbles most. If Newton's method missed its tolerance, the foam
-// would be relaxed.
-TEST(Equilibrate, AFoamWithLargeCoordinatesIsNotRelaxed) {
+// they change the area of small bubbles most. With the tolerance of a small foam, Newton's method
+// would stall, after 17 steps for the three seeds, and raise the precision of the factor in vain.
+TEST(Equilibrate, AFoamWithLargeCoordinatesHasALargerTolerance) {
+    int iterations = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         Foam foam = test::patch_foam(30, seed);
         foam.target_areas[BubbleId(1)] *= 0.02;
@@ -68,8 +69,10 @@ TEST(Equilibrate, AFoamWithLargeCoordinatesIsNotRelaxed) {
         foam.target_areas[BubbleId(2)] *= 1.01;
         const EquilibriumSummary summary = equilibrate(foam, {.relaxes_first = false});
         EXPECT_TRUE(summary.converged()) << "seed " << seed;
-        EXPECT_EQ(summary.sweeps, 0) << "seed " << seed;
+        EXPECT_EQ(summary.relaxations, 0) << "seed " << seed;
+        iterations += summary.iterations;
     }
+    EXPECT_LT(iterations, 15);
 }
 
 // One bubble has 2e-9 of its area in the seeded foam. Because of rounding errors of positions, the

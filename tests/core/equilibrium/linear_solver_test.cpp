@@ -2,14 +2,19 @@
 
 #include "core/equilibrium/linear_solver.h"
 
+#include "core/dynamics/collapse.h"
 #include "core/equilibrium/hessian.h"
 #include "core/foam/honeycomb.h"
+#include "core/foam/t1_rule.h"
 #include "tests/core/foams.h"
 #include "tests/support/sample_foams.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace foam {
@@ -44,6 +49,50 @@ TEST(LinearSolver, SolvesWithTheHessian) {
                       (precision == Precision::Double ? 1e-9 : 1e-2) * right.norm());
         }
     }
+}
+
+// Returns how many of the names occur among the names of the nodes of another foam.
+int common_names(const std::vector<SolverNode>& nodes, const std::vector<SolverNode>& others) {
+    std::set<std::uint64_t> names;
+    for (const SolverNode& other : others) {
+        names.insert(other.name);
+    }
+    return static_cast<int>(std::ranges::count_if(
+        nodes, [&](const SolverNode& node) { return names.contains(node.name); }));
+}
+
+std::size_t number_of_names(const std::vector<SolverNode>& nodes) {
+    std::set<std::uint64_t> names;
+    for (const SolverNode& node : nodes) {
+        names.insert(node.name);
+    }
+    return names.size();
+}
+
+std::vector<SolverNode> nodes_of(const Foam& foam) {
+    return solver_nodes(foam, all_unknowns(foam.network));
+}
+
+TEST(LinearSolver, NodesKeepTheirNamesWhenABubbleVanishes) {
+    for (Foam foam : {test::equilibrated_foam(100, 2), test::patch_foam(100, 2)}) {
+        const std::vector<SolverNode> before = nodes_of(foam);
+        EXPECT_EQ(common_names(before, before), static_cast<int>(before.size()));
+        TopologyCounts counts;
+        ASSERT_TRUE(collapse(foam, BubbleId{20}, counts));
+        compact(foam);
+        const std::vector<SolverNode> after = nodes_of(foam);
+        EXPECT_LT(after.size(), before.size());
+        // Each T1 renames two junctions, and the T2 one. No outer film is near.
+        EXPECT_GE(common_names(after, before), static_cast<int>(after.size()) - 2 * counts.t1 - 1);
+        EXPECT_EQ(number_of_names(after), after.size());
+    }
+}
+
+TEST(LinearSolver, AT1RenamesTwoJunctions) {
+    Foam foam = test::equilibrated_foam(100, 2);
+    const std::vector<SolverNode> before = nodes_of(foam);
+    flip_film(foam, FilmId{40});
+    EXPECT_EQ(common_names(nodes_of(foam), before), static_cast<int>(before.size()) - 2);
 }
 
 // Half of the positions are not numbers, so that the order of elimination must come from the graph

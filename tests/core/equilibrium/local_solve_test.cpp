@@ -98,14 +98,25 @@ TEST(LocalSolve, WorstRegionsAreThoseOfTheLargestErrors) {
     EXPECT_EQ(regions.front().size(), 37U);  // with three rings: 1 + 6 + 12 + 18
 }
 
-TEST(LocalSolve, DefectsAllOverTheFoamHaveNoWorstRegions) {
-    Foam foam = with_a_defect();
-    for (const BubbleId bubble : foam.network.bubbles()) {
-        if (index_of(bubble) % 3 == 0) {
-            foam.target_areas[bubble] = 0.5;
+// Returns 144 bubbles, of which `count` * `count` have an area error of 1. These are far from each
+// other.
+Foam with_defects(std::uint32_t count) {
+    Foam foam = honeycomb(12, 12);
+    for (std::uint32_t row = 0; row < count; ++row) {
+        for (std::uint32_t column = 0; column < count; ++column) {
+            foam.target_areas[BubbleId{12 / count * (12 * row + column)}] = 0.5;
         }
     }
-    EXPECT_TRUE(worst_regions(foam, 1).empty());
+    return foam;
+}
+
+TEST(LocalSolve, WorstRegionsHaveAtLeastOneRing) {
+    const std::vector<DefectRegion> regions = worst_regions(with_defects(2), 1);
+    ASSERT_EQ(regions.size(), 4U);  // with two rings, 4 x 19 of 144 bubbles would be more than 30 %
+    for (const DefectRegion& region : regions) {
+        EXPECT_EQ(region.size(), 7U);
+    }
+    EXPECT_TRUE(worst_regions(with_defects(3), 1).empty());  // 9 x 7 bubbles are more than 30 %
 }
 
 TEST(LocalSolve, RelaxesRegionsWithAllElseHeld) {

@@ -199,6 +199,29 @@ TEST(SparseLdlt, KeepsTheOrderAfterAFewT2s) {
     EXPECT_LT(static_cast<double>(solver.nonzeros()), 1.05 * static_cast<double>(with_new_order));
 }
 
+// All bubbles in one place vanish, so that parts of the dissection become empty.
+TEST(SparseLdlt, KeepsTheOrderWherePartsBecomeEmpty) {
+    Foam foam = relaxed_foam(800);
+    SparseLdlt<double> solver = factored(system_of(foam, 0.1));
+    TopologyCounts counts;
+    for (const BubbleId bubble : foam.network.bubbles().ids(foam.network.bubble_count())) {
+        const Vec2& place = foam.positions[foam.network.tail(foam.network.first(bubble))];
+        if ((place - Vec2(10.0, 10.0)).norm() < 4.0) {
+            ASSERT_TRUE(collapse(foam, bubble, counts));
+        }
+    }
+    ASSERT_GT(counts.t2, 40);
+    compact(foam);
+    const System smaller = system_of(foam, 0.1);
+    solver.analyze(smaller.matrix, smaller.nodes, smaller.domain, {.keeps_order = true});
+    EXPECT_NE(solver.nonzeros(), factored(smaller).nonzeros());
+    ASSERT_TRUE(solver.factor(smaller.matrix, 1));
+    expect_solves(solver, smaller);
+    const Eigen::VectorXd with_one_thread = solver.solve(smaller.right_hand_side, 1);
+    ASSERT_TRUE(solver.factor(smaller.matrix, 4));
+    EXPECT_EQ(solver.solve(smaller.right_hand_side, 4), with_one_thread);
+}
+
 TEST(SparseLdlt, DropsTheOrderIfATenthOfTheBubblesHasVanished) {
     Foam foam = relaxed_foam(800);
     SparseLdlt<double> solver = factored(system_of(foam, 0.1));

@@ -33,6 +33,7 @@ TEST(JsonReport, OfABakeListsTheFiles) {
     EXPECT_EQ(baked["kept"], 0);
     EXPECT_EQ(baked["manifest"], "out/manifest.json");
     EXPECT_LT(baked["closing_error"], 1e-9);
+    EXPECT_EQ(baked["relaxations"], 0);
     EXPECT_EQ(baked["files"], (Json{"out/sea_foam_lit.0001.png", "out/sea_foam_lit.0002.png"}));
     const Json resumed = object_of(run_program("bake " + small_foam() + "--resume --json", work));
     EXPECT_EQ(resumed["kept"], 2);
