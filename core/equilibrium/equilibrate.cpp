@@ -156,7 +156,6 @@ Progress initial_phase(Work& work) {
     reopen_collapsed_bubbles(work.foam);
     // In a tangled foam, Newton's method would request arbitrary T1s.
     if (untangle(work.foam) > 0 || work.options.relaxes_first) {
-        // No region is solved afterwards: relaxation leaves errors everywhere.
         relax_all(work, true, progress);
     } else {
         solve_regions(work, kFirstDefects, progress);
