@@ -146,9 +146,7 @@ EquilibriumSummary substep(Foam& foam,
 // substep.
 void add(StepSummary& sum, const EquilibriumSummary& substep_summary) {
     EquilibriumSummary total = substep_summary;
-    total.relaxations += sum.equilibrium.relaxations;
-    total.sweeps += sum.equilibrium.sweeps;
-    total.iterations += sum.equilibrium.iterations;
+    total.add_work(sum.equilibrium);
     total.t1 += sum.equilibrium.t1;
     total.t2 += sum.equilibrium.t2;
     sum.equilibrium = total;

@@ -96,9 +96,9 @@ void count_t1(int t1, Progress& progress) {
 }
 
 // Returns the number of sweeps of the first pass of the next relaxation of the whole foam, and
-// counts this relaxation in `progress`. The number cycles through `sweeps`, a quarter, a sixteenth
-// and a sixty-fourth of `sweeps`, but is at least one, so that Newton's method does not stall again
-// in the same state.
+// counts this relaxation in `progress`. The number is in turn `sweeps`, a quarter, a sixteenth and
+// a sixty-fourth of it, but at least one. It varies because Newton's method might otherwise stall
+// in the same state again.
 int next_sweeps(int sweeps, Progress& progress) {
     const int quarterings = progress.summary.relaxations++ % 4;
     return std::max(1, sweeps >> (2 * quarterings));

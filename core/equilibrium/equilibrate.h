@@ -31,6 +31,13 @@ struct EquilibriumSummary {
     double energy = 0.0;  // film tension times the total length of all films (energy, measure.h)
 
     bool converged() const { return status == EquilibriumStatus::Converged; }
+
+    /// Adds the relaxations, sweeps and iterations of an earlier summary.
+    void add_work(const EquilibriumSummary& earlier) {
+        relaxations += earlier.relaxations;
+        sweeps += earlier.sweeps;
+        iterations += earlier.iterations;
+    }
 };
 
 /// Brings the foam to mechanical equilibrium (E2) at its target areas by relaxation (E4) and

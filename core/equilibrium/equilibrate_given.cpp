@@ -148,8 +148,7 @@ EquilibriumSummary equilibrate_given(Foam& foam,
         options.on_round = on_round;
         Foam trial = given;
         EquilibriumSummary attempt = equilibrate(trial, options);
-        attempt.iterations += summary.iterations;
-        attempt.sweeps += summary.sweeps;
+        attempt.add_work(summary);
         summary = attempt;
         if (summary.converged()) {
             if (options.thresholds.t1_distance == 0.0) {

@@ -52,7 +52,7 @@ std::uint64_t name_of(std::span<const std::uint64_t> numbers) {
     return name;
 }
 
-// The name of a junction is that of the three bubbles around it. It therefore changes at a T1.
+// Returns a hash of the three bubbles around a junction, which changes at a T1.
 std::uint64_t name_of(const Foam& foam, JunctionId junction) {
     std::array<std::uint64_t, 3> identities{};
     std::size_t k = 0;
@@ -67,7 +67,8 @@ std::uint64_t name_of(const Foam& foam, BubbleId bubble) {
     return name_of(std::array{std::uint64_t{foam.identities[bubble]}});
 }
 
-// A bubble may have several outer films, which differ in their ends.
+// Returns a hash of the bubble inside an outer film and of the ends of the film, since a bubble may
+// have several outer films.
 std::uint64_t outer_film_name(const Foam& foam, FilmId film) {
     HalfEdgeId h = forward_side(film);
     if (foam.network.left(h) == foam.network.ghost()) {

@@ -3,11 +3,11 @@
 #include "core/sparse/dissection_repair.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <unordered_map>
 #include <vector>
 
 namespace foam {
@@ -111,35 +111,6 @@ void sort_by_part(const std::vector<std::size_t>& part_of, Dissection& dissectio
     }
 }
 
-// A hash table with linear probing of the names of nodes. Of several nodes with the same name, it
-// contains the first.
-class NameTable {
-  public:
-    explicit NameTable(std::span<const std::uint64_t> names)
-        : names_(names), numbers_(std::bit_ceil(2 * names.size() + 1), kNoNumber) {
-        for (std::uint32_t number = 0; number < names.size(); ++number) {
-            std::uint32_t& slot = numbers_[slot_of(names[number])];
-            slot = std::min(slot, number);
-        }
-    }
-
-    // Returns the number of the node with this name, or kNoNumber.
-    std::uint32_t operator[](std::uint64_t name) const { return numbers_[slot_of(name)]; }
-
-  private:
-    // Returns the slot of the name, or the free slot where it would be inserted.
-    std::size_t slot_of(std::uint64_t name) const {
-        std::size_t slot = name & (numbers_.size() - 1);
-        while (numbers_[slot] != kNoNumber && names_[numbers_[slot]] != name) {
-            slot = (slot + 1) & (numbers_.size() - 1);
-        }
-        return slot;
-    }
-
-    std::span<const std::uint64_t> names_;
-    std::vector<std::uint32_t> numbers_;
-};
-
 }  // namespace
 
 std::vector<std::uint32_t> earlier_numbers(std::span<const std::uint64_t> earlier_names,
@@ -149,9 +120,15 @@ std::vector<std::uint32_t> earlier_numbers(std::span<const std::uint64_t> earlie
         std::iota(numbers.begin(), numbers.end(), 0U);
         return numbers;
     }
-    const NameTable table(earlier_names);
-    std::ranges::transform(
-        nodes, numbers.begin(), [&](const SolverNode& node) { return table[node.name]; });
+    std::unordered_map<std::uint64_t, std::uint32_t> earlier;
+    earlier.reserve(earlier_names.size());
+    for (std::uint32_t number = 0; number < earlier_names.size(); ++number) {
+        earlier.try_emplace(earlier_names[number], number);  // keeps the first of equal names
+    }
+    std::ranges::transform(nodes, numbers.begin(), [&](const SolverNode& node) {
+        const auto found = earlier.find(node.name);
+        return found == earlier.end() ? kNoNumber : found->second;
+    });
     return numbers;
 }
 

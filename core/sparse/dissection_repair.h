@@ -20,11 +20,11 @@ std::vector<std::uint32_t> earlier_numbers(std::span<const std::uint64_t> earlie
                                            std::span<const SolverNode> nodes);
 
 /// Adapts a dissection of one graph to another graph that differs from it in a few nodes and edges.
-/// `earlier` is the result of earlier_numbers for the nodes of `graph`. A node keeps its part; a
-/// new node joins a part of its neighbors. Where an edge joins the two sides of a separator, one
-/// node of this edge is moved into the separator. The nodes of each part are in descending order
-/// again. A repair is much faster than a new dissection, but the separators grow, and parts may
-/// become empty.
+/// `earlier` is the result of earlier_numbers for the nodes of `graph`. At first, a node keeps
+/// its part, and a new node joins a part of its neighbors. Where an edge joins the two sides of a
+/// separator, one node of this edge is moved into the separator. The nodes of each part are in
+/// descending order again. A repair is much faster than a new dissection, but the separators grow,
+/// and parts may become empty.
 void repair(Dissection& dissection, const NodeGraph& graph, std::span<const std::uint32_t> earlier);
 
 }  // namespace foam

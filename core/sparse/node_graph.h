@@ -20,8 +20,8 @@ namespace foam {
 struct SolverNode {
     Vec2 position;
     int rows = 1;  // number of rows
-    // Nodes of two matrices with the same name represent the same unknowns. Names are only used to
-    // keep the order of elimination (LdltOptions::keeps_order).
+    // If two matrices have nodes with the same name, these nodes represent the same unknowns. Names
+    // are only used to keep the order of elimination (LdltOptions::keeps_order).
     std::uint64_t name = 0;
 };
 

@@ -224,9 +224,7 @@ bool Simulation::step_cycle(int position) {
 bool Simulation::add_step(const StepSummary& step) {
     const EquilibriumSummary before = equilibrium_;
     equilibrium_ = step.equilibrium;
-    equilibrium_.relaxations += before.relaxations;
-    equilibrium_.sweeps += before.sweeps;
-    equilibrium_.iterations += before.iterations;
+    equilibrium_.add_work(before);
     equilibrium_.t1 += before.t1;
     equilibrium_.t2 += before.t2;
     relaxations_ += step.equilibrium.relaxations;

@@ -24,8 +24,8 @@ Json json_report(bool is_complete = true);
 /// - `failed_frame`: the first frame that could not be simulated; null if the run is complete
 /// - `closing_error`: Simulation::closing_error, in mean bubble diameters; null if no cycle of a
 ///   loop was simulated, or if the error is infinite
-/// - `relaxations`: Simulation::relaxations, the number of costly steps; null if nothing was
-///   simulated
+/// - `relaxations`: Simulation::relaxations, how often a step had to relax the whole foam; null if
+///   nothing was simulated
 Json json_report(const RunOutcome& outcome);
 
 /// Prints an object on stdout as one line.

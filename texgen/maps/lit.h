@@ -29,9 +29,9 @@ struct LitOptions {
     // Films, the shade beside films, and the walls of a maze emit this fraction of their color as
     // light (glow_fractions).
     double glow = 0.0;
-    // Where the light varies strongly (at creases, in small highlights and at the borders of
-    // reflected windows), a pixel shows the mean over several of its points. This is the number of
-    // these points in each direction. Elsewhere a pixel shows the light at its center.
+    // The number of points in each direction over which a pixel shows the mean light, if the light
+    // varies strongly there: at creases, in small highlights and at the borders of reflected
+    // windows. Any other pixel shows the light at its center.
     int samples = 3;
 };
 

@@ -62,8 +62,8 @@ constexpr int channel_count(const MapTraits& traits) {
 /// A map: its traits, and the functions that depend on options. Each function gets the options of
 /// all maps and uses those that it needs.
 struct Map : MapTraits {
-    // Draws the map of the frame that `layers` contains. Pixels without opacity may have
-    // any color. Call the function `draw` of cross_fade.h instead, which replaces these colors.
+    // Draws the map of the frame that `layers` contains. Pixels without opacity may have any
+    // color. Call the function `draw` of cross_fade.h instead, which replaces these colors.
     MapImage (*draw)(FrameLayers& layers, const MapOptions& options) = nullptr;
     // Returns a text for the metadata of the map's files. The pointer is null if the map has no
     // such text.

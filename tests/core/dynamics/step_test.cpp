@@ -175,7 +175,8 @@ TEST(Step, KeepsTheLastEquilibriumIfNoneFollows) {
     EXPECT_TRUE(are_same(foam, before));
 }
 
-// A junction has crossed films, so the foam is relaxed first, in failed substeps, too.
+// One junction is moved across films, so that every substep begins with a relaxation of the whole
+// foam. Those of failed substeps count, too.
 TEST(Step, CountsRelaxationsOfTheWholeFoam) {
     Foam foam = equilibrated_foam(60, 2);
     foam.positions[JunctionId(7)] += Vec2(1.5, 0.0);

@@ -51,22 +51,19 @@ TEST(LinearSolver, SolvesWithTheHessian) {
     }
 }
 
-// Returns how many of the names occur among the names of the nodes of another foam.
-int common_names(const std::vector<SolverNode>& nodes, const std::vector<SolverNode>& others) {
-    std::set<std::uint64_t> names;
-    for (const SolverNode& other : others) {
-        names.insert(other.name);
-    }
-    return static_cast<int>(std::ranges::count_if(
-        nodes, [&](const SolverNode& node) { return names.contains(node.name); }));
-}
-
-std::size_t number_of_names(const std::vector<SolverNode>& nodes) {
+std::set<std::uint64_t> names_of(const std::vector<SolverNode>& nodes) {
     std::set<std::uint64_t> names;
     for (const SolverNode& node : nodes) {
         names.insert(node.name);
     }
-    return names.size();
+    return names;
+}
+
+// Returns how many of the nodes have the name of one of the others.
+int common_names(const std::vector<SolverNode>& nodes, const std::vector<SolverNode>& others) {
+    const std::set<std::uint64_t> names = names_of(others);
+    return static_cast<int>(std::ranges::count_if(
+        nodes, [&](const SolverNode& node) { return names.contains(node.name); }));
 }
 
 std::vector<SolverNode> nodes_of(const Foam& foam) {
@@ -76,7 +73,7 @@ std::vector<SolverNode> nodes_of(const Foam& foam) {
 TEST(LinearSolver, NodesKeepTheirNamesWhenABubbleVanishes) {
     for (Foam foam : {test::equilibrated_foam(100, 2), test::patch_foam(100, 2)}) {
         const std::vector<SolverNode> before = nodes_of(foam);
-        EXPECT_EQ(common_names(before, before), static_cast<int>(before.size()));
+        EXPECT_EQ(names_of(before).size(), before.size());
         TopologyCounts counts;
         ASSERT_TRUE(collapse(foam, BubbleId{20}, counts));
         compact(foam);
@@ -84,7 +81,7 @@ TEST(LinearSolver, NodesKeepTheirNamesWhenABubbleVanishes) {
         EXPECT_LT(after.size(), before.size());
         // Each T1 renames two junctions, and the T2 one. No outer film is near.
         EXPECT_GE(common_names(after, before), static_cast<int>(after.size()) - 2 * counts.t1 - 1);
-        EXPECT_EQ(number_of_names(after), after.size());
+        EXPECT_EQ(names_of(after).size(), after.size());
     }
 }
 

@@ -167,7 +167,7 @@ TEST(DissectionRepair, FindsEarlierNodesByName) {
     nodes[0].name = 30;
     nodes[1].name = 99;
     nodes[2].name = 10;
-    nodes[3].name = 30 + 16;  // the slot of 30 in a table of 16 slots
+    nodes[3].name = 30 + 16;
     EXPECT_EQ(earlier_numbers(std::vector<std::uint64_t>{10, 20, 30, 30 + 16, 30}, nodes),
               (std::vector<std::uint32_t>{2, kNoNumber, 0, 3}));
 }
