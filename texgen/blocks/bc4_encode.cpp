@@ -28,7 +28,7 @@ constexpr float kMaxTexel = 255.0F;
 
 // The values of one channel of several blocks.
 template <class Simd>
-using Values = Array<typename Simd::Floats, kBlockTexels>;
+using Values = KernelArray<typename Simd::Floats, kBlockTexels>;
 
 // The endpoints of several blocks, and the sums of the squared errors.
 template <class Simd>
@@ -127,7 +127,7 @@ FOAM_INLINE ChannelFit<Simd> fitted(const Values<Simd>& texels,
                                     const typename Simd::Floats& low,
                                     const typename Simd::Floats& high) {
     using Floats = typename Simd::Floats;
-    constexpr Array<std::pair<int, int>, 6> kMoves = {
+    constexpr KernelArray<std::pair<int, int>, 6> kMoves = {
         {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}}};
     ChannelFit<Simd> best;
     ChannelFit<Simd> trial;
@@ -162,7 +162,7 @@ struct StoredChannels {
         }
     }
 
-    Array<Ints, 4> fields;  // the first and the second endpoint, the indices of both halves
+    KernelArray<Ints, 4> fields;  // the first and the second endpoint, the indices of both halves
 };
 
 template <class Simd, int kSteps>
@@ -218,7 +218,7 @@ FOAM_INLINE StoredChannels<Simd> compressed(const Values<Simd>& texels) {
 // one is repeated.
 template <class Simd>
 FOAM_INLINE Values<Simd> channel_of(std::span<const TexelBlock> texels, std::size_t channel) {
-    Array<Array<float, Simd::kCount>, kBlockTexels> numbers;
+    KernelArray<KernelArray<float, Simd::kCount>, kBlockTexels> numbers;
     for (std::size_t lane = 0; lane < Simd::kCount; ++lane) {
         const TexelBlock& block = texels[std::min(lane, texels.size() - 1)];
         for (std::size_t k = 0; k < kBlockTexels; ++k) {
@@ -237,7 +237,7 @@ template <class Simd, std::size_t kBytes>
 FOAM_INLINE void store(const StoredChannels<Simd>& channels,
                        std::size_t offset,
                        std::span<std::array<std::uint8_t, kBytes>> blocks) {
-    Array<Array<std::int32_t, Simd::kCount>, 4> fields;
+    KernelArray<KernelArray<std::int32_t, Simd::kCount>, 4> fields;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         channels.fields[k].store(fields[k].data());
     }

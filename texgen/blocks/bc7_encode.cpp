@@ -54,7 +54,7 @@ constexpr std::size_t kMoreTried3 = 4;
 
 // Two endpoints for every value of 8 bits. The endpoints are codes of 7 bits, expanded to 8 bits.
 // Interpolation between them with the weight 21 / 64 gives the value.
-using ExactEnds = Array<Array<int, 2>, 256>;
+using ExactEnds = KernelArray<KernelArray<int, 2>, 256>;
 
 constexpr ExactEnds make_exact_ends() {
     ExactEnds ends{};
@@ -91,12 +91,12 @@ bool is_opaque(const TexelBlock& texels) {
     return std::ranges::all_of(texels, [](const auto& texel) { return texel[3] == 255; });
 }
 
-constexpr Array<std::size_t, 3> kRgb = {0, 1, 2};
-constexpr Array<std::size_t, 4> kRgba = {0, 1, 2, 3};
+constexpr KernelArray<std::size_t, 3> kRgb = {0, 1, 2};
+constexpr KernelArray<std::size_t, 4> kRgba = {0, 1, 2, 3};
 
 // Tries mode 6.
 template <class Format, std::size_t kChannels, class Simd>
-FOAM_INLINE void try_line(Group<Simd> group, const Array<std::size_t, kChannels>& channels) {
+FOAM_INLINE void try_line(Group<Simd> group, const KernelArray<std::size_t, kChannels>& channels) {
     const auto fit = fit_line<Format, Simd>(group.colors(channels));
     const StoredFit<Simd, Format> stored(fit);
     group.offer(fit.error, [&](std::size_t lane) { return stored.fields(6, lane); });

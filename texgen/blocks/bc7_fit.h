@@ -44,8 +44,8 @@ struct Fit {
     }
 
     Ints partition;
-    Array<LineOf<Simd, kChannels>, Format::kSubsets> ends;
-    Array<Ints, kBlockTexels> indices;
+    KernelArray<LineOf<Simd, kChannels>, Format::kSubsets> ends;
+    KernelArray<Ints, kBlockTexels> indices;
     Floats error = 1e30F;
 };
 
@@ -78,7 +78,7 @@ class Fitter {
     static constexpr std::size_t kChannels = Format::kChannels;
     using Colors = ColorLanes<Simd, kChannels>;
     using Result = Fit<Simd, Format>;
-    using Lines = Array<LineOf<Simd, kChannels>, kSubsets>;
+    using Lines = KernelArray<LineOf<Simd, kChannels>, kSubsets>;
 
     /// Starts with the principal axes of the subsets. The colors and the membership must outlive
     /// the object.
@@ -145,12 +145,14 @@ class Fitter {
     // Numbers that two computations need: the position of a texel along the line of its subset, and
     // the color that the index of the texel selects.
     struct Positions {
-        Array<Array<Floats, kSubsets>, kChannels> origins;  // first endpoint plus 1/2, for rounding
-        Array<Array<Floats, kSubsets>, kChannels> strides;  // change of color per 1/64 of weight
+        KernelArray<KernelArray<Floats, kSubsets>, kChannels>
+            origins;  // first endpoint plus 1/2, for rounding
+        KernelArray<KernelArray<Floats, kSubsets>, kChannels>
+            strides;  // change of color per 1/64 of weight
         // The position of a texel is scales[s] times the dot product of its color and the strides,
         // plus offsets[s]. The index of the texel is the integer part of the clamped position.
-        Array<Floats, kSubsets> scales;
-        Array<Floats, kSubsets> offsets;
+        KernelArray<Floats, kSubsets> scales;
+        KernelArray<Floats, kSubsets> offsets;
     };
 
     FOAM_INLINE static Positions positions_of(const Result& fit) {
@@ -180,10 +182,10 @@ class Fitter {
         const Positions positions = positions_of(fit);
         SubsetSum<Simd, kSubsets> weights;
         SubsetSum<Simd, kSubsets> squares;
-        Array<SubsetSum<Simd, kSubsets>, kChannels> products;
+        KernelArray<SubsetSum<Simd, kSubsets>, kChannels> products;
         fit.error = Floats();
         for (std::size_t k = 0; k < kBlockTexels; ++k) {
-            Array<Floats, kChannels> stride;
+            KernelArray<Floats, kChannels> stride;
             Floats along;
             for (std::size_t c = 0; c < kChannels; ++c) {
                 stride[c] = membership_.select(positions.strides[c], k);
@@ -226,11 +228,11 @@ class Fitter {
     const Colors& colors_;
     const Membership<Simd, kSubsets>& membership_;
     Ints partition_;
-    Array<Floats, kSubsets> counts_;                  // numbers of texels
-    Array<ColorOf<Simd, kChannels>, kSubsets> sums_;  // sums of colors
-    Lines axes_;                                      // the principal axes
+    KernelArray<Floats, kSubsets> counts_;                  // numbers of texels
+    KernelArray<ColorOf<Simd, kChannels>, kSubsets> sums_;  // sums of colors
+    Lines axes_;                                            // the principal axes
     Lines lines_;
-    Array<SquaredError<Simd, kChannels>, kSubsets> errors_;
+    KernelArray<SquaredError<Simd, kChannels>, kSubsets> errors_;
 };
 
 inline constexpr int kImprovements = 2;  // number of rounds of Fitter::refine

@@ -36,8 +36,10 @@ class Group {
     /// Returns the given channels of the blocks.
     template <std::size_t kChannels>
     FOAM_INLINE ColorLanes<Simd, kChannels> colors(
-        const Array<std::size_t, kChannels>& channels) const {
-        alignas(64) Array<Array<Array<float, Simd::kCount>, kChannels>, kBlockTexels> values;
+        const KernelArray<std::size_t, kChannels>& channels) const {
+        alignas(64)
+            KernelArray<KernelArray<KernelArray<float, Simd::kCount>, kChannels>, kBlockTexels>
+                values;
         for (std::size_t lane = 0; lane < Simd::kCount; ++lane) {
             const TexelBlock& block = work_.texels[numbers_[std::min(lane, numbers_.size() - 1)]];
             for (std::size_t k = 0; k < kBlockTexels; ++k) {
@@ -59,7 +61,7 @@ class Group {
     /// its best result so far. `fields(lane)` returns the fields of the new result.
     template <class Fields>
     FOAM_INLINE void offer(const Floats& errors, const Fields& fields) {
-        Array<float, Simd::kCount> found;
+        KernelArray<float, Simd::kCount> found;
         errors.store(found.data());
         for (std::size_t lane = 0; lane < numbers_.size(); ++lane) {
             const std::uint32_t number = numbers_[lane];
@@ -122,10 +124,10 @@ struct StoredFit {
         return fields;
     }
 
-    using PerLane = Array<std::int32_t, Simd::kCount>;
+    using PerLane = KernelArray<std::int32_t, Simd::kCount>;
     PerLane partitions;
-    Array<Array<Array<PerLane, Format::kChannels>, 2>, Format::kSubsets> ends;
-    Array<PerLane, kBlockTexels> indices;
+    KernelArray<KernelArray<KernelArray<PerLane, Format::kChannels>, 2>, Format::kSubsets> ends;
+    KernelArray<PerLane, kBlockTexels> indices;
 };
 
 }  // namespace foam::texgen::bc7

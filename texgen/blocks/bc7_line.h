@@ -16,15 +16,15 @@ namespace foam::texgen::bc7 {
 /// The channels of one color, or of one difference of colors, for each of several blocks. The
 /// channels of a color are numbers from 0 to 255.
 template <class Simd, std::size_t kChannels>
-using ColorOf = Array<typename Simd::Floats, kChannels>;
+using ColorOf = KernelArray<typename Simd::Floats, kChannels>;
 
 /// The colors of the texels of several blocks.
 template <class Simd, std::size_t kChannels>
-using ColorLanes = Array<ColorOf<Simd, kChannels>, kBlockTexels>;
+using ColorLanes = KernelArray<ColorOf<Simd, kChannels>, kBlockTexels>;
 
 /// The two ends of one line of colors for each of several blocks.
 template <class Simd, std::size_t kChannels>
-using LineOf = Array<ColorOf<Simd, kChannels>, 2>;
+using LineOf = KernelArray<ColorOf<Simd, kChannels>, 2>;
 
 /// Returns the differences of all colors from the color of texel 0.
 template <class Simd, std::size_t kChannels>
@@ -46,7 +46,7 @@ struct Membership {
 
     /// Returns the element of `values` for the subset to which a texel belongs.
     template <class Value>
-    FOAM_INLINE Value select(const Array<Value, kSubsets>& values, std::size_t texel) const {
+    FOAM_INLINE Value select(const KernelArray<Value, kSubsets>& values, std::size_t texel) const {
         Value value = values[0];
         for (std::size_t s = 1; s < kSubsets; ++s) {
             value = Simd::select(masks[s][texel], values[s], value);
@@ -56,7 +56,7 @@ struct Membership {
 
     /// masks[s][k] is -1 for the blocks in which texel k belongs to subset s, and 0 for the other
     /// blocks. Not used if there is only one subset.
-    Array<Array<Ints, kBlockTexels>, kSubsets> masks;
+    KernelArray<KernelArray<Ints, kBlockTexels>, kSubsets> masks;
 };
 
 /// Adds up values of texels for each subset. The values are integers, so that the sum of the first
@@ -82,7 +82,7 @@ struct SubsetSum {
         }
     }
 
-    Array<Floats, kSubsets> sums;
+    KernelArray<Floats, kSubsets> sums;
 };
 
 /// Returns the number of pairs (c, d) of channels with c <= d.
@@ -120,7 +120,7 @@ struct ColorSums {
 
     Floats count;
     ColorOf<Simd, kChannels> colors;
-    Array<Floats, pairs_of(kChannels)> products;
+    KernelArray<Floats, pairs_of(kChannels)> products;
 };
 
 /// Returns the sums of a subset that contains only one texel, given its color.
@@ -141,7 +141,7 @@ FOAM_INLINE ColorSums<Simd, kChannels> sums_of(const ColorOf<Simd, kChannels>& c
 /// The scatter matrix of the colors of a subset: the products of their differences from the mean,
 /// summed over the texels.
 template <class Simd, std::size_t kChannels>
-using Scatter = Array<ColorOf<Simd, kChannels>, kChannels>;
+using Scatter = KernelArray<ColorOf<Simd, kChannels>, kChannels>;
 
 template <class Simd, std::size_t kChannels>
 FOAM_INLINE Scatter<Simd, kChannels> scatter_of(const ColorSums<Simd, kChannels>& sums,
@@ -191,13 +191,13 @@ FOAM_INLINE ColorOf<Simd, kChannels> principal_axis(const Scatter<Simd, kChannel
 
 /// Returns the sums over the colors of each subset.
 template <class Simd, std::size_t kSubsets, std::size_t kChannels>
-FOAM_INLINE Array<ColorSums<Simd, kChannels>, kSubsets> subset_sums(
+FOAM_INLINE KernelArray<ColorSums<Simd, kChannels>, kSubsets> subset_sums(
     const ColorLanes<Simd, kChannels>& relative_colors,
     const Membership<Simd, kSubsets>& membership) {
     using Floats = typename Simd::Floats;
     SubsetSum<Simd, kSubsets> count;
-    Array<SubsetSum<Simd, kSubsets>, kChannels> colors;
-    Array<SubsetSum<Simd, kSubsets>, pairs_of(kChannels)> products;
+    KernelArray<SubsetSum<Simd, kSubsets>, kChannels> colors;
+    KernelArray<SubsetSum<Simd, kSubsets>, pairs_of(kChannels)> products;
     for (std::size_t k = 0; k < kBlockTexels; ++k) {
         const auto terms = sums_of<Simd, kChannels>(relative_colors[k]);
         count.add(terms.count, membership, k);
@@ -209,7 +209,7 @@ FOAM_INLINE Array<ColorSums<Simd, kChannels>, kSubsets> subset_sums(
         }
     }
     count.finish();
-    Array<ColorSums<Simd, kChannels>, kSubsets> sums;
+    KernelArray<ColorSums<Simd, kChannels>, kSubsets> sums;
     for (std::size_t c = 0; c < kChannels; ++c) {
         colors[c].finish();
     }
@@ -231,15 +231,15 @@ FOAM_INLINE Array<ColorSums<Simd, kChannels>, kSubsets> subset_sums(
 /// Returns a line for each subset: the shortest part of its principal axis that contains the
 /// projections of all its colors. Lines are relative to the color of texel 0.
 template <class Simd, std::size_t kSubsets, std::size_t kChannels>
-FOAM_INLINE Array<LineOf<Simd, kChannels>, kSubsets> principal_lines(
+FOAM_INLINE KernelArray<LineOf<Simd, kChannels>, kSubsets> principal_lines(
     const ColorLanes<Simd, kChannels>& relative_colors,
-    const Array<ColorSums<Simd, kChannels>, kSubsets>& sums,
+    const KernelArray<ColorSums<Simd, kChannels>, kSubsets>& sums,
     const Membership<Simd, kSubsets>& membership) {
     using Floats = typename Simd::Floats;
-    Array<ColorOf<Simd, kChannels>, kSubsets> means;
-    Array<Array<Floats, kSubsets>, kChannels> axes;
-    Array<Floats, kSubsets> centers;  // the positions of the means along the axes
-    Array<Floats, kSubsets> squares;
+    KernelArray<ColorOf<Simd, kChannels>, kSubsets> means;
+    KernelArray<KernelArray<Floats, kSubsets>, kChannels> axes;
+    KernelArray<Floats, kSubsets> centers;  // the positions of the means along the axes
+    KernelArray<Floats, kSubsets> squares;
     for (std::size_t s = 0; s < kSubsets; ++s) {
         const Floats share = Floats(1.0F) / sums[s].count;
         for (std::size_t c = 0; c < kChannels; ++c) {
@@ -254,8 +254,8 @@ FOAM_INLINE Array<LineOf<Simd, kChannels>, kSubsets> principal_lines(
             centers[s] += axis[c] * means[s][c];
         }
     }
-    Array<Floats, kSubsets> low;
-    Array<Floats, kSubsets> high;
+    KernelArray<Floats, kSubsets> low;
+    KernelArray<Floats, kSubsets> high;
     for (std::size_t k = 0; k < kBlockTexels; ++k) {
         Floats along = Floats() - membership.select(centers, k);
         for (std::size_t c = 0; c < kChannels; ++c) {
@@ -270,7 +270,7 @@ FOAM_INLINE Array<LineOf<Simd, kChannels>, kSubsets> principal_lines(
             high[s] = Simd::larger(high[s], position);
         }
     }
-    Array<LineOf<Simd, kChannels>, kSubsets> lines;
+    KernelArray<LineOf<Simd, kChannels>, kSubsets> lines;
     for (std::size_t s = 0; s < kSubsets; ++s) {
         const Floats to_low = low[s] / squares[s];
         const Floats to_high = high[s] / squares[s];

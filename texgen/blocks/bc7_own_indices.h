@@ -90,7 +90,7 @@ FOAM_INLINE void try_own_indices(Group<Simd>& group, const ColorLanes<Simd, kCha
     const auto alpha = fit_line<typename Own::Alpha, Simd>(own_values);
     const StoredFit<Simd, typename Own::Colors> stored_color(color);
     const StoredFit<Simd, typename Own::Alpha> stored_alpha(alpha);
-    Array<std::int32_t, Simd::kCount> channels;
+    KernelArray<std::int32_t, Simd::kCount> channels;
     own.store(channels.data());
     group.offer(color.error + alpha.error, [&](std::size_t lane) {
         BlockFields fields = stored_color.fields(Own::kMode, lane);

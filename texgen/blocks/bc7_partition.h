@@ -84,13 +84,13 @@ struct BestPartitions {
     }
 
     std::size_t count;
-    Array<Floats, kMaxCount> errors;  // estimates
-    Array<Ints, kMaxCount> partitions;
+    KernelArray<Floats, kMaxCount> errors;  // estimates
+    KernelArray<Ints, kMaxCount> partitions;
 };
 
 /// For each texel, the sums of a subset that contains only this texel.
 template <class Simd, std::size_t kChannels>
-using TexelSums = Array<ColorSums<Simd, kChannels>, kBlockTexels>;
+using TexelSums = KernelArray<ColorSums<Simd, kChannels>, kBlockTexels>;
 
 /// Adds up the terms of the texels of a subset. Bit k of the mask is set if texel k is a member.
 template <class Simd, std::size_t kChannels>
@@ -115,7 +115,7 @@ constexpr std::uint16_t mask_of(int subsets, int partition, int subset) {
 /// All subsets except the first of every partition into kSubsets subsets, as bits (mask_of).
 template <std::size_t kSubsets>
 inline constexpr auto kSubsetMasks = [] {
-    Array<Array<std::uint16_t, kSubsets - 1>, kPartitions> masks{};
+    KernelArray<KernelArray<std::uint16_t, kSubsets - 1>, kPartitions> masks{};
     for (int partition = 0; partition < kPartitions; ++partition) {
         for (int s = 1; s < static_cast<int>(kSubsets); ++s) {
             masks[static_cast<std::size_t>(partition)][static_cast<std::size_t>(s) - 1] =
@@ -155,7 +155,7 @@ FOAM_INLINE Membership<Simd, kSubsets> membership_of(const typename Simd::Ints& 
     using Ints = typename Simd::Ints;
     Membership<Simd, kSubsets> membership;
     if constexpr (kSubsets > 1) {
-        Array<std::int32_t, Simd::kCount> bits;
+        KernelArray<std::int32_t, Simd::kCount> bits;
         partitions.store(bits.data());
         for (std::int32_t& number : bits) {
             const auto partition = static_cast<std::size_t>(number);

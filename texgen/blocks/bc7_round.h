@@ -81,12 +81,12 @@ template <class Format, class Simd>
 FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
                                                 const LineOf<Simd, Format::kChannels>& line,
                                                 const SquaredError<Simd, Format::kChannels>& error,
-                                                const Array<typename Simd::Ints, 2>& lowest,
+                                                const KernelArray<typename Simd::Ints, 2>& lowest,
                                                 LineOf<Simd, Format::kChannels>& rounded) {
     using Floats = typename Simd::Floats;
     using Ints = typename Simd::Ints;
-    Array<Array<Floats, 2>, 2> values;
-    Array<Array<Floats, 2>, 2> differences;
+    KernelArray<KernelArray<Floats, 2>, 2> values;
+    KernelArray<KernelArray<Floats, 2>, 2> differences;
     for (std::size_t end = 0; end < 2; ++end) {
         // The last argument of code_of ensures that `below` + 1 is a valid code. The two codes are
         // `below` and `below` + 1; the code that is nearer to the unrounded code is first.
@@ -94,7 +94,7 @@ FOAM_INLINE typename Simd::Floats round_channel(std::size_t c,
             code_of<Format, Simd>(line[end][c], lowest[end], Format::kMaxCode - 0.5F);
         const Ints below = Simd::whole(code);
         const Ints nearest = Simd::whole(code + Floats(0.5F));
-        const Array<Ints, 2> codes = {nearest, below + below + Ints(1) - nearest};
+        const KernelArray<Ints, 2> codes = {nearest, below + below + Ints(1) - nearest};
         for (std::size_t k = 0; k < 2; ++k) {
             values[end][k] = value_of<Format, Simd>(codes[k], lowest[end]);
             differences[end][k] = values[end][k] - line[end][c];
@@ -130,7 +130,7 @@ FOAM_INLINE void round_ends(const LineOf<Simd, Format::kChannels>& line,
     Floats smallest = 1e30F;
 #pragma GCC unroll 1
     for (int bits = kFirst; bits <= kLast; bits += kStride) {
-        const Array<Ints, 2> lowest = {Ints(bits & 1), Ints(bits >> 1)};
+        const KernelArray<Ints, 2> lowest = {Ints(bits & 1), Ints(bits >> 1)};
         LineOf<Simd, Format::kChannels> trial;
         Floats found;
         for (std::size_t c = 0; c < Format::kChannels; ++c) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "core/parallel/kernel_array.h"
 #include "core/parallel/simd_level.h"
 
 #include <cmath>
@@ -9,39 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-/// Turns off those checks of UndefinedBehaviorSanitizer that concern pointers and indices. These
-/// checks are inlined a thousand times into a kernel, which Clang then compiles for more than six
-/// minutes. Without them, compiling takes 20 s. AddressSanitizer still checks the accesses.
-#ifdef __clang__
-#define FOAM_UNCHECKED_POINTERS \
-    __attribute__((no_sanitize("null", "alignment", "object-size", "pointer-overflow", "bounds")))
-#else
-#define FOAM_UNCHECKED_POINTERS
-#endif
-
-/// Marks functions that use lanes. They have to be inlined to be compiled for the instruction set
-/// of a kernel (at_simd_level). The attribute `flatten`, with which at_simd_level inlines the
-/// functions that a kernel calls, does not inline large functions.
-#define FOAM_INLINE [[gnu::always_inline]] FOAM_UNCHECKED_POINTERS inline
-#define FOAM_INLINE_LAMBDA __attribute__((always_inline)) FOAM_UNCHECKED_POINTERS
-
 namespace foam::texgen {
-
-/// An array for kernels. Its functions are always inlined and never check an index, unlike the
-/// functions of std::array. Such checks would keep the compiler from holding elements in registers.
-template <class Value, std::size_t kSize>
-struct Array {  // NOLINT(readability-identifier-naming): names in the implicit copy constructor
-    FOAM_INLINE constexpr Value& operator[](std::size_t k) { return values[k]; }
-    FOAM_INLINE constexpr const Value& operator[](std::size_t k) const { return values[k]; }
-    FOAM_INLINE constexpr Value* begin() { return values; }
-    FOAM_INLINE constexpr Value* end() { return values + kSize; }
-    FOAM_INLINE constexpr const Value* begin() const { return values; }
-    FOAM_INLINE constexpr const Value* end() const { return values + kSize; }
-    FOAM_INLINE constexpr Value* data() { return values; }
-    FOAM_INLINE static constexpr std::size_t size() { return kSize; }
-
-    Value values[kSize]{};  // NOLINT(*-avoid-c-arrays)
-};
 
 /// One number for each of several blocks, in a SIMD register of `kBytes` bytes. Operations are done
 /// lane by lane, so that the result of a block does not depend on the width of the register.
@@ -156,7 +125,7 @@ struct LanesAt {
         return Floats::from(__builtin_convertvector(whole.lanes, typename Floats::Register));
     }
     FOAM_INLINE static Floats square_root(const Floats& given) {
-        Array<float, kCount> roots;
+        KernelArray<float, kCount> roots;
         given.store(roots.data());
 #pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
         for (float& root : roots) {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/foam/frame.h"
+#include "core/parallel/kernel_array.h"
 #include "texgen/raster/arcs/pixel_arc.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
@@ -16,9 +16,9 @@ namespace foam::texgen {
 struct HalfAngles {
     static constexpr std::size_t kLanes = 8;
 
-    std::array<double, kLanes> angle{};
-    std::array<double, kLanes> cosine{};
-    std::array<double, kLanes> sine{};
+    KernelArray<double, kLanes> angle;
+    KernelArray<double, kLanes> cosine;
+    KernelArray<double, kLanes> sine;
 };
 
 /// Computes the cosine and the sine of every angle. Uses only additions, subtractions and

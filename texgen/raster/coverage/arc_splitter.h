@@ -2,10 +2,10 @@
 
 #pragma once
 
+#include "core/parallel/kernel_array.h"
 #include "texgen/raster/arcs/arc_crossings.h"
 #include "texgen/raster/arcs/monotone_arc.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -88,11 +88,11 @@ class ArcSplitter {
 
     std::int32_t rows_;
     std::size_t size_ = 0;
-    std::array<Arc, kMaxArcs> arcs_;
+    KernelArray<Arc, kMaxArcs> arcs_;
     // The queries for crossings with the upper borders of rows.
-    std::array<CrossingQuery, kMaxArcs> row_queries_;
+    KernelArray<CrossingQuery, kMaxArcs> row_queries_;
     // The queries for crossings with the borders between columns.
-    std::array<CrossingQuery, kMaxArcs> column_queries_;
+    KernelArray<CrossingQuery, kMaxArcs> column_queries_;
     std::vector<std::int32_t> xs_;  // results of row_queries_
     std::vector<std::int32_t> ys_;  // results of column_queries_
     // Scratch array for the arc that is being processed; between arcs, all elements are 0. The

@@ -67,8 +67,9 @@ void Coverage<Channels>::add_parts(std::size_t k) {
     const auto arc = static_cast<std::uint32_t>(across_.size());
     across_.push_back(steps_[k].across);
     const bool is_inside = splitter_.leftmost(k) >= 0 && splitter_.rightmost(k) < width_;
+    Row* const rows = rows_.data();  // std::vector would check every index in hardened builds
     for (const ArcSplitter::Part& part : splitter_.parts(k)) {
-        Row& row = rows_[static_cast<std::size_t>(part.row)];
+        Row& row = rows[part.row];
         if (is_inside) [[likely]] {
             row.parts.push_back({part.column, part.twice_area, part.twice_area_on_left, arc});
         } else {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "core/parallel/kernel_array.h"
 #include "texgen/raster/coords/fixed_point.h"
 #include "texgen/raster/coords/raster_grid.h"
 #include "texgen/raster/coverage/arc_splitter.h"
@@ -154,7 +155,7 @@ class Coverage {
     int width_;
     RowKind kind_;
     ArcSplitter splitter_;
-    std::array<Step, ArcSplitter::kMaxArcs> steps_;  // the steps of the pending arcs
+    KernelArray<Step, ArcSplitter::kMaxArcs> steps_;  // the steps of the pending arcs
     std::vector<Row> rows_;
     std::vector<Sums> across_;  // Step::across of each arc
     // Scratch arrays for one row. Between calls, all elements of cells_ and touched_ are 0.
@@ -167,10 +168,13 @@ class Coverage {
 // each pixel with a flag. Stores these positions in increasing order, clears the flags, and returns
 // the number of positions.
 // Stores kFlagsPerStep positions at a time, and overwrites up to kFlagsPerStep - 1 elements after
-// the last position. The end of a loop over single flags would often be mispredicted.
+// the last position. The end of a loop over single flags would often be mispredicted. The highest
+// flag is set before the lowest is searched: a search that must also handle a word without flags
+// contains a branch, which would often be mispredicted, too.
 template <std::size_t Channels>
 [[gnu::always_inline]] inline std::size_t Coverage<Channels>::take_begins(
     std::span<std::uint64_t> flags, std::uint16_t* begins) {
+    constexpr std::uint64_t kHighest = std::uint64_t{1} << (kFlagsPerWord - 1);
     std::size_t count = 0;
     std::uint64_t carry = 1;  // the lowest bit of the next word
     for (std::size_t word = 0; word < flags.size(); ++word) {
@@ -180,7 +184,7 @@ template <std::size_t Channels>
         const std::size_t end = count + static_cast<std::size_t>(std::popcount(bits));
         for (; count < end; count += kFlagsPerStep) {
             for (std::size_t k = 0; k < kFlagsPerStep; ++k) {
-                const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
+                const auto bit = static_cast<std::size_t>(std::countr_zero(bits | kHighest));
                 begins[count + k] = static_cast<std::uint16_t>(word * kFlagsPerWord + bit);
                 bits &= bits - 1;
             }

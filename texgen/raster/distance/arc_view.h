@@ -2,10 +2,10 @@
 
 #pragma once
 
+#include "core/parallel/kernel_array.h"
 #include "texgen/raster/distance/pixel_batch.h"
 #include "texgen/raster/distance/region.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -37,8 +37,8 @@ class ArcView {
 
   private:
     static constexpr std::size_t kLanes = 8;  // number of arcs that are processed at once
-    using Lanes = std::array<double, kLanes>;
-    using FloatLanes = std::array<float, kLanes>;
+    using Lanes = KernelArray<double, kLanes>;
+    using FloatLanes = KernelArray<float, kLanes>;
 
     struct ArcBlock {
         Lanes tail_x, tail_y, chord_x, chord_y, cosine, sine;

@@ -25,7 +25,7 @@ namespace {
 // sorted by bands of the image.
 
 // The number of rows of a band, a multiple of RegionField::kTileRows and TorusRegions::kSquare.
-constexpr int kBandRows = 128;
+constexpr int kBandRows = 256;
 
 // A copy of a region that overlaps the image.
 struct RegionCopy {

@@ -37,7 +37,7 @@ constexpr float kMinSum = 1e-12F;
 
 // One float for each of the kLanes pixels that are measured at once. These pixels are called a
 // block.
-using Lanes = std::array<float, PixelBatch::kLanes>;
+using Lanes = KernelArray<float, PixelBatch::kLanes>;
 
 // The function mask_if returns a mask of 32 bits: all ones if the condition is true, else all
 // zeros. The function `chosen` returns `first` if `mask` is all ones, and `second` if `mask` is all

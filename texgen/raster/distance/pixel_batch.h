@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/geometry/vec2.h"
+#include "core/parallel/kernel_array.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 
@@ -55,7 +55,7 @@ class PixelBatch {
     static constexpr std::size_t kCapacity = 1600;
     static constexpr std::size_t kLanes = 16;  // number of pixels measured at once
     static constexpr double kMargin = 0.01;    // upper bound of the error of a distance, pixels
-    using Values = std::array<float, kCapacity + kLanes>;
+    using Values = KernelArray<float, kCapacity + kLanes>;
 
     /// Adjacent pixels of a row.
     struct Span {
@@ -108,7 +108,7 @@ class PixelBatch {
     float to_middle_y_ = 0.0F;
     std::size_t count_ = 0;
     std::size_t span_count_ = 0;
-    std::array<Span, kCapacity> spans_;
+    KernelArray<Span, kCapacity> spans_;
     alignas(64) Values x_{};  // positions relative to the middle
     alignas(64) Values y_{};
     alignas(64) Values distance_{};

@@ -2,13 +2,13 @@
 
 #include "texgen/raster/distance/pixel_mask.h"
 
+#include "core/parallel/kernel_array.h"
 #include "texgen/raster/arcs/arc_crossings.h"
 #include "texgen/raster/simd/kernel.h"
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 
@@ -29,7 +29,7 @@ constexpr double kHalfPixel = 0.5 * kSubpixel;
 // doubles. If the loop converted row numbers to doubles instead, GCC would use only half of each
 // 512-bit register.
 constexpr auto kHeights = [] {
-    std::array<double, kRows> heights{};
+    KernelArray<double, kRows> heights;
     for (int k = 0; k < kRows; ++k) {
         heights[static_cast<std::size_t>(k)] = k * kSubpixel;
     }
@@ -139,8 +139,8 @@ void PixelMask::flip_right_of(std::span<const OutlineArc> outline,
             const double beyond = last * kSubpixel + kHalfPixel - low_y;
             for (int row = first_row_from(low_y, rows); row < last; row += kRows) {
                 const double y = row * kSubpixel + kHalfPixel - low_y;
-                std::array<std::uint64_t, kRows> columns{};
-                std::array<std::uint64_t, kRows> crossed{};
+                KernelArray<std::uint64_t, kRows> columns;
+                KernelArray<std::uint64_t, kRows> crossed;
 #pragma GCC unroll 1  // GCC would not vectorize the unrolled loop
                 for (std::size_t k = 0; k < kRows; ++k) {
                     const double at = y + kHeights[k];

@@ -138,8 +138,9 @@ void TorusRegions::trace(const Start& start, Region& region) const {
     Vec2 tail = start.tail;
     SubpixelPoint unwrapping;  // from a tail in the fundamental cell to its unwrapped position
     Side side = start.side;
+    const Film* const films = films_.data();  // unlike films_, never checks indices
     do {
-        const Film& film = films_[side / 2];
+        const Film& film = films[side / 2];
         __builtin_prefetch(&film + kFilmsAhead);
         const std::size_t end = side % 2;
         const int along = 1 - 2 * static_cast<int>(end);

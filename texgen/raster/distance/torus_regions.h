@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/parallel/counting_sort.h"
+#include "core/parallel/kernel_array.h"
 #include "texgen/raster/coords/pixel_frame.h"
 #include "texgen/raster/distance/region.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -53,10 +53,10 @@ class TorusRegions {
     // The data of a film that the boundaries on both its sides need, in one cache line. Each array
     // has the value of the forward side first, then the value of its twin.
     struct alignas(64) Film {
-        PixelArc arc;                       // the arc of the forward side
-        std::array<SubpixelPoint, 2> tail;  // tails in the fundamental cell
-        std::array<Side, 2> next{};         // the next side around the bubble
-        SubpixelPoint offset;               // lattice offset of the forward side as a translation
+        PixelArc arc;                        // the arc of the forward side
+        KernelArray<SubpixelPoint, 2> tail;  // tails in the fundamental cell
+        KernelArray<Side, 2> next;           // the next side around the bubble
+        SubpixelPoint offset;                // lattice offset of the forward side as a translation
     };
     static_assert(sizeof(Film) == 64);
 
