@@ -4,11 +4,11 @@
 
 #include "core/foam/random.h"
 #include "core/geometry/elementary.h"
+#include "core/parallel/kernel_array.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/animation/displaced_frame.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -43,8 +43,8 @@ struct VelocityWave {
 struct PointGroup {
     static constexpr std::size_t kSize = 32;
 
-    std::array<double, kSize> x{};
-    std::array<double, kSize> y{};
+    KernelArray<double, kSize> x;
+    KernelArray<double, kSize> y;
 };
 
 // Returns a + factor * b.

@@ -2,6 +2,7 @@
 
 #include "texgen/maps/distance.h"
 
+#include "core/parallel/simd_level.h"
 #include "texgen/maps/frame_layers.h"
 
 #include <cmath>
@@ -40,18 +41,27 @@ NumberPixels draw_distance(FrameLayers& layers,
     const double edge = is_signed ? 0.5 * film_width_in_pixels(films, layers.grid(), domain) : 0.0;
     const double unit =
         options.unit == DistanceUnit::Foam ? pixels_per_unit(layers.grid(), domain) : 1.0;
-    const double outwards = is_signed ? -1.0 : 0.0;
     const double low = is_signed ? -options.full.value : 0.0;
     Image<float> image(layers.grid().width, layers.grid().height, 1);
-    for (std::size_t k = 0; k < image.samples().size(); ++k) {
-        const double distance = static_cast<double>(field.distance.samples()[k]);
-        const bool around = layers.is_surroundings(field.ids.samples()[k]);
-        // A patch whose last bubble has vanished has no film, so the distance is infinite. The
-        // EXR writer rejects infinite numbers.
-        image.samples()[k] = static_cast<float>(
-            std::isfinite(distance) ? ((around ? outwards * distance : distance) - edge) / unit
-                                    : low);
-    }
+    // `ghost` is the id of the surroundings of a patch. On a torus, no pixel has this id.
+    at_simd_level([outwards = is_signed ? -1.0 : 0.0,
+                   edge,
+                   unit,
+                   low,
+                   ghost = static_cast<std::uint32_t>(layers.frame().bubbles.size()),
+                   count = image.samples().size(),
+                   distances = field.distance.samples().data(),
+                   ids = field.ids.samples().data(),
+                   to = image.samples().data()] {
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto distance = static_cast<double>(distances[k]);
+            const double factor = ids[k] == ghost ? outwards : 1.0;
+            const double number = (factor * distance - edge) / unit;
+            // A patch whose last bubble has vanished has no film, so the distance is infinite. The
+            // EXR writer rejects infinite numbers.
+            to[k] = static_cast<float>(std::isfinite(distance) ? number : low);
+        }
+    });
     return {std::move(image), low, options.full.value};
 }
 

@@ -2,13 +2,13 @@
 
 #pragma once
 
+#include "core/parallel/kernel_array.h"
 #include "texgen/keys/key.h"
 #include "texgen/maps/smooth_step.h"
 #include "texgen/raster/simd/kernel.h"
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -113,8 +113,8 @@ class Reflections {
     }
 
     bool has_windows_ = false;
-    std::array<Window, kMaxWindows> windows_{};
-    std::array<double, kMaxWindows> brightnesses_{};
+    KernelArray<Window, kMaxWindows> windows_;
+    KernelArray<double, kMaxWindows> brightnesses_;
     double horizon_ = 0.0;
     double flat_ = 0.0;  // brightness straight above
 };
