@@ -94,6 +94,14 @@ Value list_of(const std::vector<std::string>& texts) {
     return {std::move(list)};
 }
 
+// Returns true if the value of image.maps in a profile contains a map.
+bool lists_map(const Profile& profile, const std::string& map) {
+    return std::ranges::any_of(profile.assignments, [&](const Assignment& assignment) {
+        const std::vector<std::string> maps = texts_in(assignment.value);
+        return assignment.key == "image.maps" && std::ranges::find(maps, map) != maps.end();
+    });
+}
+
 std::string lit_color_map(LitColors colors) {
     switch (colors) {
         case LitColors::ThinFilm:
@@ -143,7 +151,10 @@ Profile load_profile(const std::string& name_or_path) {
 }
 
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset) {
-    const std::string base = base_color_map(preset);
+    std::string base = base_color_map(preset);
+    if (lists_map(profile, base)) {
+        base = kAlbedoMap.name;  // so that nothing is replaced
+    }
     std::vector<Assignment> assignments = profile.assignments;
     for (Assignment& assignment : assignments) {
         const bool names_maps = assignment.key == "image.maps" || assignment.key == "output.pack" ||

@@ -104,6 +104,19 @@ TEST(Profile, ReplacesTheMapAlbedo) {
     EXPECT_EQ(preset.output.names, Names{"thin_film=BC"});
 }
 
+TEST(Profile, KeepsTheMapAlbedoIfItAlsoListsTheMapWithTheColors) {
+    const TemporaryFolder folder;
+    const Profile profile =
+        load_profile(written(folder,
+                             "[image]\nmaps = [\"thin_film\", \"albedo\"]\n[output]\n"
+                             "names = [\"thin_film=Film\", \"albedo=BC\"]\n"));
+    Preset preset;
+    preset.image.maps = {"thin_film"};
+    assign(preset, assignments_for(profile, preset));
+    EXPECT_EQ(preset.image.maps, (Names{"thin_film", "albedo"}));
+    EXPECT_EQ(preset.output.names, (Names{"thin_film=Film", "albedo=BC"}));
+}
+
 TEST(Profile, DoesNotReplaceNamesOfPackingsAndWordsOfFileNames) {
     const TemporaryFolder folder;
     const Profile profile =
