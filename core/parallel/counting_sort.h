@@ -43,7 +43,7 @@ Buckets<Item> counting_sort(std::size_t buckets,
     std::vector<std::vector<std::size_t>> next(parts);
     parallel_for(parts, 1, threads, [&](std::size_t part, std::size_t) {
         std::vector<std::size_t> counts(buckets);
-        visit(part, [&](std::size_t bucket, const Item&) { ++counts[bucket]; });
+        visit(part, [to = counts.data()](std::size_t bucket, const Item&) { ++to[bucket]; });
         next[part] = std::move(counts);
     });
     Buckets<Item> sorted;
@@ -57,9 +57,9 @@ Buckets<Item> counting_sort(std::size_t buckets,
     }
     sorted.items.resize(end);
     parallel_for(parts, 1, threads, [&](std::size_t part, std::size_t) {
-        visit(part, [&](std::size_t bucket, const Item& item) {
-            sorted.items[next[part][bucket]++] = item;
-        });
+        visit(part,
+              [positions = next[part].data(), items = sorted.items.data()](
+                  std::size_t bucket, const Item& item) { items[positions[bucket]++] = item; });
     });
     return sorted;
 }

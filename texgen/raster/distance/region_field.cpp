@@ -145,9 +145,10 @@ void RegionField::measure_distances(Arcs arcs, double reach) {
     const double horizon = view_.horizon(reach);
     grow(functions_, arcs.size());
     points_.clear();
+    ArcFunctions* const functions = functions_.data();
     std::size_t count = 0;  // number of near arcs, counted without an unpredictable branch
     for (std::size_t k = 0; k < arcs.size(); ++k) {
-        functions_[count] = view_.arc_functions(k);
+        functions[count] = view_.arc_functions(k);
         count += view_.is_within(k, horizon) ? 1U : 0U;
         if (arcs[k].corner && view_.is_within(k, horizon)) {
             points_.push_back(arcs[k].tail + to_batch);

@@ -93,9 +93,10 @@ std::vector<TorusRegions::Film> TorusRegions::sorted_films(int threads) {
     }
     std::vector<Film> films(order.size() + kFilmsAhead);
     parallel_for(order.size(), kPerTask, threads, [&](std::size_t first, std::size_t last) {
+        Film* const to = films.data();
         for (std::size_t k = first; k < last; ++k) {
             const HalfEdgeId forward = forward_side(id_at<FilmId>(k));
-            films[new_index_[k]] = {
+            to[new_index_[k]] = {
                 arcs[k],
                 {pixels_.rounded_position(network.tail(forward)),
                  pixels_.rounded_position(network.head(forward))},
