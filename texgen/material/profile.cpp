@@ -152,7 +152,7 @@ Profile load_profile(const std::string& name_or_path) {
 
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset) {
     std::string base = base_color_map(preset);
-    if (lists_map(profile, base)) {
+    if (lists_map(profile, base) && lists_map(profile, std::string(kAlbedoMap.name))) {
         base = kAlbedoMap.name;  // so that nothing is replaced
     }
     std::vector<Assignment> assignments = profile.assignments;

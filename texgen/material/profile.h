@@ -51,8 +51,8 @@ Profile load_profile(const std::string& name_or_path);
 /// - In the profile's values of image.maps, output.pack and output.names, the map albedo is
 ///   replaced by the map that has the colors of the preset (base_color_map). Only names of maps are
 ///   replaced: the names of packed images (output.pack) and the words for maps in file names
-///   (output.names) stay the same. Nothing is replaced if the profile's image.maps itself contains
-///   the map that has the colors of the preset.
+///   (output.names) stay the same. Nothing is replaced if the profile's image.maps contains both
+///   albedo and the map that has the colors of the preset.
 /// - The map emission is left out of image.maps if nothing in the preset glows (lit.glow is 0).
 std::vector<Assignment> assignments_for(const Profile& profile, const Preset& preset);
 

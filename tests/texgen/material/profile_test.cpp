@@ -117,6 +117,16 @@ TEST(Profile, KeepsTheMapAlbedoIfItAlsoListsTheMapWithTheColors) {
     EXPECT_EQ(preset.output.names, (Names{"thin_film=Film", "albedo=BC"}));
 }
 
+TEST(Profile, ReplacesTheMapAlbedoOfPackingsIfItListsOnlyTheMapWithTheColors) {
+    const TemporaryFolder folder;
+    const Profile profile = load_profile(
+        written(folder, "[image]\nmaps = [\"thin_film\"]\n[output]\nnames = [\"albedo=BC\"]\n"));
+    Preset preset;
+    preset.image.maps = {"thin_film"};
+    assign(preset, assignments_for(profile, preset));
+    EXPECT_EQ(preset.output.names, Names{"thin_film=BC"});
+}
+
 TEST(Profile, DoesNotReplaceNamesOfPackingsAndWordsOfFileNames) {
     const TemporaryFolder folder;
     const Profile profile =

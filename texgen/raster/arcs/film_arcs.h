@@ -7,6 +7,7 @@
 #include "texgen/raster/arcs/pixel_arc.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 

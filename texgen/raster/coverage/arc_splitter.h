@@ -6,6 +6,7 @@
 #include "texgen/raster/arcs/arc_crossings.h"
 #include "texgen/raster/arcs/monotone_arc.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

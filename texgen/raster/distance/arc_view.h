@@ -6,6 +6,7 @@
 #include "texgen/raster/distance/pixel_batch.h"
 #include "texgen/raster/distance/region.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 

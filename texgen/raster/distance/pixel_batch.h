@@ -5,6 +5,7 @@
 #include "core/geometry/vec2.h"
 #include "core/parallel/kernel_array.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
