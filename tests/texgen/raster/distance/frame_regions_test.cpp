@@ -73,7 +73,7 @@ TEST(FrameRegions, ArePaintedInTheSameOrderByAnyThreads) {
 
 TEST(FrameRegions, OfAPatchArePaintedInTheirOrder) {
     const Frame frame = snapshot(test::patch_foam(20, 3), 1);
-    const RasterGrid grid{200, 200, 0, 0, View{{0.0, 0.0}, 26.0}};
+    const RasterGrid grid{400, 400, 0, 0, View{{0.0, 0.0}, 52.0}};
     const auto ghost = static_cast<std::uint32_t>(index_of(frame.network.ghost()));
     for (const std::vector<Copy>& of_row : painted_rows(frame, grid, 2)) {
         ASSERT_FALSE(of_row.empty());
@@ -119,8 +119,8 @@ void expect_tiling(const Frame& frame, const RasterGrid& grid) {
 TEST(RegionPixels, TileTheTorus) {
     Foam foam = test::bent_foam(30, 0.5, 3);
     shear(foam, 0.3);
-    expect_tiling(test::fitted_frame(foam, 75, 140), {75, 140, 33, 70});
-    expect_tiling(test::fitted_frame(foam, 225, 420), {225, 420, 33, 270});
+    expect_tiling(test::fitted_frame(foam, 150, 280), {150, 280, 33, 170});
+    expect_tiling(test::fitted_frame(foam, 300, 560), {300, 560, 33, 400});
     expect_tiling(test::fitted_frame(test::single_bubble(), 90, 90), {90, 90, 5, 7});
     expect_tiling(test::fitted_frame(test::bent_foam(600, 0.3, 5), 20, 20), {20, 20});
 }
@@ -132,7 +132,7 @@ TEST(RegionPixels, TileThePlane) {
     const Frame ring = snapshot(test::ring_foam(), 1);
     expect_tiling(ring, {90, 90, 0, 0, View{{0.1, 0.0}, 16.0}});
     const Frame circles = snapshot(test::circles({{0, {-2.0, 0.1}, 4.0}, {1, {1.5, 0.3}, 4.0}}), 1);
-    expect_tiling(circles, {200, 120, 0, 0, View{{0.0, 0.0}, 20.0}});
+    expect_tiling(circles, {500, 300, 0, 0, View{{0.0, 0.0}, 50.0}});
 }
 
 }  // namespace
