@@ -88,54 +88,45 @@ TEST(Profile, TakesTheColorsOfThePreset) {
     EXPECT_EQ(base_color_map(preset), "albedo");
 }
 
-// The word albedo is replaced where it is the name of the map, also within packings and names.
-TEST(Profile, ReplacesTheMapAlbedo) {
+// Returns a preset whose map of colors is thin_film, with a profile assigned to it. `toml` is the
+// text of the profile.
+Preset thin_film_with(const std::string& toml) {
     const TemporaryFolder folder;
-    const Profile profile =
-        load_profile(written(folder,
-                             "[image]\nmaps = [\"albedo\", \"normal\"]\n[output]\n"
-                             "pack = [\"my_albedo=albedo.R,albedo.G,albedo.B,roughness\"]\n"
-                             "names = [\"albedo=BC\"]\n"));
     Preset preset;
     preset.image.maps = {"thin_film"};
-    assign(preset, assignments_for(profile, preset));
+    assign(preset, assignments_for(load_profile(written(folder, toml)), preset));
+    return preset;
+}
+
+// The word albedo is replaced where it is the name of the map, also within packings and names.
+TEST(Profile, ReplacesTheMapAlbedo) {
+    const Preset preset = thin_film_with(
+        "[image]\nmaps = [\"albedo\", \"normal\"]\n[output]\n"
+        "pack = [\"my_albedo=albedo.R,albedo.G,albedo.B,roughness\"]\n"
+        "names = [\"albedo=BC\"]\n");
     EXPECT_EQ(preset.image.maps, (Names{"thin_film", "normal"}));
     EXPECT_EQ(preset.output.pack, Names{"my_albedo=thin_film.R,thin_film.G,thin_film.B,roughness"});
     EXPECT_EQ(preset.output.names, Names{"thin_film=BC"});
 }
 
 TEST(Profile, KeepsTheMapAlbedoIfItAlsoListsTheMapWithTheColors) {
-    const TemporaryFolder folder;
-    const Profile profile =
-        load_profile(written(folder,
-                             "[image]\nmaps = [\"thin_film\", \"albedo\"]\n[output]\n"
-                             "names = [\"thin_film=Film\", \"albedo=BC\"]\n"));
-    Preset preset;
-    preset.image.maps = {"thin_film"};
-    assign(preset, assignments_for(profile, preset));
+    const Preset preset = thin_film_with(
+        "[image]\nmaps = [\"thin_film\", \"albedo\"]\n[output]\n"
+        "names = [\"thin_film=Film\", \"albedo=BC\"]\n");
     EXPECT_EQ(preset.image.maps, (Names{"thin_film", "albedo"}));
     EXPECT_EQ(preset.output.names, (Names{"thin_film=Film", "albedo=BC"}));
 }
 
-TEST(Profile, ReplacesTheMapAlbedoOfPackingsIfItListsOnlyTheMapWithTheColors) {
-    const TemporaryFolder folder;
-    const Profile profile = load_profile(
-        written(folder, "[image]\nmaps = [\"thin_film\"]\n[output]\nnames = [\"albedo=BC\"]\n"));
-    Preset preset;
-    preset.image.maps = {"thin_film"};
-    assign(preset, assignments_for(profile, preset));
+TEST(Profile, ReplacesTheMapAlbedoIfItListsOnlyTheMapWithTheColors) {
+    const Preset preset =
+        thin_film_with("[image]\nmaps = [\"thin_film\"]\n[output]\nnames = [\"albedo=BC\"]\n");
     EXPECT_EQ(preset.output.names, Names{"thin_film=BC"});
 }
 
 TEST(Profile, DoesNotReplaceNamesOfPackingsAndWordsOfFileNames) {
-    const TemporaryFolder folder;
-    const Profile profile =
-        load_profile(written(folder,
-                             "[output]\npack = [\"albedo-mask=albedo.R,albedo.G,albedo.B\"]\n"
-                             "names = [\"albedo=albedo\", \"roughness=albedo-rough\"]\n"));
-    Preset preset;
-    preset.image.maps = {"thin_film"};
-    assign(preset, assignments_for(profile, preset));
+    const Preset preset = thin_film_with(
+        "[output]\npack = [\"albedo-mask=albedo.R,albedo.G,albedo.B\"]\n"
+        "names = [\"albedo=albedo\", \"roughness=albedo-rough\"]\n");
     EXPECT_EQ(preset.output.pack, Names{"albedo-mask=thin_film.R,thin_film.G,thin_film.B"});
     EXPECT_EQ(preset.output.names, (Names{"thin_film=albedo", "roughness=albedo-rough"}));
 }

@@ -154,7 +154,7 @@ TEST(DistanceInPatches, HaveTheGradientsOfTheirSmoothDistance) {
 // Around a patch, smooth distances equal the distances, which are then computed, too.
 TEST(DistanceInPatches, SmoothDistancesDoNotDependOnDistances) {
     const Frame frame = snapshot(test::patch_foam(40, 9), 1);
-    const RasterGrid grid = grid_of(200, 200, {0.2, 0.1}, 20.0);
+    const RasterGrid grid = grid_of(400, 400, {0.2, 0.1}, 40.0);
     DistanceNeeds needs = kAll;
     const DistanceField all = distance_field(frame, grid, needs, 1);
     needs.distance = needs.gradient = false;
@@ -166,7 +166,7 @@ TEST(DistanceInPatches, SmoothDistancesDoNotDependOnDistances) {
 
 TEST(DistanceInPatches, IsTheSameForAnyThreads) {
     const Frame frame = snapshot(test::patch_foam(40, 9), 1);
-    const RasterGrid grid = grid_of(200, 200, {0.2, 0.1}, 20.0);
+    const RasterGrid grid = grid_of(400, 400, {0.2, 0.1}, 40.0);
     const DistanceField one = distance_field(frame, grid, kAll, 1);
     const DistanceField three = distance_field(frame, grid, kAll, 3);
     EXPECT_EQ(one.ids, three.ids);

@@ -104,10 +104,10 @@ void expect_shifted(const DistanceField& shifted, const DistanceField& field, in
 TEST(Distance, ShiftsBitForBit) {
     for (const Foam& foam :
          {test::bent_foam(30, 0.4, 3), test::single_bubble(), test::bent_foam(600, 0.3, 5)}) {
-        const Frame frame = test::fitted_frame(foam, 75, 140);
-        const DistanceField field = distance_field(frame, {75, 140}, kAll, 1);
+        const Frame frame = test::fitted_frame(foam, 150, 280);
+        const DistanceField field = distance_field(frame, {150, 280}, kAll, 1);
         for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {74, 139}, {33, 70}}) {
-            expect_shifted(distance_field(frame, {75, 140, dx, dy}, kAll, 1), field, dx, dy);
+            expect_shifted(distance_field(frame, {150, 280, dx, dy}, kAll, 1), field, dx, dy);
         }
     }
 }
