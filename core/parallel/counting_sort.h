@@ -37,6 +37,8 @@ Buckets<Item> counting_sort(std::size_t buckets,
                             std::size_t parts,
                             int threads,
                             const Visit& visit) {
+    // Both passes use pointers, because std::vector checks indices in hardened builds.
+    //
     // The first pass counts the items of each part in each bucket. A prefix sum then replaces each
     // count by an index in `sorted.items`: the index of the first item that the part puts into the
     // bucket.

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cstddef>
 
-/// Turns off those checks of UndefinedBehaviorSanitizer that concern pointers and indices. These
-/// checks are inlined a thousand times into a large kernel, which Clang then compiles for more than
-/// six minutes. Without them, compiling takes 20 s. AddressSanitizer still checks the accesses.
+/// Turns off those checks of UndefinedBehaviorSanitizer that concern pointers and indices. In the
+/// largest kernels (texgen/blocks), these checks are inlined a thousand times, and Clang then takes
+/// more than six minutes. Without them, compiling takes 20 s. AddressSanitizer still finds accesses
+/// outside of the object that contains the array.
 #ifdef __clang__
 #define FOAM_UNCHECKED_POINTERS \
     __attribute__((no_sanitize("null", "alignment", "object-size", "pointer-overflow", "bounds")))
@@ -15,17 +16,18 @@
 #define FOAM_UNCHECKED_POINTERS
 #endif
 
-/// Marks functions that kernels call and that must be inlined to be compiled for the instruction
-/// set of the kernel (at_simd_level in simd_level.h). The attribute `flatten`, with which
-/// at_simd_level inlines the functions that a kernel calls, does not inline large functions.
+/// Marks functions that kernels call. They are compiled for the instruction set of the kernel
+/// (at_simd_level in simd_level.h) only if they are inlined into it. The attribute `flatten`, with
+/// which at_simd_level inlines the functions that a kernel calls, does not inline large functions.
 #define FOAM_INLINE [[gnu::always_inline]] FOAM_UNCHECKED_POINTERS inline
 #define FOAM_INLINE_LAMBDA __attribute__((always_inline)) FOAM_UNCHECKED_POINTERS
 
 namespace foam {
 
-/// An array for kernels (at_simd_level in simd_level.h). Its functions are always inlined and never
-/// check an index. The functions of std::array check indices in hardened builds (SECURITY.md), and
-/// the checks keep compilers from vectorizing loops and from holding elements in registers.
+/// An array for kernels (at_simd_level in simd_level.h). Its elements are initialized to 0, or by
+/// their default constructor. Its functions are inlined and never check an index. The functions of
+/// std::array check indices in hardened builds (SECURITY.md), and the checks keep compilers from
+/// vectorizing loops and from holding elements in registers.
 template <class Value, std::size_t kSize>
 struct KernelArray {  // NOLINT(readability-identifier-naming): names in implicit constructors
     FOAM_INLINE constexpr Value& operator[](std::size_t k) { return values[k]; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/parallel/kernel_array.h"
 #include "core/parallel/simd_level.h"
 #include "texgen/blocks/bc7.h"
 #include "texgen/blocks/bc7_fit.h"

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "core/parallel/kernel_array.h"
 #include "texgen/blocks/bc7_line.h"
 #include "texgen/blocks/bc7_round.h"
 

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "core/parallel/kernel_array.h"
 #include "texgen/blocks/lanes.h"
 #include "texgen/blocks/texel_block.h"
 

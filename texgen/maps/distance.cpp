@@ -44,19 +44,18 @@ NumberPixels draw_distance(FrameLayers& layers,
         options.unit == DistanceUnit::Foam ? pixels_per_unit(layers.grid(), domain) : 1.0;
     const double low = is_signed ? -options.full.value : 0.0;
     Image<float> image(layers.grid().width, layers.grid().height, 1);
-    // `ghost` is the id of the surroundings of a patch. On a torus, no pixel has this id.
     at_simd_level([outwards = is_signed ? -1.0 : 0.0,
                    edge,
                    unit,
                    low,
-                   ghost = static_cast<std::uint32_t>(layers.frame().bubbles.size()),
+                   surroundings = layers.surroundings_id(),
                    count = image.samples().size(),
                    distances = field.distance.samples().data(),
                    ids = field.ids.samples().data(),
                    to = image.samples().data()] {
         for (std::size_t k = 0; k < count; ++k) {
             const auto distance = static_cast<double>(distances[k]);
-            const double factor = ids[k] == ghost ? outwards : 1.0;
+            const double factor = ids[k] == surroundings ? outwards : 1.0;
             const double number = (factor * distance - edge) / unit;
             // A patch whose last bubble has vanished has no film, so the distance is infinite. The
             // EXR writer rejects infinite numbers.

@@ -12,6 +12,7 @@
 #include "texgen/raster/distance/distance_field.h"
 #include "texgen/raster/outline/cell_arcs.h"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -76,10 +77,13 @@ class FrameLayers {
     /// need both. Throws std::invalid_argument if the grid does not fit the domain
     /// (diameters_in_pixels).
     const Grain& grain(const GrainRule& rule);
-    /// Returns true if `id`, a sample of DistanceField::ids, denotes the surroundings of a patch.
-    bool is_surroundings(std::uint32_t id) const {
-        return is_patch() && id == frame().bubbles.size();
+    /// Returns the id of the surroundings of a patch in DistanceField::ids. On a torus, no pixel
+    /// has this id.
+    std::uint32_t surroundings_id() const {
+        return static_cast<std::uint32_t>(frame().bubbles.size());
     }
+    /// Returns true if `id`, a sample of DistanceField::ids, denotes the surroundings of a patch.
+    bool is_surroundings(std::uint32_t id) const { return is_patch() && id == surroundings_id(); }
 
   private:
     void join_fields();

@@ -67,7 +67,8 @@ void Coverage<Channels>::add_parts(std::size_t k) {
     const auto arc = static_cast<std::uint32_t>(across_.size());
     across_.push_back(steps_[k].across);
     const bool is_inside = splitter_.leftmost(k) >= 0 && splitter_.rightmost(k) < width_;
-    Row* const rows = rows_.data();  // std::vector would check every index in hardened builds
+    // A pointer, because std::vector checks indices in hardened builds.
+    Row* const rows = rows_.data();
     for (const ArcSplitter::Part& part : splitter_.parts(k)) {
         Row& row = rows[part.row];
         if (is_inside) [[likely]] {

@@ -168,9 +168,10 @@ class Coverage {
 // each pixel with a flag. Stores these positions in increasing order, clears the flags, and returns
 // the number of positions.
 // Stores kFlagsPerStep positions at a time, and overwrites up to kFlagsPerStep - 1 elements after
-// the last position. The end of a loop over single flags would often be mispredicted. The highest
-// flag is set before the lowest is searched: a search that must also handle a word without flags
-// contains a branch, which would often be mispredicted, too.
+// the last position. The end of a loop over single flags would often be mispredicted. So would the
+// branch with which a search for the lowest flag handles a word without flags. Therefore the
+// highest flag of the searched word is set. If the word has other flags, the lowest of them is
+// still found.
 template <std::size_t Channels>
 [[gnu::always_inline]] inline std::size_t Coverage<Channels>::take_begins(
     std::span<std::uint64_t> flags, std::uint16_t* begins) {

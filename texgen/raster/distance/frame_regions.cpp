@@ -8,7 +8,6 @@
 #include "texgen/raster/distance/torus_regions.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <iterator>
 #include <numeric>

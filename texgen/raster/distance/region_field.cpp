@@ -145,6 +145,7 @@ void RegionField::measure_distances(Arcs arcs, double reach) {
     const double horizon = view_.horizon(reach);
     grow(functions_, arcs.size());
     points_.clear();
+    // A pointer, because std::vector checks indices in hardened builds.
     ArcFunctions* const functions = functions_.data();
     std::size_t count = 0;  // number of near arcs, counted without an unpredictable branch
     for (std::size_t k = 0; k < arcs.size(); ++k) {

@@ -93,7 +93,7 @@ std::vector<TorusRegions::Film> TorusRegions::sorted_films(int threads) {
     }
     std::vector<Film> films(order.size() + kFilmsAhead);
     parallel_for(order.size(), kPerTask, threads, [&](std::size_t first, std::size_t last) {
-        Film* const to = films.data();
+        Film* const to = films.data();  // a pointer, as in trace()
         for (std::size_t k = first; k < last; ++k) {
             const HalfEdgeId forward = forward_side(id_at<FilmId>(k));
             to[new_index_[k]] = {
@@ -139,7 +139,8 @@ void TorusRegions::trace(const Start& start, Region& region) const {
     Vec2 tail = start.tail;
     SubpixelPoint unwrapping;  // from a tail in the fundamental cell to its unwrapped position
     Side side = start.side;
-    const Film* const films = films_.data();  // unlike films_, never checks indices
+    // A pointer, because std::vector checks indices in hardened builds.
+    const Film* const films = films_.data();
     do {
         const Film& film = films[side / 2];
         __builtin_prefetch(&film + kFilmsAhead);

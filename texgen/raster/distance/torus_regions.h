@@ -7,6 +7,7 @@
 #include "texgen/raster/coords/pixel_frame.h"
 #include "texgen/raster/distance/region.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
